@@ -295,10 +295,11 @@ test('settings, progress and bookmarks go to another browser in a file', async (
   await other.close();
 });
 
-test('resized, on a screen of twice the pixels, and upright', async () => {
+test('resized, zoomed, on a screen of twice the pixels, and upright', async () => {
   const page = await browser.open(address + '#lesson=z-buffer&stop=3');
   await page.until(shown);
-  for (const [width, height, scale] of [[1600, 900, 1], [800, 600, 2], [390, 844, 3], [844, 390, 1]]) {
+  // 1024 by 576 at 1.25 is what a browser's zoom makes of 1280 by 720.
+  for (const [width, height, scale] of [[1600, 900, 1], [1024, 576, 1.25], [800, 600, 2], [390, 844, 3], [844, 390, 1]]) {
     await page.resize(width, height, scale);
     await page.until(`canvas.width === ${width * scale} && canvas.height === ${height * scale}`);
     const picture = await page.picture();
@@ -360,6 +361,28 @@ test('two tabs beside each other', async () => {
   check(!same(first, await two.picture()), 'both show the same');
   await one.front();
   check(same(first, await one.picture()), 'the first came back as another');
+  await one.close();
+  await two.close();
+});
+
+test('a tab in the background does not play on, and goes on where it was', async () => {
+  const one = await browser.open(address + '#lesson=z-buffer&step=300');
+  await one.until(shown);
+  const step = async () => Number(/Step (\d+)/.exec(await one.ask('said.textContent'))?.[1]);
+  await one.key(' ', {code: 'Space', keyCode: 32, text: ' '});
+  await one.until(`/Step 30[2-9]/.test(said.textContent)`);
+  const two = await browser.open(address + '#lesson=bsp&stop=2');
+  await two.until(shown);
+  await one.until(`document.visibilityState === 'hidden'`);
+  const left = await step();
+  await new Promise((resolve) => setTimeout(resolve, 3000));
+  const meanwhile = await step();
+  check(meanwhile <= left + 1, `it played from step ${left} to ${meanwhile}`);
+  await one.front();
+  await one.until(`!said.textContent.startsWith('Step ${meanwhile} ')`, 3);
+  const back = await step();
+  // What was missed is no more than a second of it: 5 steps, and one for the next frame.
+  check(back > meanwhile && back <= meanwhile + 6, `it came back at step ${back} after ${meanwhile}`);
   await one.close();
   await two.close();
 });
