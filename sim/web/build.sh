@@ -4,21 +4,45 @@
 #   ./zstep web -o FOLDER      makes them
 #   ./zstep web --serve [PORT] makes them, and serves them here (port 8010)
 #
-# Emscripten 3.1.60 or newer compiles them. Where the system has an older one or none, a Debian 13 beside it does, which is
-# made once. That, the libraries and their sources are kept in ~/.cache/zstep/web, for all checkouts.
+# Emscripten 3.1.60 or newer compiles them. Where the system's packages have none so new, as in Debian 12, a Debian 13
+# beside it does, which is made once. That, the libraries and their sources are kept in ~/.cache/zstep/web, for all checkouts.
 set -eu
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
 kept=${ZSTEP_WEB_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/zstep/web}
 system=${ZSTEP_WEB_ROOT:-$kept/debian-13}  # where Emscripten is, unless it is here
 build=$root/build/web
-needs=(emscripten ninja-build cmake ccache pkg-config g++ make patch tcl dpkg-dev xz-utils python3-fonttools fonts-dejavu-core
+# What the Debian beside this system has to have.
+needs=($("$root/zstep" packages | sed -nE 's/^web +[^ ]+ +([^ ]+).*/\1/p') ninja-build cmake ccache pkg-config g++ fonts-dejavu-core
   libglm-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libboost-dev)
 
 say() { printf 'zstep: %s\n' "$*" >&2; }
 die() { say "$@"; exit "${code:-1}"; }
 have() { command -v "$1" >/dev/null 2>&1; }
 wrong() { code=2 die "$@"; }
+
+# ---- Where Emscripten is -----------------------------------------------------------------------------------------
+
+new_enough() {  # of `em++ --version`
+  [[ $1 =~ ([0-9]+)\.([0-9]+)\.([0-9]+) ]] || return 1
+  [ "${BASH_REMATCH[1]}" -gt 3 ] || { [ "${BASH_REMATCH[1]}" = 3 ] && { [ "${BASH_REMATCH[2]}" -gt 1 ] || [ "${BASH_REMATCH[3]}" -ge 60 ]; }; }
+}
+
+em_here() { if have em++; then em++ --version 2>/dev/null | head -n 1 | grep -oE '[0-9]+\.[0-9]+\.[0-9]+' | head -n 1; else echo "not installed"; fi; }
+
+# Whether this system's packages have one: Debian from 13 on, Ubuntu from 25.04 on.
+can_be_installed() {
+  local ID='' VERSION_ID=''
+  [ -r /etc/os-release ] && . /etc/os-release
+  case $ID in debian) [ "${VERSION_ID:-99}" -ge 13 ] ;; ubuntu) [ "${VERSION_ID%%.*}" -ge 25 ] ;; *) return 1 ;; esac
+}
+
+beside=yes
+if [ -z "${ZSTEP_WEB_ROOT-}" ] && { new_enough "$(em_here)" || can_be_installed; }; then beside=no; fi
+if [ "${1-}" = --needs ]; then  # for the launcher, which installs it
+  if [ $beside = no ]; then echo build web; elif [ ! -e "$system/usr/bin/em++" ]; then echo beside; fi
+  exit
+fi
 
 output='' serve=no port=8010
 while [ $# -gt 0 ]; do
@@ -36,13 +60,6 @@ case $port in *[!0-9]* | '') wrong "web: '$port' is no port; write for example .
 if [ -n "$output" ] && [ -e "$output" ] && [ -n "$(ls -A "$output" 2>/dev/null)" ] && [ ! -e "$output/zstep.wasm" ]; then
   wrong "web: $output holds other files; name an empty or a new folder"
 fi
-
-# ---- Where Emscripten is -----------------------------------------------------------------------------------------
-
-new_enough() {  # of `em++ --version`
-  [[ $1 =~ ([0-9]+)\.([0-9]+)\.([0-9]+) ]] || return 1
-  [ "${BASH_REMATCH[1]}" -gt 3 ] || { [ "${BASH_REMATCH[1]}" = 3 ] && { [ "${BASH_REMATCH[2]}" -gt 1 ] || [ "${BASH_REMATCH[3]}" -ge 60 ]; }; }
-}
 
 # Runs a command where Emscripten is, with this checkout and what is kept in their places.
 there() {
@@ -69,14 +86,9 @@ make_system() {
   mv "$system.new" "$system"
 }
 
-em_here() { if have em++; then em++ --version 2>/dev/null | head -n 1 | grep -oE '[0-9]+\.[0-9]+\.[0-9]+' | head -n 1; else echo "not installed"; fi; }
-
 mkdir -p "$kept"
-beside=no
-if ! new_enough "$(em_here)" || [ -n "${ZSTEP_WEB_ROOT-}" ]; then
-  beside=yes
-  [ -e "$system/usr/bin/em++" ] || make_system
-fi
+if [ $beside = yes ]; then [ -e "$system/usr/bin/em++" ] || make_system
+elif ! new_enough "$(em_here)"; then die "Emscripten here is $(em_here), and 3.1.60 is needed: apt-get install emscripten"; fi
 
 # ---- Building ----------------------------------------------------------------------------------------------------
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Compiles the libraries that zstep needs for WebAssembly, from the sources of the Debian release that this runs in:
 #   dependencies.sh FOLDER      everything into FOLDER/prefix; what is there already is left as it is
-# Needs emscripten, and lines `deb-src` in apt's list of sources. apt verifies what it fetches.
+# Needs emscripten. apt verifies what it fetches; where its list of sources has no lines `deb-src`, it gets a list of its own.
 set -eu
 folder=$1
 prefix=$folder/prefix sources=$folder/sources work=$folder/work log=$folder/log
@@ -14,20 +14,41 @@ say() { printf 'zstep: %s\n' "$*" >&2; }
 
 # ---- Fetching ----------------------------------------------------------------------------------------------------
 
+apt=()  # options of each of its programs
+has_sources() { [ -n "$(apt-cache "${apt[@]}" showsrc --only-source zlib 2>/dev/null)" ]; }
+
+# Lists the sources of this release for us alone; what the system has stays as it is.
+list_sources() {
+  local ID='' VERSION_CODENAME='' where
+  has_sources && return
+  [ -r /etc/os-release ] && . /etc/os-release
+  case $ID in
+    debian) where="http://deb.debian.org/debian ${VERSION_CODENAME:-sid} main" ;;
+    ubuntu) where="http://archive.ubuntu.com/ubuntu $VERSION_CODENAME main universe" ;;
+    *) echo "apt has no sources here: give its list of sources a line that begins with deb-src, and run apt-get update"; return 1 ;;
+  esac
+  mkdir -p "$folder/apt"/{lists,cache}/partial
+  echo "deb-src $where" >"$folder/apt/sources.list"
+  apt=(-o "Dir::Etc::SourceList=$folder/apt/sources.list" -o Dir::Etc::SourceParts=/dev/null -o "Dir::State::Lists=$folder/apt/lists"
+    -o "Dir::Cache=$folder/apt/cache" -o APT::Sandbox::User=root)
+  has_sources || { apt-get "${apt[@]}" -q update && has_sources; }
+}
+
 # Unpacks a source package as $sources/NAME: the newest version that can be had whole, and where a mirror lacks a release's
 # own patches, what the authors wrote without them. Says which.
 fetch() {  # NAME
   local version versions
   [ -e "$sources/$1/.whole" ] && return
-  versions=$(apt-cache showsrc --only-source "$1" | sed -n 's/^Version: //p' | sort -rVu)
-  [ -n "$versions" ] || { echo "apt has no sources here: give its list of sources a line that begins with deb-src, and run apt-get update"; return 1; }
+  list_sources || return
+  versions=$(apt-cache "${apt[@]}" showsrc --only-source "$1" | sed -n 's/^Version: //p' | sort -rVu)
+  [ -n "$versions" ] || { echo "this release has no source package $1"; return 1; }
   for version in $versions; do
     rm -rf "${sources:?}/$1" "${sources:?}/fetched"
     mkdir "$sources/fetched"
     (
       cd "$sources/fetched"
-      apt-get source -q -o APT::Sandbox::User=root "$1=$version" && exit
-      apt-get source -q -o APT::Sandbox::User=root --download-only --tar-only "$1=$version" && tar xf ./*.orig.tar.*z* && rm ./*.orig.tar.*
+      apt-get "${apt[@]}" source -q -o APT::Sandbox::User=root "$1=$version" && exit
+      apt-get "${apt[@]}" source -q -o APT::Sandbox::User=root --download-only --tar-only "$1=$version" && tar xf ./*.orig.tar.*z* && rm ./*.orig.tar.*
     ) || continue
     mv "$sources"/fetched/*/ "$sources/$1"
     rm -rf "$sources/fetched"

@@ -107,6 +107,18 @@ case_installs_without_a_terminal_and_without_a_question() {
   expect "runs the program" "$output" '^program:'
 }
 
+case_web_installs_what_it_is_made_with() {
+  unset ZSTEP_WEB_CACHE ZSTEP_WEB_ROOT
+  mkdir "$clone/sim/web"
+  cp "$source_dir"/sim/web/*.sh "$clone/sim/web/"
+  start web --help
+  same status "$status" 0
+  refuse "help installs nothing" "$(cat "$calls")" 'apt-get'
+  HOME=$box start web -o "$box/site"
+  # Emscripten, where this system's packages have one that is new enough, and else what makes a system that has.
+  expect "installs it" "$(cat "$calls")" 'apt-get .*install .*(emscripten|mmdebstrap)'
+}
+
 case_asks_once_on_a_terminal() {
   on_terminal $'\n'
   same "questions" "$(grep -c 'Y/n' <<<"$output")" 1
