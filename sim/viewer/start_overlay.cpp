@@ -65,7 +65,7 @@ float draw_picture(Ui& ui, const Canvas& canvas, float x, const ListRow& row) {
   const ImVec2 end{at.x + static_cast<float>(canvas.width()), at.y + static_cast<float>(canvas.height())};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, end);
   frame_box(ui, at, end, ui.colors().rule);
-  return x + std::round((row.end.y - row.at.y) * 1.4f) + std::round(ui.em * 0.5f);
+  return x + std::max(std::round((row.end.y - row.at.y) * 1.4f), end.x - at.x) + std::round(ui.em * 0.5f);
 }
 
 void draw_choice(App& app, const Offer& offer, const ListRow& row) {

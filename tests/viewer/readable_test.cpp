@@ -142,6 +142,44 @@ TEST_CASE("law: all that stands in a window with two runs is read") {
       }
     }
 }
+TEST_CASE("law: all that stands on the start page, and all that Ctrl+P finds, is read") {
+  const Trace trace = test::record_run("pyramid");
+  const auto offers = [] {
+    std::vector<Offer> all;
+    for (const Lesson& lesson : all_lessons())
+      all.push_back({Offer::What::lesson,
+                     lesson.id,
+                     lesson.title,
+                     lesson.summary,
+                     static_cast<int>(lesson.stops.size()),
+                     static_cast<int>(all.size()) + 1,
+                     {},
+                     lesson.theme,
+                     reading_minutes(lesson)});
+    for (const Method& one : methods())
+      all.push_back({Offer::What::method, std::string(one.id), std::string(one.title), std::string(one.paper)});
+    all.push_back({Offer::What::scene, "cube", "a cube", "six faces", 0, 0, {2, 1, {200, 0, 0, 0, 0, 200}}});
+    return all;
+  };
+  for (const Dress dress : {Dress::light, Dress::dark, Dress::presenter})
+    for (const auto& [width, height] : {std::pair{390, 844}, {640, 360}, {1280, 720}, {1600, 900}, {1920, 1080}}) {
+      CAPTURE(static_cast<int>(dress));
+      CAPTURE(width);
+      Settings settings;
+      settings.dark = dress == Dress::dark, settings.presenter = dress == Dress::presenter;
+      settings.see_stop("bsp", 3), settings.see_stop("z-buffer", 1000);
+      App app(trace, nullptr, settings, width, height);
+      app.offer(offers);
+      app.open_start();
+      check_read(app, true);
+      app.put("/usr/");
+      check_read(app, true);
+      app.open(Overlay::palette);
+      app.put("z");
+      app.session().touch();
+      check_read(app, true);
+    }
+}
 TEST_CASE("law: all that is asked on a phone is read") {
   Lesson lesson = find_lesson("z-buffer");
   const Trace trace = run_lesson(lesson);
