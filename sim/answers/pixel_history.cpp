@@ -306,7 +306,7 @@ void tell(Replay& replay, Visit& visit) {
   if (!visit.sentence.empty()) return;
   replay.go_to(visit.step);
   const Explanation said = explain(replay.trace(), replay.state(), *replay.current());
-  visit.sentence = said.sentence, visit.formulas = said.formulas;
+  visit.sentence = said.sentence, visit.formulas = said.formulas, visit.owned = said.owned;
   if (said.doubt) visit.formulas.push_back(*said.doubt);
 }
 

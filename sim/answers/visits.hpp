@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/answers/origin/find.hpp"
+#include "sim/words/notation.hpp"
 
 namespace zstep::answers {
 
@@ -47,6 +48,7 @@ struct Visit {
   // What the history of the pixel adds.
   std::string sentence;               ///< why, in words, once tell() was asked
   std::vector<std::string> formulas;  ///< and in numbers
+  std::vector<words::Owned> owned{};  ///< whose they are
   std::string remark;                 ///< how compare and writes differ from what they should be: "step 205 writes A"
   std::string reason;                 ///< of a rejected one: "back-facing"; of one that was cut off, how
   std::optional<std::int64_t> wiped;  ///< the step that cleared the pixel while it was this polygon's

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sim/answers/why_not_parts.hpp"
+#include "sim/words/owners.hpp"
 #include "traces/replay/nearby.hpp"
 
 namespace zstep::answers {
@@ -65,6 +66,7 @@ void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, c
   const std::optional<State> nearby = state_nearby(trace, step, of, before);
   const Explanation said = explain(trace, nearby ? *nearby : state_at(step), trace.event(step));
   verdict.formulas.insert(verdict.formulas.end(), said.formulas.begin(), said.formulas.end());
+  for (const words::Owned& one : said.owned) words::add_owned(verdict.owned, one);
   if (said.doubt) verdict.formulas.push_back(*said.doubt);
 }
 

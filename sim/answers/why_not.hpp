@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/words/notation.hpp"
 #include "traces/replay/replay.hpp"
 
 namespace zstep::answers {
@@ -59,6 +60,7 @@ struct Verdict {
   std::optional<Trace::Pixel> pixel;  ///< asked for, or picked where none was
   std::string sentence;               ///< why, in words
   std::vector<std::string> formulas;  ///< and in numbers
+  std::vector<words::Owned> owned{};  ///< whose they are
   std::vector<Link> chain;            ///< the steps that led there, in order
 };
 

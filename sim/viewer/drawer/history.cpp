@@ -8,6 +8,7 @@
 
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/lists.hpp"
+#include "sim/viewer/panes/owner_key.hpp"
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -119,7 +120,8 @@ void draw_history(App& app) {
   if (const auto picked = static_cast<std::size_t>(std::max(0, app.picked)); picked < count) {
     const answers::Visit& visit = app.told_visit(picked);
     flow(ui, visit.sentence, {});
-    for (const std::string& line : visit.formulas) set_formula(ui, line, {});
+    for (const std::string& line : visit.formulas) set_formula(ui, line, {}, visit.owned);
+    key_to_owners(ui, visit.owned);
   }
   flow(ui, "Enter or a click goes there; Y asks why the one picked is not seen.", {.color = ui.colors().muted});
   ImGui::EndChild();

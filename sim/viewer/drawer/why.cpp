@@ -9,6 +9,7 @@
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/lists.hpp"
+#include "sim/viewer/panes/owner_key.hpp"
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -190,9 +191,11 @@ void draw_why(App& app) {
   // The steps stand right below the verdict; where both are long, each has half of the room.
   float text = flow_height(ui, app.why().sentence, {}) + ui.em * 0.8f;
   for (const std::string& line : app.why().formulas) text += formula_height(ui, line, {}) + ui.em * 0.25f;
+  if (!app.why().owned.empty()) text += ui.em * 1.5f;
   const bool beside = begin_first(ui, "verdict", 0.45f, text);
   flow(ui, app.why().sentence, {});
-  for (const std::string& line : app.why().formulas) set_formula(ui, line, {});
+  for (const std::string& line : app.why().formulas) set_formula(ui, line, {}, app.why().owned);
+  key_to_owners(ui, app.why().owned);
   ImGui::EndChild();
   std::optional<std::size_t> clicked;
   begin_second(ui, "links", beside);
