@@ -17,18 +17,19 @@ say() { printf 'zstep: %s\n' "$*" >&2; }
 apt=()  # options of each of its programs
 has_sources() { [ -n "$(apt-cache "${apt[@]}" showsrc --only-source zlib 2>/dev/null)" ]; }
 
-# Lists the sources of this release for us alone; what the system has stays as it is.
+# Lists the sources of this release for us alone, and below them those of Debian 12, for what a mirror lacks; what the
+# system has stays as it is.
 list_sources() {
-  local ID='' VERSION_CODENAME='' where
+  local ID='' VERSION_CODENAME='' where=()
   has_sources && return
   [ -r /etc/os-release ] && . /etc/os-release
   case $ID in
-    debian) where="http://deb.debian.org/debian ${VERSION_CODENAME:-sid} main" ;;
-    ubuntu) where="http://archive.ubuntu.com/ubuntu $VERSION_CODENAME main universe" ;;
+    debian) where=("deb-src http://deb.debian.org/debian "{"${VERSION_CODENAME:-sid}",bookworm}" main") ;;
+    ubuntu) where=("deb-src http://archive.ubuntu.com/ubuntu $VERSION_CODENAME main universe") ;;
     *) echo "apt has no sources here: give its list of sources a line that begins with deb-src, and run apt-get update"; return 1 ;;
   esac
   mkdir -p "$folder/apt"/{lists,cache}/partial
-  echo "deb-src $where" >"$folder/apt/sources.list"
+  printf '%s\n' "${where[@]}" >"$folder/apt/sources.list"
   apt=(-o "Dir::Etc::SourceList=$folder/apt/sources.list" -o Dir::Etc::SourceParts=/dev/null -o "Dir::State::Lists=$folder/apt/lists"
     -o "Dir::Cache=$folder/apt/cache" -o APT::Sandbox::User=root)
   has_sources || { apt-get "${apt[@]}" -q update && has_sources; }
