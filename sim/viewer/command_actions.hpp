@@ -19,12 +19,12 @@ void move(App& app) {
 }
 
 /// By polygons; before a class by the lesson's stops, for a clicker has these two keys. It cannot answer a question: on
-/// from one is first to its answer.
+/// from one is first to its answer. Beyond the last stop, once that was said, is the start page.
 template <int direction>
 void page(App& app) {
   if (!app.ui().presenter || !app.session().lesson() || app.racing()) return app.move(Unit::polygon, direction);
   if (direction > 0 && app.session().question_open()) app.session().show_answer();
-  else app.session().next_stop(direction);
+  else if (!app.session().next_stop(direction)) app.open_start();
 }
 
 template <int direction>

@@ -182,6 +182,15 @@ TEST_CASE("before a class a clicker's four keys are enough: choose a lesson, go 
   }
   test::press(app, SDLK_PAGEUP);
   CHECK(app.session().stop() == static_cast<int>(app.session().lesson()->stops.size()) - 2);
+  // Beyond the last stop, once that was said, the next lesson is chosen.
+  test::press(app, SDLK_PAGEDOWN);
+  test::press(app, SDLK_PAGEDOWN);
+  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.session().message.find("last stop") != std::string::npos);
+  test::press(app, SDLK_PAGEDOWN);
+  CHECK(app.overlay() == Overlay::start);
+  test::press(app, SDLK_ESCAPE);
+  CHECK(app.session().stop() == static_cast<int>(app.session().lesson()->stops.size()) - 1);
   app.session().message.clear();
   const test::Bytes shown = test::picture(app);
   for (const SDL_Keycode key : {SDLK_b, SDLK_PERIOD}) {

@@ -259,11 +259,11 @@ void Session::to_stop(int index) {
   arrived();
 }
 
-void Session::next_stop(int direction) {
+bool Session::next_stop(int direction) {
   if (!lesson_ || lesson_->stops.empty()) {
     message = "There is no lesson here; Ctrl+O opens one.";
     touch();
-    return;
+    return true;
   }
   const int count = static_cast<int>(lesson_->stops.size());
   int target = stop_ + direction;
@@ -273,9 +273,13 @@ void Session::next_stop(int direction) {
   if (target < 0 || target >= count) {
     message = direction > 0 ? "This was the last stop of the lesson." : "This is the first stop of the lesson.";
     touch();
-    return;
+    const bool again = direction > 0 && told_end_;
+    told_end_ = direction > 0;
+    return !again;
   }
+  told_end_ = false;
   to_stop(target);
+  return true;
 }
 
 bool Session::question_open() const {

@@ -70,7 +70,8 @@ class Session {
   // --- Lesson
   int stop() const { return stop_; }         ///< index of the stop that speaks, −1 before the first
   void to_stop(int index);
-  void next_stop(int direction);
+  /// False where it is asked for a stop beyond the last again, after that was said.
+  bool next_stop(int direction);
   void answer(int choice);
   void show_answer();                        ///< the right one of the current stop's question
   std::optional<int> chosen(int stop) const { return chosen_[static_cast<std::size_t>(stop)]; }
@@ -138,6 +139,7 @@ class Session {
   Unit unit_ = Unit::event;
   mutable std::optional<std::int64_t> before_;
   mutable std::optional<std::vector<Cell>> changed_, changed_here_;
+  bool told_end_ = false;        ///< of the lesson
   bool told_to_answer_ = false;  ///< the reader wanted to play on from an open question
   int stop_ = -1;
   std::vector<std::optional<int>> chosen_;
