@@ -4,6 +4,7 @@
 #include "sim/viewer/stage.hpp"
 #include "sim/words/link.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
 #include "traces/error.hpp"
 
 using namespace zstep;
