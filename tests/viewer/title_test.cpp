@@ -23,7 +23,7 @@ const TitleMeasures& by_bytes() {
   return measures;
 }
 
-std::string fit(const std::vector<TitleName>& names, int room) {
+std::string fitted_names(const std::vector<TitleName>& names, int room) {
   return joined_names(names_that_fit(names, static_cast<float>(room), by_bytes()));
 }
 
@@ -31,15 +31,15 @@ std::string fit(const std::vector<TitleName>& names, int room) {
 
 TEST_CASE("names go one by one, the least telling first; the most telling is cut before it goes") {
   const std::vector<TitleName> names{{"zstep"}, {"Hidden lines: cut each edge", 3}, {"Hidden lines", 2}, {"box", 1}};
-  CHECK(fit(names, 99) == "zstep \u00b7 Hidden lines: cut each edge \u00b7 Hidden lines \u00b7 box");
-  CHECK(fit(names, 55) == "Hidden lines: cut each edge \u00b7 Hidden lines \u00b7 box");
-  CHECK(fit(names, 45) == "Hidden lines: cut each edge \u00b7 Hidden lines");
-  CHECK(fit(names, 27) == "Hidden lines: cut each edge");
-  CHECK(fit(names, 20) == "Hidden lines: cut\u2026");
-  CHECK(fit(names, 5) == "");
+  CHECK(fitted_names(names, 99) == "zstep \u00b7 Hidden lines: cut each edge \u00b7 Hidden lines \u00b7 box");
+  CHECK(fitted_names(names, 55) == "Hidden lines: cut each edge \u00b7 Hidden lines \u00b7 box");
+  CHECK(fitted_names(names, 45) == "Hidden lines: cut each edge \u00b7 Hidden lines");
+  CHECK(fitted_names(names, 27) == "Hidden lines: cut each edge");
+  CHECK(fitted_names(names, 20) == "Hidden lines: cut\u2026");
+  CHECK(fitted_names(names, 5) == "");
   const std::vector<TitleName> runs{{"zstep"}, {"The Z-buffer", 3}, {"A: x.ztrace", 4}, {"B: much_longer.ztrace", 4}};
-  CHECK(fit(runs, 36) == "A: x.ztrace \u00b7 B: much_longer.ztrace");
-  CHECK(fit(runs, 30) == "A: x.ztrace \u00b7 B: much_long\u2026");
+  CHECK(fitted_names(runs, 36) == "A: x.ztrace \u00b7 B: much_longer.ztrace");
+  CHECK(fitted_names(runs, 30) == "A: x.ztrace \u00b7 B: much_long\u2026");
 }
 
 TEST_CASE("law: at the end of every lesson its title, or most of it, stands at the top, in a window of any size") {

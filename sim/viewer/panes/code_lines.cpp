@@ -20,20 +20,20 @@ Glyphs glyphs_of(std::string_view text) {
   return glyphs;
 }
 
-int columns_of(const Glyphs& line) { return static_cast<int>(line.size()); }
+int glyph_count(const Glyphs& line) { return static_cast<int>(line.size()); }
 bool is_space(const Glyphs& line, int at) {
-  return at >= columns_of(line) || line[static_cast<std::size_t>(at)] == " ";
+  return at >= glyph_count(line) || line[static_cast<std::size_t>(at)] == " ";
 }
 
 std::string text_between(const Glyphs& line, int from, int to) {
   std::string text;
-  for (int at = from; at < std::min(to, columns_of(line)); ++at) text += line[static_cast<std::size_t>(at)];
+  for (int at = from; at < std::min(to, glyph_count(line)); ++at) text += line[static_cast<std::size_t>(at)];
   return text.erase(text.find_last_not_of(' ') + 1);
 }
 
 int first_of(const Glyphs& line) {
   int at = 0;
-  while (at < columns_of(line) && is_space(line, at)) ++at;
+  while (at < glyph_count(line) && is_space(line, at)) ++at;
   return at;
 }
 
@@ -41,7 +41,7 @@ int first_of(const Glyphs& line) {
 class TableBreaks {
  public:
   TableBreaks(const std::vector<Glyphs>& rows, int columns) : rows_(rows), columns_(columns) {
-    for (const Glyphs& row : rows) widest_ = std::max(widest_, columns_of(row));
+    for (const Glyphs& row : rows) widest_ = std::max(widest_, glyph_count(row));
   }
 
   std::optional<std::vector<int>> found() {
@@ -55,8 +55,8 @@ class TableBreaks {
     int least = widest_;
     for (const Glyphs& row : rows_) {
       int first = at;
-      while (first < columns_of(row) && is_space(row, first)) ++first;
-      if (first < columns_of(row)) least = std::min(least, first);
+      while (first < glyph_count(row) && is_space(row, first)) ++first;
+      if (first < glyph_count(row)) least = std::min(least, first);
     }
     return least;
   }
@@ -69,13 +69,14 @@ class TableBreaks {
       if (!is_space(row, at - 1)) return false;
       const bool named = first_of(row) < at || &row == &rows_.front();
       if (!named) return false;
-      wide = wide || (at > 1 && is_space(row, at - 2) && at < columns_of(row));
+      wide = wide || (at > 1 && is_space(row, at - 2) && at < glyph_count(row));
     }
     return wide;
   }
   int width_between(int from, int to) const {
     int width = 0;
-    for (const Glyphs& row : rows_) width = std::max(width, columns_of(glyphs_of(text_between(row, begins(from), to))));
+    for (const Glyphs& row : rows_)
+      width = std::max(width, glyph_count(glyphs_of(text_between(row, begins(from), to))));
     return width;
   }
   /// As few parts as there can be, and of these the ones with the most in the last.
@@ -102,21 +103,21 @@ class TableBreaks {
 
 bool is_sign(const Glyphs& line, int at) {
   static constexpr std::string_view before[] = {"=", "+", "\u2212", "\u00b7", "/", "<", "\u2264"};
-  return at + 1 < columns_of(line) && is_space(line, at + 1) &&
+  return at + 1 < glyph_count(line) && is_space(line, at + 1) &&
          std::find(std::begin(before), std::end(before), line[static_cast<std::size_t>(at)]) != std::end(before);
 }
 
-/// Places where a line may break, the better ones first; of each kind the last that fits.
-struct Places {
+/// BreakPlaces where a line may break, the better ones first; of each kind the last that fits.
+struct BreakPlaces {
   int behind_comma = 0, before_sign = 0, outside_brackets = 0, before_sign_in_brackets = 0, at_space = 0,
       beside_sign = 0;
 };
 
 /// Where a line that begins there and has so much room ends.
 int end_of_line(const Glyphs& line, int from, int room) {
-  if (columns_of(line) - from <= room) return columns_of(line);
+  if (glyph_count(line) - from <= room) return glyph_count(line);
   const auto glyph = [&](int at) -> std::string_view { return line[static_cast<std::size_t>(at)]; };
-  Places found;
+  BreakPlaces found;
   int depth = 0;
   for (int at = from; at <= from + room; ++at) {
     if (at > from && is_space(line, at - 1) && !is_space(line, at)) {
@@ -146,12 +147,12 @@ int end_of_line(const Glyphs& line, int from, int room) {
 
 void break_line(std::vector<CodeLine>& lines, const Glyphs& line, int columns) {
   int at = first_of(line), indent = at;
-  if (columns_of(line) > columns) indent = std::min(indent, hanging);
-  for (bool continues = false; at < columns_of(line) || !continues; continues = true) {
+  if (glyph_count(line) > columns) indent = std::min(indent, hanging);
+  for (bool continues = false; at < glyph_count(line) || !continues; continues = true) {
     const int end = end_of_line(line, at, std::max(1, columns - indent));
     lines.push_back({text_between(line, at, end), indent, continues});
     at = end, indent = hanging;
-    while (at < columns_of(line) && is_space(line, at)) ++at;
+    while (at < glyph_count(line) && is_space(line, at)) ++at;
   }
 }
 
@@ -166,7 +167,8 @@ std::vector<CodeLine> code_lines(const std::string& code, int columns) {
   }
   std::vector<CodeLine> lines;
   TableBreaks table(rows, columns);
-  const bool fit = std::all_of(rows.begin(), rows.end(), [&](const Glyphs& row) { return columns_of(row) <= columns; });
+  const bool fit =
+      std::all_of(rows.begin(), rows.end(), [&](const Glyphs& row) { return glyph_count(row) <= columns; });
   const auto breaks = fit ? std::nullopt : table.found();
   for (const Glyphs& row : rows) {
     if (!breaks) {
@@ -175,7 +177,7 @@ std::vector<CodeLine> code_lines(const std::string& code, int columns) {
     }
     for (std::size_t part = 0; part <= breaks->size(); ++part) {
       const int from = part == 0 ? table.begins(0) : (*breaks)[part - 1],
-                to = part < breaks->size() ? (*breaks)[part] : columns_of(row);
+                to = part < breaks->size() ? (*breaks)[part] : glyph_count(row);
       std::string text = text_between(row, from, to);
       const std::size_t blank = std::min(text.find_first_not_of(' '), text.size());
       if (blank == text.size()) continue;
