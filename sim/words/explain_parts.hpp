@@ -82,16 +82,9 @@ struct Telling {
     for (const Owned& one : formula.owned()) owns(one.symbol, one.polygon);
     owns(name, about);
     const bool so = hold_against(name, recorded, computed);
-    this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(), ends_in(formula, recorded))
+    this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(),
+                                   as_held(formula.value(), recorded, number(recorded), rounding_word(conventions)))
                      : contradicted(name, formula, recorded));
-  }
-  /// "2", or of what a fixed-point number cannot hold "2.4, rounded to 2": the formula itself does not give 2.
-  std::string ends_in(const Shown& formula, double recorded) const {
-    std::string is = number(recorded);
-    const std::string ought = number(formula.value());
-    if (is == ought || bits_of(conventions.number_format) == 0) return is;
-    return fmt::format("{}, {} to {}", ought,
-                       conventions.rounding == Conventions::Rounding::nearest ? "rounded" : "cut off", is);
   }
   /// Finds what the formulas give for the event's fields: of those whose operands the event leaves as they were.
   void derive(const Event& event) {
