@@ -7,8 +7,10 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
+#include "sim/viewer/title_names.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -64,54 +66,58 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   const Scene& scene = session_.scene();
   if (race_shown_) parts = {race().place_text()};
   // A click on a lesson, a method or a scene offers the others.
-  std::vector<std::string> names{"zstep"};
-  std::vector<std::optional<Offer::What>> others{std::nullopt};
-  if (session_.lesson()) names.push_back(session_.lesson()->title), others.push_back(Offer::What::lesson);
+  std::vector<TitleName> names{{"zstep"}};
+  enum Tells : int { of_scene = 1, of_method, of_lesson, of_run };
+  const auto offered = [&](Offer::What what) { return ask_for_offers_ ? std::optional(what) : std::nullopt; };
+  if (session_.lesson()) names.push_back({session_.lesson()->title, of_lesson, offered(Offer::What::lesson)});
   if (against_) {
     const Session& b = against_->session();
     parts.insert(parts.begin() + 1, fmt::format("run B: step {} of {}", grouped(b.position()), grouped(b.size())));
-    for (const Session* run : {static_cast<const Session*>(&session_), &b}) {
-      names.push_back((run == &b ? "B: " : "A: ") + std::filesystem::path(run->trace().name()).filename().string());
-      others.push_back(std::nullopt);
-    }
+    for (const Session* run : {static_cast<const Session*>(&session_), &b})
+      names.push_back(
+          {(run == &b ? "B: " : "A: ") + std::filesystem::path(run->trace().name()).filename().string(), of_run});
   } else {
     const Header& header = session_.header();
-    names.push_back(race_shown_ ? "Race" : header.title.empty() ? header.algorithm : header.title);
-    names.push_back(scene.name.empty() ? session_.trace().name() : scene.name);
-    others.push_back(race_shown_ ? std::nullopt : std::optional(Offer::What::method));
-    others.push_back(Offer::What::scene);
+    if (race_shown_) names.push_back({"Race", of_method});
+    else
+      names.push_back(
+          {header.title.empty() ? header.algorithm : header.title, of_method, offered(Offer::What::method)});
+    names.push_back({scene.name.empty() ? session_.trace().name() : scene.name, of_scene, offered(Offer::What::scene)});
   }
-  for (std::size_t k = 0; k < names.size(); ++k)
-    if (others[k] && ask_for_offers_) names[k] += " \u25be";
-    else others[k].reset();
   const auto joined = [](const std::vector<std::string>& all) {
     std::string text;
     for (const std::string& part : all) text += (text.empty() ? "" : " \u00b7 ") + part;
     return text;
   };
-  while (parts.size() > 1 && text_size(ui_, font, joined(parts)).x > right - at.x) parts.pop_back();
+  const auto width_of = [&](const std::string& text) { return text_size(ui_, ui_.fonts.bold, text).x; };
+  const auto cut = [&](const std::string& text, float room) { return fitted(ui_, ui_.fonts.bold, text, room); };
+  const auto beside = [&] { return right - at.x - ui_.em - text_size(ui_, font, joined(parts)).x; };
+  while (parts.size() > 1 && beside() < -ui_.em) parts.pop_back();
+  // What the step is about is told below, too: it gives way to the name that tells most.
+  const float telling = width_of(joined_names(most_telling(names)));
+  while (parts.size() > (against_ ? 2 : 1) && beside() < telling) parts.pop_back();
   const std::string where = joined(parts);
   const float where_width = text_size(ui_, font, where).x;
   if (where_width <= right - at.x) draw_text(ui_, {right - where_width, y}, font, c.text, where);
-  while (names.size() > 1 && text_size(ui_, ui_.fonts.bold, joined(names)).x > right - where_width - at.x - ui_.em)
-    names.pop_back();
-  if (text_size(ui_, ui_.fonts.bold, joined(names)).x > right - where_width - at.x - ui_.em) return;
+  names = names_that_fit(std::move(names), beside(), {width_of, cut, 4 * ui_.em});
   float x = at.x;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const std::string text = (k == 0 ? "" : " \u00b7 ") + names[k];
-    const ImVec2 from{x, at.y}, to{x + text_size(ui_, ui_.fonts.bold, text).x, at.y + size.y};
+    const TitleName& name = names[k];
+    const std::string text = (k == 0 ? "" : " \u00b7 ") + name.text + name.sign();
+    const ImVec2 from{x, at.y}, to{x + width_of(text), at.y + size.y};
     draw_text(ui_, {x, y}, ui_.fonts.bold, c.text, text);
     x = to.x;
-    if (!others[k]) continue;
+    if (!name.offers) continue;
     ImGui::SetCursorScreenPos(from);
-    const bool clicked = ImGui::InvisibleButton(("title" + std::to_string(k)).c_str(), {to.x - from.x, to.y - from.y});
-    if (clicked) open_start(*others[k]);
+    const std::string id = "title" + std::to_string(static_cast<int>(*name.offers));
+    const bool clicked = ImGui::InvisibleButton(id.c_str(), {to.x - from.x, to.y - from.y});
+    if (clicked) open_start(*name.offers);
     if (!ImGui::IsItemHovered()) continue;
-    const float left = from.x + text_size(ui_, ui_.fonts.bold, " \u00b7 ").x;
+    const float left = from.x + (k == 0 ? 0 : width_of(" \u00b7 "));
     ImGui::GetWindowDrawList()->AddRectFilled({left, y + font->FontSize}, {to.x, y + font->FontSize + 2}, c.selected);
-    ui_.mouse_help = *others[k] == Offer::What::lesson   ? "Click: another lesson."
-                     : *others[k] == Offer::What::method ? "Click: another method, for this scene."
-                                                         : "Click: another scene, by this method.";
+    ui_.mouse_help = *name.offers == Offer::What::lesson   ? "Click: another lesson."
+                     : *name.offers == Offer::What::method ? "Click: another method, for this scene."
+                                                           : "Click: another scene, by this method.";
   }
 }
 

@@ -139,6 +139,18 @@ void App::draw_leading(const std::vector<Pane>& leading, ImVec2 at, ImVec2 size)
   const float gap = std::round(ui_.em * 0.35f);
   stage_at_ = {at, size};
   if (leading.size() == 1) return draw_on_stage(leading[0], at, size, true);
+  // A chart that has nothing to show leaves its room to the other, but for its title.
+  const auto empty = std::find_if(leading.begin(), leading.end(), [&](const Pane& pane) {
+    return pane.wide && pane.with && pane.waits && pane.waits(ui_);
+  });
+  if (empty != leading.end() && leading.size() == 2) {
+    const Pane& other = leading[empty == leading.begin() ? 1 : 0];
+    const float head = std::round(ui_.em * 1.5f), upper = size.y - head - gap;
+    if (!other.waits || !other.waits(ui_)) {
+      draw_on_stage(other, at, {size.x, upper}, true);
+      return draw_on_stage(*empty, {at.x, at.y + upper + gap}, {size.x, head}, true);
+    }
+  }
   // A table needs less room than a picture.
   const bool table = leading[1].scrolls && !leading[0].scrolls;
   float& share = table ? settings_.layout.table : settings_.layout.frame;

@@ -1,7 +1,5 @@
 #include "sim/words/derived.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "sim/words/explain.hpp"
@@ -34,10 +32,6 @@ struct Teller {
     std::string symbol = name == "z" ? depth(at.scene, at.header.conventions) : std::string(name);
     // What is multiplied needs the digits that count, not those behind the point.
     if (place.in == formulas::Place::In::piece && name != "D") return {std::move(symbol), value, factor(value)};
-    // What lies just beside a whole number must not look like it: which pixel comes next hangs on that.
-    const double whole = std::round(value);
-    if (value != whole && zstep::number(value) == zstep::number(whole))
-      return {std::move(symbol), value, tell_apart(value, whole).first};
     return {std::move(symbol), value};
   }
   Number named(std::string_view name, const Number& formula) {

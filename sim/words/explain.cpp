@@ -60,6 +60,16 @@ std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
   return symbols[static_cast<std::size_t>(conventions.depth)];
 }
 
+std::string_view rounding_word(const Conventions& conventions) {
+  if (bits_of(conventions.number_format) == 0) return "";
+  return conventions.rounding == Conventions::Rounding::nearest ? "rounded" : "cut off";
+}
+
+std::string as_held(double computed, double recorded, const std::string& is, std::string_view word) {
+  const std::string ought = number(computed);
+  return word.empty() || ought == number(recorded) ? is : fmt::format("{}, {} to {}", ought, word, is);
+}
+
 std::string symbol_along(const Scene& scene, const Conventions& conventions) {
   const bool inverse = conventions.depth == Conventions::Depth::corrected;
   return inverse && scene.camera.kind == Camera::Kind::perspective ? "1/z_v" : depth_symbol(scene, conventions);

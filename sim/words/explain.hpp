@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,5 +47,10 @@ std::string undeclared_text(const Header& header, bool tie);
 std::string depth_symbol(const Scene& scene, const Conventions& conventions);
 /// And what is interpolated to get it: the same, but 1/z_v where z_v is its reciprocal.
 std::string symbol_along(const Scene& scene, const Conventions& conventions);
+/// What fixed-point numbers are that the format cannot hold: "rounded", "cut off"; nothing of floating-point numbers.
+std::string_view rounding_word(const Conventions& conventions);
+/// What a formula ends in, "2.4, rounded to 2"; where the two numbers are written alike, or there is no such word, what
+/// is recorded alone, as `is` writes it.
+std::string as_held(double computed, double recorded, const std::string& is, std::string_view word);
 
 }  // namespace zstep

@@ -82,7 +82,8 @@ struct Telling {
     for (const Owned& one : formula.owned()) owns(one.symbol, one.polygon);
     owns(name, about);
     const bool so = hold_against(name, recorded, computed);
-    this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(), number(recorded))
+    this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(),
+                                   as_held(formula.value(), recorded, number(recorded), rounding_word(conventions)))
                      : contradicted(name, formula, recorded));
   }
   /// Finds what the formulas give for the event's fields: of those whose operands the event leaves as they were.

@@ -98,7 +98,7 @@ void tell(Telling& t, const BoxTest& e) {
   } else {
     t.say(fmt::format("The ray meets {}, but something nearer is known already: nothing inside can be seen.",
                       box_name(e.box)));
-    t.formula(fmt::format("t_enter = {} lies beyond the t that is kept", enter));
+    t.formula(fmt::format("t_enter = {} lies beyond the t that is kept", number(e.t_enter)));
   }
   t.value("t_enter", e.t_enter);
   t.value("t_leave", e.t_leave);

@@ -154,8 +154,12 @@ void mark_owned(std::vector<Notation>& sides, const std::vector<Owned>& owned) {
     else if (next.parts.front().kind == Kind::number && may_own(side.parts.back()))
       next.parts.front().polygon = side.parts.back().polygon;
   }
-  if (sides.size() > 1 && sides.front().parts.size() == 1 && sides.back().parts.size() == 1)
-    carry_over(sides.front(), sides.back());
+  if (sides.size() < 2 || sides.front().parts.size() != 1 || sides.back().parts.empty()) return;
+  std::vector<Notation>& last = sides.back().parts;
+  if (last.size() == 1) carry_over(sides.front(), sides.back());
+  // "2.4, rounded to 2": what is recorded stands last.
+  else if (last.front().kind == Kind::number && last[1].text.starts_with(", "))
+    carry_over(sides.front().parts.front(), last.back());
 }
 
 }  // namespace zstep::words

@@ -1,5 +1,6 @@
 #include "sim/words/shown.hpp"
 
+#include <cmath>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -77,7 +78,10 @@ Shown operator-(const Shown& a) {
 }
 
 Shown Shown::bracketed(const Shown& a, const char* open, const char* close, formulas::Rounded result) {
-  Shown all(open + a.symbols_ + close, result.value, open + a.numbers_ + close);
+  const double whole = std::round(a.value());
+  const bool looks_whole = a.leaf_ && a.value() != whole && a.numbers_ == number(whole);
+  const std::string inside = looks_whole ? tell_apart(a.value(), whole).first : a.numbers_;
+  Shown all(open + a.symbols_ + close, result.value, open + inside + close);
   all.rounded_ = result, all.leaf_ = false;
   all.owned_ = a.owned_;
   return all;

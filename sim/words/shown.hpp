@@ -50,6 +50,7 @@ class Shown {
     return joined(a, b, Binding::product, "/", a.rounded_ / b.rounded_);
   }
   friend Shown operator-(const Shown& a);
+  /// What lies just beside a whole number does not look like it in these: which pixel comes next hangs on that.
   friend Shown floor(const Shown& a) { return bracketed(a, "\u230a", "\u230b", floor(a.rounded_)); }
   friend Shown ceil(const Shown& a) { return bracketed(a, "\u2308", "\u2309", ceil(a.rounded_)); }
 

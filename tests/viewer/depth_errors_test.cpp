@@ -11,6 +11,8 @@
 #include "sim/viewer/pictures.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/letters.hpp"
+#include "tests/viewer/words/some_runs.hpp"
 #include "traces/formulas/resolution.hpp"
 #include "traces/oracle/exact_depth.hpp"
 
@@ -160,4 +162,49 @@ TEST_CASE("slice and charts take each other's place, and a method without spans 
   CHECK(other.lead().empty());
   CHECK(other.session().message.find("no errors add up") != std::string::npos);
   CHECK_FALSE(other.show_only("depth_error"));
+}
+
+TEST_CASE("between two spans the errors of the last one stay") {
+  const Trace trace = adding_slopes();
+  Session session(trace, nullptr);
+  DepthErrors errors;
+  std::int64_t between = 0;
+  for (std::int64_t at = 1; at < trace.size(); ++at)
+    if (holds<ScanLineBegin>(trace.event(at).event) && at > errors.of(trace).front().step) between = at;
+  REQUIRE(between > 0);
+  session.go_to(between);
+  const auto drift = drift_at(Moment(session), errors, std::nullopt);
+  REQUIRE(drift);
+  CHECK(drift->past);
+  CHECK(drift->span.back().step < between);
+}
+
+TEST_CASE("a chart that has nothing to show leaves the stage to the other, but for its title") {
+  const auto title_at = [](App& app, const std::string& title) {
+    app.settle();
+    const test::Letters drawn = test::letters_of(app.ui().fonts);
+    for (const test::Letter& letter : drawn.all)
+      if (drawn.words[letter.word] == title) return letter.first;
+    return ImVec2{-1, -1};
+  };
+  const auto below_each_other = [&](App& app) {
+    const ImVec2 error = title_at(app, "ERROR ALONG SPAN AND EDGE"), units = title_at(app, "DEPTHS OF THE BUFFER");
+    REQUIRE((error.x > 0 && units.x > 0));
+    return std::abs(error.x - units.x) < 2 && std::abs(error.y - units.y) > 200;
+  };
+  const Trace pyramid = test::record_run("pyramid");
+  for (const bool presenter : {false, true}) {
+    Settings settings;
+    settings.presenter = presenter;
+    App app(pyramid, nullptr, settings, 1280, 720);
+    app.set_lead("depth_error");
+    CHECK(below_each_other(app));
+    app.session().go_to(500);
+    CHECK_FALSE(below_each_other(app));
+    const Trace on_screen = test::record_run("delhi");  // no near plane, no far one
+    App other(on_screen, nullptr, settings, 1280, 720);
+    other.set_lead("depth_error");
+    other.session().go_to(on_screen.size() / 2);
+    CHECK(below_each_other(other));
+  }
 }

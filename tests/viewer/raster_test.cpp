@@ -4,9 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include "sim/classroom/lesson.hpp"
 #include "sim/viewer/panes/raster_canvas.hpp"
 #include "sim/viewer/panes/raster_pane.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;
@@ -82,4 +84,20 @@ TEST_CASE("one may zoom until numbers in projector type fit the cells of a large
   CHECK(app.ui().view.zoom == most_zoom(trace.scene().raster));
   for (int i = 0; i < 40; ++i) test::press(app, SDLK_z, KMOD_LSHIFT);
   CHECK(app.ui().view.zoom == 1);
+}
+
+TEST_CASE("law: the letters of polygons are whole, however narrow the frame is: those that make room for others, too") {
+  Lesson lesson = find_lesson("comparison");
+  const Trace trace = run_lesson(lesson);
+  for (const int width : {640, 800, 960, 1024, 1280, 1600, 1920})
+    for (const bool presenter : {false, true}) {
+      CAPTURE(width);
+      CAPTURE(presenter);
+      Settings settings;
+      settings.presenter = presenter;
+      App app(trace, &lesson, settings, width, width * 3 / 4);
+      app.session().go_to(trace.size());
+      app.settle();
+      CHECK(test::cut_at_the_side(test::letters_of(app.ui().fonts)).empty());
+    }
 }

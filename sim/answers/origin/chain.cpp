@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/answers/origin/evaluate.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::answers {
 
@@ -92,7 +93,8 @@ std::string line_text(const ChainValue& value) {
     if (!value.formula.empty() && value.formula != value.name) text += " = " + formula_text(value);
     if (!value.formula.empty() && !taken_over) text += " = " + numbers_text(value);
     const double computed = value.formula.empty() || taken_over ? value.value : evaluate(value);
-    text += " = " + (holds(value) ? result_text(value) : full_digits(computed));
+    text += " = " +
+            (holds(value) ? as_held(computed, value.value, result_text(value), value.rounds) : full_digits(computed));
   }
   if (!value.note.empty()) text += "   " + value.note;
   return text;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct ChainValue {
   std::string word;      ///< of a choice between words, the one: "front"
   std::string note;      ///< what no formula says, in a few words
   formulas::Tolerance tolerance{formulas::rounding_of_float64};  ///< that the trace's numbers are allowed
+  std::string_view rounds{};  ///< what numbers are that the trace's format cannot hold: "rounded", "cut off"
 };
 
 /// A step of the run, or a datum of the scene, and the numbers of it that matter here.

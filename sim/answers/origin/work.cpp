@@ -21,6 +21,7 @@ void Datum::is(std::string formula, std::vector<Given> operands, bool exact) {
   told.formula = std::move(formula);
   told.exact = exact && work_.conventions.number_format == NumberFormat::float64;
   told.tolerance = formulas::tolerance_of(work_.scene, work_.trace.header());
+  told.rounds = rounding_word(work_.conventions);
   for (Given& given : operands)
     told.operands.push_back(
         {std::move(given.symbol), given.number.value, given.number.link, std::move(given.number.name)});

@@ -29,9 +29,11 @@ std::optional<Drift> drift_at(const Moment& now, DepthErrors& errors, std::optio
   } else if (const auto& span = now.state().machine.span; span && next != all.begin()) {
     if (const auto& last = *(next - 1); last.y == span->y && last.x <= span->last) of = &last;
   }
+  const bool past = !of && !chosen && next != all.begin();
+  if (past) of = &*(next - 1);
   if (!of) return std::nullopt;
   Drift drift;
-  drift.y = of->y, drift.chosen = chosen.has_value();
+  drift.y = of->y, drift.chosen = chosen.has_value(), drift.past = past;
   for (auto it = all.begin(); it != next; ++it) {
     if (it->span == of->span) drift.span.push_back(*it);
     if (it->edge == of->edge && it->along_span == 0) drift.edge.push_back(*it);

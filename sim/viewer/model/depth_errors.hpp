@@ -35,9 +35,11 @@ struct Drift {
   std::vector<oracle::DepthError> span;  ///< its depths so far
   std::vector<oracle::DepthError> edge;  ///< the first depths of all spans so far that begin at its left edge
   bool chosen = false;                   ///< it is the last span that reached a chosen pixel, not the one at work
+  bool past = false;                     ///< none is at work: it is the last one that was
 };
 
-/// Of the span at work, or of the last one that reached a chosen pixel; none where there is none.
+/// Of the span at work, else of the last one that was, or of the last one that reached a chosen pixel; none where there
+/// is none.
 std::optional<Drift> drift_at(const Moment& now, DepthErrors& errors, std::optional<Cell> chosen);
 
 }  // namespace zstep::viewer

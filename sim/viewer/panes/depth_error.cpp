@@ -53,7 +53,7 @@ LineChart chart_of(Ui& ui, const Drift& drift) {
   }
   add_lines(chart, drift, ui.other ? "A: " : "", LineChart::plain_look);
   const auto& last = drift.span.empty() ? drift.edge : drift.span;
-  if (last.empty()) return chart;
+  if (last.empty() || drift.past) return chart;
   const oracle::DepthError& now = last.back();
   chart.now.push_back({{drift.span.empty() ? now.along_edge : now.along_span, now.error},
                        fmt::format("x = {}: {}", now.x, number(now.error, 2, true))});
@@ -68,18 +68,23 @@ void draw_depth_error(Ui& ui) {
   if (!drift && ui.errors.of(ui.session.trace()).empty())
     return say_empty(ui, "Empty: no depth of this trace can be held against an exact one.");
   if (!drift)
-    return say_empty(ui, "Empty: no span is at work. Point at a pixel of the frame to see its span's errors.");
+    return say_empty(ui,
+                     chosen_in(ui) ? "Empty: no span has reached this pixel." : "Empty: no span has been at work yet.");
   draw_line_chart(ui, "error along span and edge", chart_of(ui, *drift));
   if (ImGui::IsWindowHovered())
     ui.mouse_help = "How rounding adds up along the span and along its left edge. Point at a pixel to see its span.";
 }
 
+/// Whatever pixel is pointed at: what leads does not change with the mouse.
+bool waits_for_depths(Ui& ui) { return !drift_of(ui, std::nullopt); }
+
 std::string note_of_depth_error(Ui& ui) {
-  if (ui.errors.too_long(ui.session.trace())) return "";
+  if (ui.errors.too_long(ui.session.trace())) return "a long run: 'zstep error' finds its errors";
   const auto drift = drift_of(ui, chosen_in(ui));
+  if (!drift && waits_for_depths(ui)) return "empty: no span has been at work yet";
   if (!drift) return "";
   const char* why = !drift->chosen ? "" : ui.pointed ? ", pointed at" : ", of the selected pixel";
-  return fmt::format("span on scan line y = {}{}", drift->y, why);
+  return fmt::format("{} on scan line y = {}{}", drift->past ? "last span" : "span", drift->y, why);
 }
 
 bool serves_depth_error(const Header& header) {
@@ -90,7 +95,16 @@ bool serves_depth_error(const Header& header) {
 
 }  // namespace
 
-const Pane depth_error_pane{"depth_error", "ERROR ALONG SPAN AND EDGE", draw_depth_error, note_of_depth_error,
-                            serves_depth_error, 0.5f, false, nullptr, true, nullptr, &depth_units_pane};
+const Pane depth_error_pane{"depth_error",
+                            "ERROR ALONG SPAN AND EDGE",
+                            draw_depth_error,
+                            note_of_depth_error,
+                            serves_depth_error,
+                            0.5f,
+                            false,
+                            nullptr,
+                            true,
+                            waits_for_depths,
+                            &depth_units_pane};
 
 }  // namespace zstep::viewer

@@ -31,10 +31,12 @@ std::optional<double> depth_now(const Ui& ui) {
   return z_v >= camera.near && z_v <= camera.far ? std::optional(z_v) : std::nullopt;
 }
 
+bool has_no_planes(Ui& ui) { return ui.session.scene().camera.kind == Camera::Kind::screen; }
+
 void draw_depth_units(Ui& ui) {
   const Scene& scene = ui.session.scene();
   const Conventions& conventions = ui.session.header().conventions;
-  if (scene.camera.kind == Camera::Kind::screen)
+  if (has_no_planes(ui))
     return say_empty(ui, "Empty: this scene's points are on the screen already; it has no near and no far plane.");
   const Conventions* other = ui.other ? &ui.other->session.header().conventions : nullptr;
   const bool same_format = other && other->number_format == conventions.number_format;
@@ -71,7 +73,7 @@ void draw_depth_units(Ui& ui) {
 std::string note_of_depth_units(Ui& ui) {
   const Scene& scene = ui.session.scene();
   const Conventions& conventions = ui.session.header().conventions;
-  if (scene.camera.kind == Camera::Kind::screen) return "";
+  if (has_no_planes(ui)) return "empty: points on the screen have no near and no far plane";
   const double count = formulas::depths_between(scene, conventions, scene.camera.near, scene.camera.far);
   const std::string many = count < 1e9 ? grouped(std::llround(count)) : fmt::format("{:.1e}", count);
   return fmt::format("{} depths, half before z_v = {}", many, number(formulas::middle_depth(scene, conventions)));
@@ -81,7 +83,16 @@ bool serves_depth_units(const Header& header) { return has_step_of<DepthCompare>
 
 }  // namespace
 
-const Pane depth_units_pane{"depth_units", "DEPTHS OF THE BUFFER", draw_depth_units, note_of_depth_units,
-                            serves_depth_units, 0.5f, false, nullptr, true, nullptr, &depth_error_pane};
+const Pane depth_units_pane{"depth_units",
+                            "DEPTHS OF THE BUFFER",
+                            draw_depth_units,
+                            note_of_depth_units,
+                            serves_depth_units,
+                            0.5f,
+                            false,
+                            nullptr,
+                            true,
+                            has_no_planes,
+                            &depth_error_pane};
 
 }  // namespace zstep::viewer

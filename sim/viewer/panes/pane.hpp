@@ -21,7 +21,7 @@ struct Pane {
   bool scrolls;                 ///< its content may be larger than it is
   int (*leads)(const Header&) = nullptr;  ///< the two greatest of a trace lead on the stage; nullptr: only when asked to
   bool wide = false;            ///< has the stage alone when it leads
-  bool (*waits)(const Ui&) = nullptr;  ///< the run has not come to it yet: it is folded to its title
+  bool (*waits)(Ui&) = nullptr;        ///< the run has not come to it yet: it is folded to its title
   const Pane* with = nullptr;          ///< leads together with it
 };
 
@@ -70,7 +70,7 @@ bool has_step_of(const Header& header) {
 
 /// No step that records one of these events has run yet. Unknown, and so false, far into a long run.
 template <class... E>
-bool none_yet(const Ui& ui) {
+bool none_yet(Ui& ui) {
   for (const StepInfo& step : ui.session.header().page)
     if (((step.kind == kind_of<E>) || ...) && ui.hits.of(step.id).value_or(1) > 0) return false;
   return true;

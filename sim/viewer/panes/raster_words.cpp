@@ -132,17 +132,21 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin) {
     const ImVec2 size = text_size(ui, font, label);
     // What is seen of it must be as large as its letter.
     if (static_cast<double>(spot.pixels) * map.cell * map.cell < static_cast<double>(size.x * font->FontSize)) continue;
-    const ImVec2 best{
-        std::round(origin.x + std::clamp(static_cast<float>(map.px(spot.cell.x)) - size.x / 2, rim,
-                                         std::max(rim, static_cast<float>(map.box_width) - size.x - rim))),
-        std::round(origin.y + std::clamp(static_cast<float>(map.py(spot.cell.y)) - size.y / 2, rim,
-                                         std::max(rim, static_cast<float>(map.box_height) - size.y - rim)))};
+    const auto within = [&](float x, float y) {  // the part of the window that shows the raster
+      return ImVec2{
+          std::round(origin.x +
+                     std::clamp(x - origin.x, rim, std::max(rim, static_cast<float>(map.box_width) - size.x - rim))),
+          std::round(origin.y +
+                     std::clamp(y - origin.y, rim, std::max(rim, static_cast<float>(map.box_height) - size.y - rim)))};
+    };
+    const ImVec2 best = within(origin.x + static_cast<float>(map.px(spot.cell.x)) - size.x / 2,
+                               origin.y + static_cast<float>(map.py(spot.cell.y)) - size.y / 2);
     // Where that place is taken, one near it where the same polygon is seen.
     std::optional<ImVec2> free;
     for (int k = 0; k < 25 && !free; ++k) {
       constexpr int order[] = {0, 1, -1, 2, -2};
-      const ImVec2 at{best.x + std::round(size.x * static_cast<float>(order[k % 5])),
-                      best.y + std::round(size.y * static_cast<float>(order[k / 5]))};
+      const ImVec2 at = within(best.x + std::round(size.x * static_cast<float>(order[k % 5])),
+                               best.y + std::round(size.y * static_cast<float>(order[k / 5])));
       const auto cell = map.cell_at(at.x + size.x / 2 - origin.x, at.y + size.y / 2 - origin.y);
       const Picture& shown = ui.session.picture();
       if (k > 0 && (!cell || shown.polygon[shown.at(cell->x, cell->y)] != spot.polygon)) continue;

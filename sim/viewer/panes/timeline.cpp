@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/model/no_lines.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/strip_marks.hpp"
 #include "sim/words/explain.hpp"
@@ -189,9 +190,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
     words.write_first(c.muted, "before the first polygon: clearing and viewing");
   else if (!has_step_of<ScanLineBegin>(s.header())) words.write_first(c.muted, "this method has no scan lines");
   else if (!interval.complete) words.write_first(c.muted, "too many events to mark the scan lines");
-  else if (interval.lines.empty())
-    words.write_first(c.muted,
-                      fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), interval.polygon)));
+  else if (interval.lines.empty()) words.write_first(c.muted, why_no_lines(s.trace(), interval, s.position()));
   frame_box(ui, strip.at, end, c.rule);
   draw_step_marks(ui, strip);
   draw_places(ui, strip);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/viewer/panes/code_lines.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
@@ -96,6 +97,13 @@ std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const
   return words;
 }
 
+/// Of a word and of those that follow without a space.
+float width_with_next(const std::vector<Word>& words, std::size_t at) {
+  float width = words[at].width;
+  while (++at < words.size() && !words[at].space_before && !words[at].breaks_line) width += words[at].width;
+  return width;
+}
+
 void tell_numbers(const Ui& ui, const Word& word, ImVec2 at, const Flow& how) {
   for (const auto& [from, bytes] : numbers_in(word.text)) {
     const float left = at.x + text_size(ui, word.font, word.text.substr(0, from)).x;
@@ -112,7 +120,9 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
   const ImFont* base = how.font ? how.font : ui.fonts.text;
   const float line = std::round(base->FontSize * 1.28f);
   float x = 0, y = 0;
-  for (const Word& word : words_in(ui, runs, how, width - how.indent)) {
+  const std::vector<Word> words = words_in(ui, runs, how, width - how.indent);
+  for (std::size_t at_word = 0; at_word < words.size(); ++at_word) {
+    const Word& word = words[at_word];
     if (word.breaks_line) {
       x = how.indent;
       y += line;
@@ -121,7 +131,10 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
     const float space =
         word.space_before ? std::round(base->FontSize * 0.28f) + (word.font == ui.fonts.mono ? 2.0f : 0.0f) : 0;
     const bool first = x == 0 || (y > 0 && x == how.indent);
-    if (!first && x + space + word.width > width) {
+    // A bracket or a comma stays with what it stands at.
+    const float whole = word.space_before || first ? width_with_next(words, at_word) : word.width,
+                needed = whole <= width - how.indent ? whole : word.width;
+    if (!first && x + space + needed > width) {
       x = how.indent;
       y += line;
     } else if (!first) {
@@ -141,23 +154,20 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
   return y + line;
 }
 
-/// A block of code keeps its columns. In a line that fits no space flows; in a longer one those that begin it or stand
-/// in a row do not.
-std::string keep_columns(const Ui& ui, const std::string& code, float width) {
-  std::string kept;
-  for (std::size_t at = 0; at <= code.size();) {
-    const std::size_t end = std::min(code.find('\n', at), code.size());
-    const std::string line = code.substr(at, end - at);
-    const bool fits = text_size(ui, ui.fonts.mono, line).x <= width;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const bool alone = i > 0 && line[i - 1] != ' ' && i + 1 < line.size() && line[i + 1] != ' ';
-      if (line[i] == ' ' && (fits || !alone)) kept += "\u00A0";
-      else kept += line[i];
-    }
-    if (end < code.size()) kept += '\n';
-    at = end + 1;
+/// A block of code, broken so that it can be read in the width at the cursor.
+void flow_code(Ui& ui, const std::string& code) {
+  const ImFont* font = ui.fonts.mono;
+  const float column = font->CalcTextSizeA(font->FontSize, 1e9f, 0, "0000000000").x / 10,
+              line = std::round(font->FontSize * 1.28f), width = std::max(ui.em, ImGui::GetContentRegionAvail().x);
+  const std::vector<CodeLine> lines =
+      code_lines(ui.fonts.drawable(code), std::max(1, static_cast<int>(width / column)));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const float y = at.y + line * static_cast<float>(k);
+    if (lines[k].continues) draw_text(ui, {at.x, y}, font, ui.colors().muted, "\u21b3");
+    draw_text(ui, {at.x + column * static_cast<float>(lines[k].indent), y}, font, ui.colors().text, lines[k].text);
   }
-  return kept;
+  ImGui::Dummy({width, line * static_cast<float>(lines.size())});
 }
 
 }  // namespace
@@ -176,7 +186,7 @@ float flow_height(Ui& ui, const std::string& text, const Flow& how) {
 }
 
 void flow_markdown(Ui& ui, const std::string& markdown) {
-  for (TextBlock& block : parse_markdown(markdown)) {
+  for (const TextBlock& block : parse_markdown(markdown)) {
     const float indent = static_cast<float>(block.depth) * ui.em * 1.2f;
     Flow how;
     switch (block.kind) {
@@ -184,8 +194,6 @@ void flow_markdown(Ui& ui, const std::string& markdown) {
         how.font = ui.fonts.bold;
         break;
       case TextBlock::Kind::code:
-        how.font = ui.fonts.mono;
-        break;
       case TextBlock::Kind::quote:
         how.color = ui.colors().muted;
         break;
@@ -206,10 +214,8 @@ void flow_markdown(Ui& ui, const std::string& markdown) {
         break;
     }
     if (indent > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
-    if (block.kind == TextBlock::Kind::code) {
-      for (TextRun& run : block.runs) run.text = keep_columns(ui, run.text, ImGui::GetContentRegionAvail().x);
-    }
-    flow(ui, block.runs, how);
+    if (block.kind == TextBlock::Kind::code) flow_code(ui, block.runs.empty() ? "" : block.runs.front().text);
+    else flow(ui, block.runs, how);
     ImGui::Dummy({1, std::round(ui.em * 0.35f)});
   }
 }

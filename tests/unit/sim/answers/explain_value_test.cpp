@@ -302,4 +302,19 @@ TEST_SUITE("explain a value") {
     value.formula = "a*b - a";
     CHECK(answers::numbers_text(value) == "\u22121\u00b72 \u2212 (\u22121)");
   }
+
+  TEST_CASE("what a fixed-point number cannot hold is said to be rounded, or cut off") {
+    for (const auto& [rounding, expected] : {std::pair(Conventions::Rounding::nearest, " = 2.4, rounded to 2"),
+                                             {Conventions::Rounding::down, " = 2.4, cut off to 2"}}) {
+      SceneFile file = load_scene(test::in_checkout("lessons/scenes/ramp.toml"));
+      file.conventions.number_format = NumberFormat::fixed16;
+      file.conventions.interpolation = Conventions::Interpolation::increments;
+      file.conventions.rounding = rounding;
+      const Trace trace = test::recorded_by("z-buffer", file.scene, file.conventions);
+      std::int64_t step = 1;  // the first span of the ramp
+      while (!holds<SpanBegin>(trace.event(step).event) || get<SpanBegin>(trace.event(step).event).dz_dx == 0) ++step;
+      const Chain chain = explain_value(trace, Question{step, "dz_dx"});
+      CHECK(answers::line_text(chain.links.at(0).values.at(0)).ends_with(expected));
+    }
+  }
 }

@@ -1,0 +1,44 @@
+#include <map>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "sim/viewer/model/no_lines.hpp"
+#include "sim/words/explain.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+#include "tests/where.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+TEST_CASE("law: a polygon is said to meet no scan line only where none of its scan lines is in the run") {
+  std::map<std::string, int> said;
+  for (const auto& [method, scene] : {std::pair("painter", "slanting"),
+                                      {"depth-sort", "five-tests"},
+                                      {"bsp", "six-walls"},
+                                      {"z-buffer", "prism"},
+                                      {"scan-line", "prism"},
+                                      {"shadow-buffer", "lamp"}}) {
+    CAPTURE(method);
+    const Trace trace =
+        test::record_run_by(method, test::in_checkout(std::string("lessons/scenes/") + scene + ".toml"));
+    std::map<std::int32_t, int> lines_of;
+    for (std::int64_t step = 1; step <= trace.size(); ++step)
+      if (holds<ScanLineBegin>(trace.event(step).event)) ++lines_of[trace.polygon_at_work(step)];
+    ScanLineMarks marks;
+    for (std::int64_t position = 0; position <= trace.size(); ++position) {
+      const ScanLineMarks::Interval interval = marks.at(trace, position);
+      if (!interval.lines.empty() || interval.polygon == no_polygon) continue;
+      const std::string why = why_no_lines(trace, interval, position);
+      CAPTURE(position);
+      CAPTURE(why);
+      const bool at_work = trace.polygon_at_work(position) != no_polygon, has_lines = lines_of[interval.polygon] > 0;
+      if (why.ends_with("meets no scan line")) REQUIRE((at_work && !has_lines));
+      if (why.starts_with("no polygon is at work")) REQUIRE(!at_work);
+      if (why.ends_with(" yet")) REQUIRE(at_work);
+      ++said[why.substr(why.find_last_of(' '))];
+    }
+  }
+  CHECK(said[" yet"] > 0);
+  CHECK(said[" line"] > 0);
+}
