@@ -50,7 +50,7 @@ std::vector<std::string> notes_of(const std::string& polygons) {
 }  // namespace
 
 TEST_SUITE("degenerate input") {
-  TEST_CASE("surfaces: the nearest at each pixel; in one plane the first of the file; the painter's own order") {
+  TEST_CASE("surfaces: the nearest at each pixel, in one plane the first of the file, the painter's own order") {
     for (const Method& m : methods()) {
       if (m.gives == Gives::lines) continue;
       REQUIRE((m.exact || m.id == "painter"));
@@ -141,7 +141,7 @@ TEST_SUITE("degenerate input") {
     }
   }
 
-  TEST_CASE("shadows: on a wall behind, which alone is seen, there is the silhouette; edge-on throws none") {
+  TEST_CASE("shadows: on a wall behind, which alone is seen, there is the silhouette, edge-on throws none") {
     for (const Degenerate& input : degenerate_inputs()) {
       const std::string wall =
           "[[polygon]]\nname = \"wall\"\npoints = [[-20, 10, -20], [20, 10, -20], [20, 10, 20], [-20, 10, 20]]\n";
@@ -193,7 +193,7 @@ TEST_SUITE("degenerate input") {
     }
   }
 
-  TEST_CASE("floating horizon: polygons alone are refused; curves that touch are seen, and a curve needs two samples") {
+  TEST_CASE("floating horizon: polygons alone are refused, curves that touch are seen, and a curve needs two samples") {
     const Method& m = method("floating-horizon");
     for (const Degenerate& input : degenerate_inputs())
       CHECK_THROWS_AS(check_run(m, degenerate_scene(input.polygons, parallel), Conventions{}), InputError);

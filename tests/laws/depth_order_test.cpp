@@ -50,7 +50,7 @@ Judged judge(const AgreementScene& subject, Run run) {
 
 }  // namespace
 
-TEST_CASE("law: depth sort never draws what is farther over what is nearer; the painter's algorithm does") {
+TEST_CASE("law: depth sort never draws what is farther over what is nearer, the painter's algorithm does") {
   Judged sorted, naive;
   for (const AgreementScene& subject : agreement_scenes()) {
     CAPTURE(subject.name);

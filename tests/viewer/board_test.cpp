@@ -28,7 +28,7 @@ void drag(App& app, int x, int y, int to_x, int to_y) {
 
 }  // namespace
 
-TEST_CASE("board: the pen writes over the panes, which do not take the drag; a step wipes it, and leaves what stays") {
+TEST_CASE("board: the pen writes over the panes, which do not take the drag, a step wipes it, and leaves what stays") {
   const Trace trace = test::record_run("pyramid");
   App app(trace, nullptr, {}, 1280, 720);
   app.session().go_to(trace.size() / 2);

@@ -50,7 +50,7 @@ TEST_CASE("Shift+E tells where the number of a step comes from, and goes to each
   CHECK(app.drawer() == Drawer::none);
 }
 
-TEST_CASE("a click on a number of a table or a formula tells where it comes from; beside it the row is lit as ever") {
+TEST_CASE("a click on a number of a table or a formula tells where it comes from, beside it the row is lit as ever") {
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 1280, 720);
   app.session().go_to(219);
@@ -110,7 +110,7 @@ TEST_CASE(
   CHECK(fields.size() >= 3);  // x and y of the sentence beside the depth
 }
 
-TEST_CASE("a click on the depth of the selected pixel tells where it comes from; on the frame it lets go") {
+TEST_CASE("a click on the depth of the selected pixel tells where it comes from, on the frame it lets go") {
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 1280, 720);
   app.session().go_to(trace.size());

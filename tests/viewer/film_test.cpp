@@ -162,7 +162,7 @@ TEST_CASE("a film that is ended, fails or cannot be made leaves no file, and say
   CHECK(studio.files().empty());
 }
 
-TEST_CASE("what a film may be of: the lesson's stop, what is repeated, the polygon, the rest, all; long ones skip") {
+TEST_CASE("what a film may be of: the lesson's stop, what is repeated, the polygon, the rest, all, long ones skip") {
   OnSet o;
   o.app.session().to_stop(9);
   o.app.session().loop_first = 5, o.app.session().loop_last = 50;

@@ -23,7 +23,7 @@ void right_click(App& app, int x, int y) { test::click(app, x, y, SDL_BUTTON_RIG
 
 }  // namespace
 
-TEST_CASE("a right click on a pixel offers what can be asked of it; keys take a line, Esc none") {
+TEST_CASE("a right click on a pixel offers what can be asked of it, keys take a line, Esc none") {
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 1280, 720);
   app.session().go_to(trace.size());

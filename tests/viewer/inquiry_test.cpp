@@ -74,7 +74,7 @@ TEST_CASE("a question that takes long is seen to be asked, and Esc ends it") {
   CHECK(test::picture(app) != typed);
 }
 
-TEST_CASE("Q opens the box; what is typed is asked, rows are picked and gone to, Tab paints, Esc ends") {
+TEST_CASE("Q opens the box, what is typed is asked, rows are picked and gone to, Tab paints, Esc ends") {
   const Trace trace = test::record_run("pyramid-behind");
   App app(trace, nullptr, {}, 1280, 720);
   const test::Bytes before = test::picture(app);

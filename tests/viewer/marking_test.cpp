@@ -46,7 +46,7 @@ struct AtStop {
 
 }  // namespace
 
-TEST_CASE("pixels are marked by keys; a wrong one is said, a second press takes it away, and then it is right") {
+TEST_CASE("pixels are marked by keys, a wrong one is said, a second press takes it away, and then it is right") {
   AtStop at("edge-table", "four crossings");
   const std::vector<std::int32_t> right = at.app.session().marking()->right;
   const int width = at.app.session().scene().raster.width;
@@ -99,7 +99,7 @@ TEST_CASE("pixels are marked by clicks, and how they were marked does not change
   CHECK(test::picture(at.app) == test::picture(by_keys.app));
 }
 
-TEST_CASE("an edge is put into its bucket by a click on a scan line; another click moves the mark") {
+TEST_CASE("an edge is put into its bucket by a click on a scan line, another click moves the mark") {
   AtStop at("edge-table", "By hand: edge 4");
   CHECK(at.app.session().marking()->right == std::vector<std::int32_t>{7});
   at.app.session().mark(Cell{3, 9});

@@ -84,7 +84,7 @@ TEST_CASE("what is drawn headless, and what settles, shows the end of what moves
   CHECK_FALSE(app.moving());
 }
 
-TEST_CASE("with reduced motion nothing moves; a window that changes its size moves nothing either") {
+TEST_CASE("with reduced motion nothing moves, a window that changes its size moves nothing either") {
   const Trace trace = test::record_run("pyramid", test::of_size(25, 25));
   App app(trace, nullptr, {}, 1280, 720);
   app.moves = true;

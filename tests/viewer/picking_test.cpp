@@ -91,7 +91,7 @@ TEST_CASE("an edge that is picked is lit in its polygons' edge tables, and a row
   CHECK(*s.lit_part().edge == EdgeEnds(std::minmax(first.vertex_0, first.vertex_1)));
 }
 
-TEST_CASE("keys go through vertices, and through edges where no table has any; what is picked is told and marked") {
+TEST_CASE("keys go through vertices, and through edges where no table has any, what is picked is told and marked") {
   const Trace trace = test::record_run_by("bsp", "pyramid");
   App app(trace, nullptr, {}, 1280, 720);
   app.settle();

@@ -315,7 +315,7 @@ TEST_CASE("lines that cross are found where they do, as far as they clearly diff
   CHECK(compare::tell_growth({lines[1], lines[2]}, Measure::time).find("no two of them cross") != std::string::npos);
 }
 
-TEST_CASE("what is measured for the chart is what a recording of that scene holds; it goes on cell by cell, and ends") {
+TEST_CASE("what is measured for the chart is what a recording of that scene holds, it goes on cell by cell, and ends") {
   const Trace trace = test::record_run("pyramid");
   const ViewerOptions options = racing();
   Stage stage(trace, options, Settings{}, 1280, 720);

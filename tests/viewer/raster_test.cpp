@@ -28,7 +28,7 @@ constexpr Pixel32 little = 0xff00ff00, much = 0xffff0000;
 }  // namespace
 
 TEST_CASE(
-    "of counts a small picture shows the greatest under each pixel, in colours of the scale; of all else the mean") {
+    "of counts a small picture shows the greatest under each pixel, in colours of the scale, of all else the mean") {
   for (const bool y_up : {false, true})
     for (const int box : {7, 33, 64, 99}) {
       Raster raster = raster_of(100, 100);

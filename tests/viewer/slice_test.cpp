@@ -144,7 +144,7 @@ TEST_CASE("where flags tell which polygons are there, the slice has their planes
   CHECK(decided > 3);
 }
 
-TEST_CASE("a pixel that is selected or pointed at has the slice of its scan line; the step at work else") {
+TEST_CASE("a pixel that is selected or pointed at has the slice of its scan line, the step at work else") {
   const Trace trace = golden("delhi");
   Session session(trace, nullptr);
   CHECK_FALSE(slice_line(Moment(session), std::nullopt));

@@ -29,7 +29,7 @@ std::string fitted_names(const std::vector<TitleName>& names, int room) {
 
 }  // namespace
 
-TEST_CASE("names go one by one, the least telling first; the most telling is cut before it goes") {
+TEST_CASE("names go one by one, the least telling first, the most telling is cut before it goes") {
   const std::vector<TitleName> names{{"zstep"}, {"Hidden lines: cut each edge", 3}, {"Hidden lines", 2}, {"box", 1}};
   CHECK(fitted_names(names, 99) == "zstep \u00b7 Hidden lines: cut each edge \u00b7 Hidden lines \u00b7 box");
   CHECK(fitted_names(names, 55) == "Hidden lines: cut each edge \u00b7 Hidden lines \u00b7 box");

@@ -128,7 +128,7 @@ TEST_CASE("a swipe over a text scrolls it and presses nothing, also back to wher
         "point 100,300; scroll 0,-20; scroll 0,20; leave");
 }
 
-TEST_CASE("two fingers zoom by how far they part, and move; a text they scroll; what one began ends") {
+TEST_CASE("two fingers zoom by how far they part, and move, a text they scroll, what one began ends") {
   CHECK(meant("down 1 300 100 @0; down 2 400 100 @20; move 2 500 100; up 2; move 1 320 100; up 1") ==
         "point 300,100; point 350,100; hold 350,100; point 400,100; zoom 2; let go; leave");
   CHECK(meant("down 1 300 100 @0; move 1 300 140; down 2 400 140 @90; up 1; up 2") ==
@@ -151,7 +151,7 @@ TEST_CASE("a third finger ends what two did, and where all are gone nothing is h
         "point 300,90; press 300,90; point 330,90; release; leave; point 300,50; tap 300,50; leave");
 }
 
-TEST_CASE("what is aimed at is hit in 44 pixels around it; of two the nearer, and what lies there before both") {
+TEST_CASE("what is aimed at is hit in 44 pixels around it, of two the nearer, and what lies there before both") {
   Targets targets;
   targets.add({100, 100}, {120, 110});
   targets.add({100, 130}, {120, 140});
@@ -235,7 +235,7 @@ TEST_CASE("the mouse that a system makes of a finger is not told a second time")
 }
 
 TEST_CASE(
-    "a swipe scrolls the lesson and answers nothing; a finger that rests on a pixel offers what can be done there") {
+    "a swipe scrolls the lesson and answers nothing, a finger that rests on a pixel offers what can be done there") {
   OnPhone phone(390, 560);
   App& app = phone.app;
   const ImGuiWindow* lesson = window_with("/lesson_");

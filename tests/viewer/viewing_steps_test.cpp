@@ -35,7 +35,7 @@ TEST_CASE("a scene on the screen has no such steps, and the window says so") {
   CHECK(app.session().message.find("do not make up its viewing") != std::string::npos);
 }
 
-TEST_CASE("the first lesson's stops show the step that they speak of; a reader's choice holds until the next") {
+TEST_CASE("the first lesson's stops show the step that they speak of, a reader's choice holds until the next") {
   Lesson lesson = find_lesson("viewing");
   const Trace trace = run_lesson(lesson);
   App app(trace, &lesson, {}, 1280, 720);

@@ -59,7 +59,7 @@ TEST_CASE("Y asks why a polygon is not seen at the selected pixel, and goes to e
   CHECK(app.drawer() == Drawer::why_ask);
 }
 
-TEST_CASE("Y in a pixel's history asks about the polygon picked there; without a pixel it asks of the whole picture") {
+TEST_CASE("Y in a pixel's history asks about the polygon picked there, without a pixel it asks of the whole picture") {
   const Trace trace = test::record_run("pyramid-behind");
   App app(trace, nullptr, {}, 1280, 720);
   test::press(app, SDLK_y);

@@ -156,7 +156,7 @@ TEST_CASE("a pane that the run has not come to is folded to its title, however o
   CHECK(folded() == "edge_table active_edges slice ");
 }
 
-TEST_CASE("a stop's focus leads while it speaks; one that is no pane is refused by its line") {
+TEST_CASE("a stop's focus leads while it speaks, one that is no pane is refused by its line") {
   Lesson lesson = find_lesson("edge-table");
   const Trace trace = run_lesson(lesson);
   lesson.stops[2].focus = "edge_table";

@@ -9,7 +9,7 @@
 
 using namespace zstep;
 
-TEST_CASE("rare: a value like any other; the usual one takes no memory, however it came to be so") {
+TEST_CASE("rare: a value like any other, the usual one takes no memory, however it came to be so") {
   Rare<std::string> name;
   CHECK(name.is_usual());
   CHECK(name->empty());

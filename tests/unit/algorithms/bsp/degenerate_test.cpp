@@ -58,7 +58,7 @@ Points moved(Points points, glm::dvec3 by) {
 }  // namespace
 
 TEST_SUITE("bsp/degenerate") {
-  TEST_CASE("no polygon: no tree, and the background; one: a node") {
+  TEST_CASE("no polygon: no tree, and the background, one: a node") {
     CHECK(Run(screen_scene(8, 8, {})).pixels() == 0);
     CHECK(Run(screen_scene(8, 8, {})).record.all<NodeMake>().empty());
     const Run one(screen_scene(8, 8, {square}));
@@ -80,7 +80,7 @@ TEST_SUITE("bsp/degenerate") {
   }
 
   TEST_CASE(
-      "coplanar polygons share a node; where they overlap the first in the file is seen, whichever way they face") {
+      "coplanar polygons share a node, where they overlap the first in the file is seen, whichever way they face") {
     Points turned = moved(square, {2, 1, 0});
     std::reverse(turned.begin(), turned.end());
     for (const auto& polygons : {std::vector<Points>{square, moved(square, {1, 1, 0}), turned},

@@ -110,7 +110,7 @@ TEST_SUITE("bsp/six walls") {
     }
   }
 
-  TEST_CASE("one candidate is the first; a seed gives the same tree again, and seeds give different trees") {
+  TEST_CASE("one candidate is the first, a seed gives the same tree again, and seeds give different trees") {
     NullRecorder nothing;
     const Scene scene = six_walls();
     CHECK(shape(build(scene, {Root::fewest_splits, 1, 1}, nothing)) == shape(build(scene, {Root::first}, nothing)));

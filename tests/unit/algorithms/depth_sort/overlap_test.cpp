@@ -76,7 +76,7 @@ TEST_SUITE("depth_sort/overlap") {
     CHECK(overlap({{0, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 4, 0}, {4, 0, 0}, {4, 4, 0}}));  // corners upon corners
   }
 
-  TEST_CASE("concave: in the notch of a U is outside it; a bow tie's middle belongs to it by halves") {
+  TEST_CASE("concave: in the notch of a U is outside it, a bow tie's middle belongs to it by halves") {
     const Ring u{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {6, 9, 0}, {6, 3, 0}, {3, 3, 0}, {3, 9, 0}, {0, 9, 0}};
     CHECK_FALSE(overlap(u, {{4, 4, 0}, {5, 4, 0}, {5, 8, 0}}));
     CHECK_FALSE(overlap(u, {{3, 3, 0}, {6, 3, 0}, {6, 9, 0}, {3, 9, 0}}));  // fills the notch

@@ -29,7 +29,7 @@ std::string verdicts(const CollectRecorder& record, std::int32_t curve) {
 }  // namespace
 
 TEST_SUITE("floating horizon by hand") {
-  TEST_CASE("above, below, between; on the horizon is visible; one horizon knows no below") {
+  TEST_CASE("above, below, between, on the horizon is visible, one horizon knows no below") {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     CHECK(held_against(3, 4, 6, true) == Horizon::above);
     CHECK(held_against(4, 4, 6, true) == Horizon::above);

@@ -48,7 +48,7 @@ TEST_SUITE("hidden_line/degenerate") {
     CHECK(std::any_of(crossings.begin(), crossings.end(), [](const LineCross& c) { return c.in_space; }));
   }
 
-  TEST_CASE("a face seen edge-on hides nothing; its edges are drawn") {
+  TEST_CASE("a face seen edge-on hides nothing, its edges are drawn") {
     const Run run =
         hide(test::screen_scene(32, 32, {{{5, 5, 0}, {15, 15, 3}, {15, 15, 0}}, {{2, 8, 5}, {28, 8, 5}, {20, 28, 5}}}));
     check_sums(run);

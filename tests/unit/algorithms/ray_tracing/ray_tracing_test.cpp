@@ -70,7 +70,7 @@ TEST_SUITE("ray_tracing") {
     }
   }
 
-  TEST_CASE("Snell: from air at 45 degrees into n = sqrt 2 at 30 degrees, and back; beyond 45 degrees no way out") {
+  TEST_CASE("Snell: from air at 45 degrees into n = sqrt 2 at 30 degrees, and back, beyond 45 degrees no way out") {
     const double n = std::sqrt(2.0), third = std::sqrt(3.0) / 2;
     const glm::dvec3 normal(0, 1, 0), slanting(std::sqrt(0.5), -std::sqrt(0.5), 0);
     const auto in = ray_tracing::refracted(slanting, normal, 1, n);
@@ -165,7 +165,7 @@ TEST_SUITE("ray_tracing") {
     CHECK(record.all<RayEnd>().front().nearest_facet == 1);
   }
 
-  TEST_CASE("polygon and depth are ray casting's, at every depth; the colour does not depend on the boxes") {
+  TEST_CASE("polygon and depth are ray casting's, at every depth, the colour does not depend on the boxes") {
     const Scene scene = look_at_scene(load_scene(test::in_checkout("lessons/scenes/mirror.toml")).scene, {});
     NullRecorder record;
     const Picture cast = ray_casting::run(scene, {}, record);

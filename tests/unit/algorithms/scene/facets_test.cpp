@@ -133,7 +133,7 @@ TEST_SUITE("facets") {
     CHECK(file.notes.size() == 2);  // the cut, and the last polygon without area
   }
 
-  TEST_CASE("repeated corners go; what has fewer than three left keeps its index but is not drawn") {
+  TEST_CASE("repeated corners go, what has fewer than three left keeps its index but is not drawn") {
     const Scene scene =
         load(MeshFormat::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 1 2 3 3 1\nf 1 2\nf 3\nf 1 2 1\nf 3 2 1\n").scene;
     REQUIRE(scene.polygons.size() == 5);

@@ -55,7 +55,7 @@ TEST_SUITE("lights and materials") {
     for (std::size_t i = 2; i < 8; ++i) CHECK(scene.polygons[i].material == Material{1, 1, 1});
   }
 
-  TEST_CASE("an OBJ's d, Tr and Ni fill the material; the scene file's keys go before them") {
+  TEST_CASE("an OBJ's d, Tr and Ni fill the material, the scene file's keys go before them") {
     const Scene own = read("[[mesh]]\nfile = \"m.obj\"\n").scene;
     CHECK(own.polygons[0].material == Material{});
     CHECK(own.polygons[1].material == Material{0.25, 0, 1.5});

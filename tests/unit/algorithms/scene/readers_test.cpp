@@ -148,7 +148,7 @@ TEST_SUITE("mesh readers") {
     CHECK(soup.outline_lines[2] == 17);
   }
 
-  TEST_CASE("OBJ: a face may stand before its vertices; points and lines are passed over") {
+  TEST_CASE("OBJ: a face may stand before its vertices, points and lines are passed over") {
     const PolygonSoup soup =
         read_mesh_bytes(MeshFormat::obj, "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\np 1\n", "t.obj");
     CHECK(corners(soup, 0) == Ring{0, 1, 2});
@@ -190,7 +190,7 @@ TEST_SUITE("mesh readers") {
     CHECK(read_ply(bytes, "t.ply").points[0] == glm::dvec3(10, 13, 10));
   }
 
-  TEST_CASE("STL: ascii and binary; equal points become one") {
+  TEST_CASE("STL: ascii and binary, equal points become one") {
     for (const std::string& bytes : {tetrahedron_stl, with_line_ends(tetrahedron_stl, "\r\n"),
                                      with_line_ends(tetrahedron_stl, "\r"), binary_tetrahedron_stl()}) {
       const PolygonSoup soup = read_stl(bytes, "t.stl");

@@ -123,7 +123,7 @@ TEST_SUITE("scene files") {
     CHECK(file.conventions.cull);
   }
 
-  TEST_CASE("polygons and meshes keep the order of the file; unnamed ones take free letters") {
+  TEST_CASE("polygons and meshes keep the order of the file, unnamed ones take free letters") {
     const Scene scene =
         read("[[mesh]]\nbuiltin = \"cube\"\n" + triangle + "name = \"C\"\n[[mesh]]\nbuiltin = \"pyramid\"\n" + triangle)
             .scene;

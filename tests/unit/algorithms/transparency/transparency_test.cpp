@@ -96,7 +96,7 @@ std::vector<std::vector<Layer>> layers_of(const Scene& scene) {
 }  // namespace
 
 TEST_SUITE("transparency") {
-  TEST_CASE("half red over white is (228, 128, 128); half green over that is (114, 164, 64)") {
+  TEST_CASE("half red over white is (228, 128, 128), half green over that is (114, 164, 64)") {
     CHECK(transparency::blended(red, 0.5, white) == Color{228, 128, 128});
     CHECK(seen(panes({{0.5, red, 0.5}})) == Color{228, 128, 128});
     CHECK(seen(panes({{0.5, red, 0.5}, {0.25, green, 0.5}})) == Color{114, 164, 64});
@@ -108,7 +108,7 @@ TEST_SUITE("transparency") {
     CHECK(seen(panes({{0.75, green, 0.5}, {0.5, red, 1}})) == red);
   }
 
-  TEST_CASE("a Z-buffer alone forgets what comes after the pane before it; with the opaque first it is there") {
+  TEST_CASE("a Z-buffer alone forgets what comes after the pane before it, with the opaque first it is there") {
     // The near pane of glass stands first in the file, the opaque wall behind it second.
     const Scene scene = panes({{0.25, red, 0.5}, {0.75, blue, 1}});
     CHECK(seen(scene, "file") == Color{228, 128, 128});  // red over the background: no wall
@@ -143,7 +143,7 @@ TEST_SUITE("transparency") {
       }
   }
 
-  TEST_CASE("each pixel of a soup that cuts through itself is its layers, mixed one by one; the other orders differ") {
+  TEST_CASE("each pixel of a soup that cuts through itself is its layers, mixed one by one, the other orders differ") {
     for (const std::uint64_t seed : std::vector<std::uint64_t>{1, 2, 3}) {
       const Scene scene = soup(seed, 24, 0.2);
       const auto layers = layers_of(scene);
@@ -170,7 +170,7 @@ TEST_SUITE("transparency") {
     }
   }
 
-  TEST_CASE("back to front the picture does not depend on the order of the file; from file it does") {
+  TEST_CASE("back to front the picture does not depend on the order of the file, from file it does") {
     const Scene scene = soup(11, 20, 0.2);
     const auto shuffled = [&](std::uint64_t seed) {
       Scene other = scene;

@@ -109,7 +109,7 @@ TEST_SUITE("viewing/back_face") {
     CHECK(facing_of(corner).facing == Facing::back);
   }
 
-  TEST_CASE("a polygon through the eye's plane is edge-on; one with a vertex behind the eye has no projected normal") {
+  TEST_CASE("a polygon through the eye's plane is edge-on, one with a vertex behind the eye has no projected normal") {
     Scene scene;
     test::add_polygon(scene, std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     test::look(scene, Camera::Kind::perspective, 4, 37, 90, 1, 10);

@@ -42,7 +42,7 @@ TEST_CASE("which one: next is from the stop before, first, last and nth from the
   CHECK(small.at("before: compare, last") == 18);
 }
 
-TEST_CASE("before and then at mean the same step; before and again before mean two") {
+TEST_CASE("before and then at mean the same step, before and again before mean two") {
   Small small;
   const Spot predicted = small.spot("before: compare");
   CHECK(small.spot("at: compare", predicted).event == predicted.event);

@@ -288,7 +288,7 @@ TEST_CASE("slips in questions") {
   CHECK(contains(load_error(head + question), ":7: a question before the first stop"));
 }
 
-TEST_CASE("speaker's notes: beside a question, filled from the run, with their minutes; slips in them") {
+TEST_CASE("speaker's notes: beside a question, filled from the run, with their minutes, slips in them") {
   const std::string stop = head + "## Here {at: compare}\nText.\n";  // line 7
   const std::string file = stop + question + "::: notes\nminutes: 1.5\nPoint at z = {z}.\n:::\n";
   CHECK(load_error(file) == "");

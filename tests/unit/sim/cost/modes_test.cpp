@@ -56,7 +56,7 @@ TEST_CASE("float32 with reversed depth keeps thousands of times more of z_v than
   CHECK(fixed_reversed < 2 * fixed_forward);
 }
 
-TEST_CASE("modes are all combinations of their words; what cannot be drawn is named") {
+TEST_CASE("modes are all combinations of their words, what cannot be drawn is named") {
   std::vector<std::string> left_out;
   Scene scene = load_scene("delhi").scene;
   const auto modes = modes_of(scene, {}, {{"depth", {"pseudodepth", "foley"}}, {"number_format", {"float32", "fixed16"}}},
