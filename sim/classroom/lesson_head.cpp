@@ -114,7 +114,7 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
                   {"title", "summary", "theme", "scene", "method", "camera", "raster", "conventions", "options"});
   read.text(all, "title", lesson.title);
   read.text(all, "summary", lesson.summary);
-  read.text(all, "theme", lesson.theme);
+  if (all.contains("theme")) read.text(all, "theme", lesson.theme);
   read.text(all, "scene", lesson.scene);
   read.text(all, "method", lesson.method);
 

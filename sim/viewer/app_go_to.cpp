@@ -74,9 +74,13 @@ void App::look_at(std::optional<Trace::Pixel> pixel, const std::string& lead) {
   std::string id = lead;
   std::replace(id.begin(), id.end(), '-', '_');
   const std::vector<std::string> all = leads_to_choose(session_.header());
-  if (std::find(all.begin(), all.end(), id) == all.end())
+  if (std::find(all.begin(), all.end(), id) == all.end()) {
+    std::string names =
+        fmt::format("{}", fmt::join(all.begin() + 1, all.end(), ", "));  // the first is the method's own
+    std::replace(names.begin(), names.end(), '_', '-');
     throw InputError("--lead", fmt::format("no pane '{}' can lead here", printable(lead)),
-                     fmt::format("those that can are {}", fmt::join(all, ", ")));
+                     "those that can are " + names);
+  }
   set_lead(id);
 }
 

@@ -65,18 +65,22 @@ const Command* command_called(std::string_view id) {
   return nullptr;
 }
 
-bool has_words(const std::string& text, const std::string& typed) {
-  const std::string among = lower(text);
+TypedWords::TypedWords(const std::string& typed) {
   std::istringstream words(lower(typed));
-  for (std::string word; words >> word;)
-    if (among.find(word) == std::string::npos) return false;
-  return true;
+  for (std::string word; words >> word;) words_.push_back(word);
+}
+
+bool TypedWords::all_in(const std::string& text) const {
+  const std::string among = lower(text);
+  return std::all_of(words_.begin(), words_.end(),
+                     [&](const std::string& word) { return among.find(word) != std::string::npos; });
 }
 
 std::vector<const Command*> matching(const std::string& typed) {
+  const TypedWords words(typed);
   std::vector<const Command*> found;
   for (const Command& command : commands())
-    if (has_words(std::string(command.group) + " " + command.title, typed)) found.push_back(&command);
+    if (words.all_in(std::string(command.group) + " " + command.title)) found.push_back(&command);
   return found;
 }
 

@@ -42,8 +42,16 @@ const Command* command_for(char character);
 /// The command of this id, or nullptr.
 const Command* command_called(std::string_view id);
 
-/// Whether a text holds all words that are typed, in any order, in large or small letters.
-bool has_words(const std::string& text, const std::string& typed);
+/// What is typed, in words.
+class TypedWords {
+ public:
+  explicit TypedWords(const std::string& typed);
+  /// Whether a text holds all of them, in any order, in large or small letters.
+  bool all_in(const std::string& text) const;
+
+ private:
+  std::vector<std::string> words_;
+};
 
 /// Commands whose title holds them, in table order.
 std::vector<const Command*> matching(const std::string& typed);

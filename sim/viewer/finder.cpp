@@ -16,7 +16,7 @@ namespace zstep::viewer {
 namespace {
 
 /// Of polygons and bookmarks, of which a run may have thousands.
-constexpr std::size_t most_of_a_kind = 40;
+constexpr std::size_t most_of_a_kind = 40, most_looked_at = 20000;
 
 std::string step_text(std::int64_t step) { return "step " + grouped(step); }
 
@@ -45,43 +45,44 @@ std::optional<Found> condition_typed(App& app) {
                [condition = app.typed](App& a) { a.run_until(condition, Places::Way::forwards); }};
 }
 
-void add_stops(App& app, std::vector<Found>& found) {
+void add_stops(App& app, const TypedWords& words, std::vector<Found>& found) {
   const Lesson* lesson = app.session().lesson();
   if (!lesson) return;
   for (std::size_t k = 0; k < lesson->stops.size(); ++k) {
     const std::string title = fmt::format("{}. {}", k + 1, lesson->stops[k].heading);
-    if (has_words("stop " + title, app.typed))
+    if (words.all_in("stop " + title))
       found.push_back({title, "stop", [k](App& a) { a.session().to_stop(static_cast<int>(k)); }});
   }
 }
 
 /// But for where what is named exactly leads.
-void add_polygons(App& app, std::int64_t named, std::vector<Found>& found) {
+void add_polygons(App& app, const TypedWords& words, std::int64_t named, std::vector<Found>& found) {
   const Trace& trace = app.session().trace();
-  std::size_t count = 0;
+  std::size_t count = 0, looked_at = 0;
   for (const PolygonMark& mark : trace.polygons()) {
+    if (++looked_at > most_looked_at) return;
     const std::string title = "Polygon " + polygon_label(trace.scene(), mark.polygon);
-    if (mark.position == named || !has_words(title, app.typed)) continue;
+    if (mark.position == named || !words.all_in(title)) continue;
     if (++count > most_of_a_kind) return;
     found.push_back({title, step_text(mark.position),
                      [step = mark.position](App& a) { a.go_to(places::Place{step, Unit::polygon}); }});
   }
 }
 
-void add_bookmarks(App& app, std::vector<Found>& found) {
+void add_bookmarks(App& app, const TypedWords& words, std::vector<Found>& found) {
   std::size_t count = 0;
   for (const places::Bookmark& mark : app.places().bookmarks())
-    if (has_words("bookmark " + mark.name, app.typed) && ++count <= most_of_a_kind)
+    if (words.all_in("bookmark " + mark.name) && ++count <= most_of_a_kind)
       found.push_back(
           {mark.name, step_text(mark.step), [step = mark.step](App& a) { a.go_to(places::Place{step}); }});
 }
 
-void add_offers(App& app, std::vector<Found>& found) {
+void add_offers(App& app, const TypedWords& words, std::vector<Found>& found) {
   const auto kind = [](Offer::What what) {
     return what == Offer::What::lesson ? "lesson" : what == Offer::What::method ? "method" : "scene";
   };
   for (const Offer& offer : app.offers())
-    if (has_words(fmt::format("{} {} {}", kind(offer.what), offer.id, offer.title), app.typed))
+    if (words.all_in(fmt::format("{} {} {}", kind(offer.what), offer.id, offer.title)))
       found.push_back({offer.title, kind(offer.what), [what = offer](App& a) { a.open_offer(what); }});
 }
 
@@ -102,10 +103,11 @@ const std::vector<Found>& Finder::find(App& app) {
                         else a.run(*command);
                       }});
   if (!asked) return found_;
-  add_stops(app, found_);
-  add_polygons(app, named ? named->step : -1, found_);
-  add_bookmarks(app, found_);
-  add_offers(app, found_);
+  const TypedWords words(app.typed);
+  add_stops(app, words, found_);
+  add_polygons(app, words, named ? named->step : -1, found_);
+  add_bookmarks(app, words, found_);
+  add_offers(app, words, found_);
   return found_;
 }
 
