@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "sim/film/video.hpp"
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/system.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
@@ -54,17 +56,11 @@ std::vector<FilmRange> App::film_ranges() const {
 
 void App::film(std::int64_t first, std::int64_t last) {
   try {
-    const std::filesystem::path path = std::filesystem::current_path() / fmt::format("zstep-{}-{}.mp4", first, last);
-    film_ = std::unique_ptr<Film>(new Film{path,
-                                           film_steps(first, last),
-                                           {path, renderer_.width(), renderer_.height(), usual_frames_a_second},
-                                           0,
-                                           false,
-                                           session_.position(),
-                                           session_.unit(),
-                                           session_.stop(),
-                                           session_.selected_edge,
-                                           board_});
+    const std::filesystem::path path = system::film_path(fmt::format("zstep-{}-{}", first, last));
+    film_ = std::unique_ptr<Film>(
+        new Film{path, film_steps(first, last),
+                 system::make_film(path, renderer_.width(), renderer_.height(), usual_frames_a_second), 0, false,
+                 session_.position(), session_.unit(), session_.stop(), session_.selected_edge, board_});
   } catch (const InputError& error) {
     open(Overlay::none);
     return say(error.what());
@@ -89,7 +85,7 @@ void App::film_on() {
   session_.touch();
   try {
     for (; film_->made < film_->steps.size(); ++film_->made) {
-      if (Clock::now() >= until) return;
+      if (Clock::now() >= until || !film_->maker->takes_more()) return;
       const std::int64_t step = film_->steps[film_->made];
       session_.go_to(step);
       if (session_.position() != step) return end_film(session_.message);
@@ -98,9 +94,9 @@ void App::film_on() {
       const bool moved = std::exchange(moves, false);
       for (int k = 0; k < frames_to_settle; ++k) draw();
       moves = moved, film_->draws = false;
-      film_->video.frame({renderer_.width(), renderer_.height(), renderer_.rgb()});
+      film_->maker->frame({renderer_.width(), renderer_.height(), renderer_.rgb()});
     }
-    film_->video.finish();
+    film_->maker->finish();
   } catch (const InputError& error) {
     return end_film(error.what());
   }

@@ -3,11 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sim/film/video.hpp"
+#include "sim/image/png.hpp"
 #include "sim/viewer/board.hpp"
 #include "traces/replay/units.hpp"
 
@@ -19,10 +20,21 @@ struct FilmRange {
   std::int64_t first = 0, last = 0;
 };
 
+/// Makes a file of frames. What was not finished leaves nothing.
+class FilmMaker {
+ public:
+  virtual ~FilmMaker() = default;
+  /// Whether it has done most of what it was given.
+  virtual bool takes_more() { return true; }
+  /// Throws InputError where no film can be made of it, as does finish(), which puts the file where it belongs.
+  virtual void frame(const Image& image) = 0;
+  virtual void finish() = 0;
+};
+
 struct Film {
   std::filesystem::path path;
   std::vector<std::int64_t> steps;
-  Video video;
+  std::unique_ptr<FilmMaker> maker;
   std::size_t made = 0;
   bool draws = false;  ///< a frame of the film, which does not tell of itself
   /// Where the reader was.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/film/video.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
 #include "sim/words/numbers.hpp"

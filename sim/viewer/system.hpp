@@ -9,6 +9,7 @@
 
 namespace zstep::viewer {
 
+class FilmMaker;
 class Loop;
 
 namespace system {
@@ -25,6 +26,11 @@ std::string ask_for_file();
 /// A file was written for the reader, by a name without a folder. What became of it: "in the folder zstep was started
 /// in".
 std::string hand_over(const std::filesystem::path& file);
+
+/// Makes a film of frames of this size, so many a second. Throws InputError where there is nothing that makes films.
+std::unique_ptr<FilmMaker> make_film(const std::filesystem::path& path, int width, int height, double frames_a_second);
+/// Where a film of this name goes, with the extension of what is made.
+std::filesystem::path film_path(const std::string& name);
 
 /// Something was kept for the next time in a file of this folder.
 void kept(const std::filesystem::path& folder);

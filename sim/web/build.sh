@@ -119,7 +119,7 @@ there env CCACHE_DIR="$kept/ccache" CCACHE_COMPILERTYPE=clang cmake --build "$bu
 if [ -n "$output" ]; then
   mkdir -p "$output"
   # One file after the other in its place, the page last: who loads it meanwhile gets the old one or the new one.
-  for file in zstep.js zstep.rest.wasm zstep.wasm zstep.data page.js page.css zstep.svg zstep.webmanifest worker.js publish.html index.html; do
+  for file in zstep.js zstep.rest.wasm zstep.wasm zstep.data film.js page.js page.css zstep.svg zstep.webmanifest worker.js publish.html index.html; do
     cp "$build/site/$file" "$output/.$file.new" && mv "$output/.$file.new" "$output/$file"
   done
   say "$output holds $(du -sh "$output" | cut -f 1 | tr -d ' '): put it on any web server, or ./zstep web --serve"

@@ -1,6 +1,6 @@
 """The whole of zstep as one page that opens from disk: one_page.py SITE PROGRAM PAGE TRACE_VERSION.
 
-SITE is the folder of the page's files, PROGRAM the WebAssembly in one piece; PAGE is written beside them. It holds the same page.js, page.css, program, fonts
+SITE is the folder of the page's files, PROGRAM the WebAssembly in one piece; PAGE is written beside them. It holds the same film.js, page.js, page.css, program, fonts
 and lessons, and a mark at which `zstep publish` puts a run and the words that open it (sim/cli/publish.cpp).
 """
 import base64
@@ -62,7 +62,7 @@ def main():
     def text(name):
         return (site / name).read_bytes().decode()
 
-    style, unpacker, script, loader = text("page.css"), text("packed.js"), text("page.js"), text("zstep.js")
+    style, unpacker, script, loader = text("page.css"), text("packed.js"), text("film.js") + text("page.js"), text("zstep.js")
     for name, inside, end in [("page.css", style, "</style"), ("packed.js", unpacker, "</script"), ("page.js", script, "</script")]:
         if end in inside.lower() or "<!--" in inside or "\r" in inside:
             sys.exit(f"zstep: {name} cannot stand inside a page: it has {end}, <!-- or a carriage return")
@@ -78,7 +78,7 @@ def main():
     page = replaced(page, r'<link rel="stylesheet"[^>]*>', f"<style>{style}</style>")
     held = {"zstep.js": site / "zstep.js", "zstep.data": site / "zstep.data", "zstep.wasm": program}
     data = "".join(packed(name, file.read_bytes()) for name, file in held.items())
-    page = replaced(page, r'<script src="page.js"></script>\n',
+    page = replaced(page, r'<script src="film.js"></script>\n<script src="page.js"></script>\n',
                     f"<!-- zstep publish {version} -->\n{data}<script>{unpacker}</script>\n<script>{script}</script>\n")
     beside = target.with_name("." + target.name + ".new")
     beside.write_bytes(page.encode())

@@ -2,7 +2,7 @@
 # them the page that `zstep publish` puts a run into: -DPAGE=, -DICON=, -DSITE=, -DWHOLE=, -DTRACES=.
 file(GLOB page ${PAGE}/*)
 file(COPY ${page} ${ICON} DESTINATION ${SITE})
-set(files index.html page.css page.js zstep.data zstep.js zstep.rest.wasm zstep.svg zstep.wasm zstep.webmanifest)
+set(files film.js index.html page.css page.js zstep.data zstep.js zstep.rest.wasm zstep.svg zstep.wasm zstep.webmanifest)
 set(all "")
 foreach(name IN LISTS files)
   file(SHA256 ${SITE}/${name} hash)

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include "sim/film/video.hpp"
 #include "sim/viewer/app.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"

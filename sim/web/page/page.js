@@ -114,13 +114,16 @@ const page = {
     filePicker.click();
   },
 
-  handOver(file) {
-    const name = file.split('/').pop();
+  download(name, blob) {
     const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([Module.FS.readFile(file)]));
+    link.href = URL.createObjectURL(blob);
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  },
+
+  handOver(file) {
+    page.download(file.split('/').pop(), new Blob([Module.FS.readFile(file)]));
     Module.FS.unlink(file);
   },
 
@@ -132,9 +135,7 @@ const page = {
     if (!inside) bringRest();
   },
 
-  doze(milliseconds) {
-    asleep = setTimeout(wake, milliseconds);
-  },
+  doze(milliseconds) { asleep = setTimeout(wake, milliseconds); },
 
   closed() {
     Module.running = false;
@@ -240,10 +241,15 @@ const instantiateWasm = (imports, done) => {
 // --- The program. A page that holds it in itself has brought it along (packed.js).
 const inside = typeof packed === 'object' ? packed : null;
 const embedsRun = inside !== null && linkNow() === '#embed=1';
-var Module = {  // `var`: zstep.js looks for it by this name
+var Module = {
+  // `var`: zstep.js looks for it by this name
   canvas,
   page,
-  arguments: embedsRun ? [...inside.words, '--embed'] : isLink(linkNow()) ? [linkNow()] : inside ? inside.words : [],
+  film,
+  arguments: embedsRun  ? [...inside.words, '--embed'] :
+      isLink(linkNow()) ? [linkNow()] :
+      inside            ? inside.words :
+                          [],
   noExitRuntime: true,
   print: (text) => console.log(text),
   printErr: (text) => {
