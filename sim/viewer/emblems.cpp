@@ -45,7 +45,7 @@ constexpr std::pair<std::string_view, const char*> emblems[] = {
     {"transparency", "o 2 2 15 2 15 12 2 12 / s 9 6 22 6 22 16 9 16 / x 9 6 15 6 15 12 9 12"},
 };
 
-constexpr double wide = 24, high = 18;
+constexpr double ground_width = 24, ground_height = 18;
 
 const char* marks_of(std::string_view method) {
   for (const auto& [id, marks] : emblems)
@@ -56,7 +56,9 @@ const char* marks_of(std::string_view method) {
 class Painter {
  public:
   Painter(Canvas& canvas, const Theme& theme)
-      : canvas_(canvas), theme_(theme), scale_(std::min(canvas.width() / wide, canvas.height() / high)) {
+      : canvas_(canvas),
+        theme_(theme),
+        scale_(std::min(canvas.width() / ground_width, canvas.height() / ground_height)) {
     canvas_.fill(to_pixel(theme_.pane));
   }
 
