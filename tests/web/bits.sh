@@ -59,7 +59,7 @@ for ((k = 0; k < count; ++k)); do
   if [ -e "$trace" ]; then
     sum=$(sha256sum <"$trace" | cut -c 1-16)
     # Without how far it is, which node has said as on a terminal.
-    checked=$("$@" check "$trace" 2>&1 | sed "s|$folder/||g; s|\r\x1b\[K[^\r]*||g" | sha256sum | cut -c 1-16)
+    checked=$("$@" check "$trace" 2>&1 | sed -E "s|$folder/||g; s/\r\x1b\[K(checking[^\r]*)?//g" | sha256sum | cut -c 1-16)
     described=$("$@" dump "$trace" 2>&1 | sed "s|$folder/||g" | sha256sum | cut -c 1-16)
   else sum=none checked=- described=-; fi
   echo "$k $sum check $checked dump $described exit $code: '$scene' ${options[*]}: $said"
