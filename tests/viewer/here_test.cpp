@@ -38,6 +38,21 @@ TEST_CASE("a right click on a pixel offers what can be asked of it, keys take a 
   right_click(app, 592, 208);
   test::press(app, SDLK_RETURN);
   CHECK(app.drawer() == Drawer::history);
+  // The other questions about a pixel begin with it.
+  for (const auto& [text, drawer] : {std::pair("Run until", Drawer::until), {"Compare this run", Drawer::compare}}) {
+    right_click(app, 592, 208);
+    const auto line = std::find_if(app.here().begin(), app.here().end(),
+                                   [&](const HereLine& one) { return one.text.starts_with(text); });
+    REQUIRE(line != app.here().end());
+    app.take_here(static_cast<std::size_t>(line - app.here().begin()));
+    CHECK(app.drawer() == drawer);
+    CHECK(app.session().selected);
+    app.open(Drawer::none);
+    app.settle();
+  }
+  right_click(app, 592, 208);
+  test::press(app, SDLK_RETURN);
+  CHECK(app.drawer() == Drawer::history);
   REQUIRE(app.session().selected);
   CHECK(app.history_of() == *app.session().selected);
   test::press(app, SDLK_ESCAPE);

@@ -61,6 +61,8 @@ std::vector<HereLine> lines_of_pixel(const Session& s, Cell cell, const std::opt
       {"Why a polygon is not seen here", "why-not", select},
       {"On to the next step that touches it", "next-touch", select},
       {"Back to the last one", "previous-touch", select},
+      {"Run until something is so there", "run-until", select},
+      {"Compare this run with another", "compare", select},
       {"Zoom to it", "center", select},
   };
   if (depth) lines.push_back({.text = "Where its depth comes from", .asks = depth});
