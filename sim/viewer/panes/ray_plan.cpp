@@ -157,7 +157,7 @@ void draw_facets(const Ui& ui, const Plan& plan) {
   }
 }
 
-/// Letters beside their facets, clear of them.
+/// Letters beside their facets, clear of them and of what else lies there.
 void draw_names(const Ui& ui, const Plan& plan) {
   const Scene& scene = ui.session.scene();
   if (scene.facets.size() > 16) return;
@@ -167,9 +167,11 @@ void draw_names(const Ui& ui, const Plan& plan) {
       sum += scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + k)])];
     }
     const std::string name = polygon_label(scene, facet.polygon);
-    const ImVec2 at = plan.place(sum / static_cast<double>(facet.corner_count)),
-                 size = text_size(ui, ui.fonts.bold, name);
-    draw_text(ui, {at.x - size.x - 5, at.y - size.y - 2}, ui.fonts.bold, ui.colors().text, name);
+    const ImVec2 middle = plan.place(sum / static_cast<double>(facet.corner_count)),
+                 size = text_size(ui, ui.fonts.bold, name), at{middle.x - size.x - 5, middle.y - size.y - 2};
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + std::round(size.y * 0.18f)},  // as high as the letter is
+                                              {at.x + size.x, at.y + std::round(size.y * 0.85f)}, ui.colors().pane);
+    draw_text(ui, at, ui.fonts.bold, ui.colors().text, name);
   }
 }
 

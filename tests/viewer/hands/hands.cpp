@@ -84,6 +84,7 @@ void Hands::press(const std::string& chord, bool goes_up) {
   for (const KeyName& known : key_names_here)
     if (key == known.name) sdl = known.sdl, as = known.real;
   if (as == ",") as = "comma";
+  if (as == "+") as = "plus";
   const SDL_Keycode code = SDL_GetKeyFromName(sdl.c_str());
   if (code == SDLK_UNKNOWN) throw std::runtime_error("no key is called " + key);
   const bool sign = key.size() == 1 && std::ispunct(static_cast<unsigned char>(key[0])) != 0 && modifiers == KMOD_NONE;

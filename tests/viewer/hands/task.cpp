@@ -45,6 +45,7 @@ std::vector<HandTask> read_hand_tasks(const std::string& path) {
     else if (word == "not by keys") tasks.back().no_keys = rest;
     else if (word == "not by mouse") tasks.back().no_mouse = rest;
     else if (word == "real") tasks.back().real = true;
+    else if (word == "not real") tasks.back().not_real = rest;
     else throw wrong("\"" + word + "\" is none of task, from, keys, mouse, then, not by keys, not by mouse, real");
   }
   for (const HandTask& task : tasks)

@@ -15,6 +15,7 @@ struct HandTask {
   std::string no_keys, no_mouse;   ///< why it cannot be done so
   bool real = false;               ///< also done with a display server's events
   int line = 0;                    ///< of the file
+  std::string not_real{};          ///< why that cannot be compared
 };
 
 /// Throws std::runtime_error, with the line, for what is not understood.
