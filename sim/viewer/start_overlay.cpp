@@ -232,9 +232,10 @@ void draw_start(App& app) {
     const auto column = static_cast<std::size_t>(what);
     const float width = narrow ? room.x : std::floor((room.x - 2 * gap) * shares[column] / std::max(0.01f, sum));
     if (!narrow && width <= 0) continue;
-    const bool files_alone = what == Offer::What::scene && std::all_of(all.begin(), all.end(), [](const Offer* one) {
-                               return one->what != Offer::What::scene || one->picture.height == 0;
-                             });
+    const auto in_column = [what](const Offer* one) { return one->what == what; };
+    const auto built_in = [](const Offer* one) { return one->what == Offer::What::scene && one->picture.height > 0; };
+    const bool files_alone = what == Offer::What::scene && std::any_of(all.begin(), all.end(), in_column) &&
+                             std::none_of(all.begin(), all.end(), built_in);
     const char* const heading = heading_of(what, files_alone);
     if (!narrow || what == Offer::What::lesson) {
       ImGui::SetCursorScreenPos({x, at.y + gap});
