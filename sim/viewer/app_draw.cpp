@@ -93,7 +93,7 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   const auto cut = [&](const std::string& text, float room) { return fitted(ui_, ui_.fonts.bold, text, room); };
   const auto beside = [&] { return right - at.x - ui_.em - text_size(ui_, font, joined(parts)).x; };
   while (parts.size() > 1 && beside() < -ui_.em) parts.pop_back();
-  // What the step is about is told below, too: it gives way to the name that tells most.
+  // The step's polygon, line and pixel are written below as well, so they make room for the most important name.
   const float telling = width_of(joined_names(most_telling(names)));
   while (parts.size() > (against_ ? 2 : 1) && beside() < telling) parts.pop_back();
   const std::string where = joined(parts);

@@ -20,7 +20,7 @@ struct FilmRange {
   std::int64_t first = 0, last = 0;
 };
 
-/// Makes a file of frames. What was not finished leaves nothing.
+/// Writes frames into a film. Without finish() there is no file afterwards.
 class FilmMaker {
  public:
   virtual ~FilmMaker() = default;

@@ -20,7 +20,7 @@ struct TitleName {
 struct TitleMeasures {
   std::function<float(const std::string&)> width;
   std::function<std::string(const std::string&, float)> cut;  ///< to this width, with "\u2026" at its end
-  float least = 0;                                            ///< a name cut to less than this says nothing any more
+  float least = 0;                                            ///< pixels; rather than cut shorter, a name is left out
 };
 
 /// "zstep · Hidden lines ▾ · box, plank and card ▾".
