@@ -1,10 +1,12 @@
 #include "sim/classroom/fill.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
 #include "sim/classroom/evaluate.hpp"
+#include "sim/classroom/markdown.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
 
@@ -13,11 +15,12 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr std::string_view form_of_slots = "write {z}, {z:2}, {z = 4.25} or {z ~ 0.333}; a brace itself is {{ or }}";
+constexpr std::string_view form_of_slots =
+    "write {z}, {z:2}, {z = 4.25}, {z ~ 0.333} or {\"a word\"}; a brace itself is {{ or }}";
 
 struct Slot {
   Expression expression;
-  char mark = 0;  // ':', '=', '~' or none
+  char mark = 0;  // ':', '=', '~', '"' for a word, or none
   std::string written;
 };
 
@@ -31,10 +34,27 @@ bool is_written_number(const Expression& expression) {
   return true;
 }
 
+/// A number that stands where no run can check it.
+[[noreturn]] void unchecked(std::string_view shown, std::string_view what, std::string_view digits,
+                            std::string_view word, std::string_view where) {
+  throw InputError(
+      where, fmt::format("`{}` {}", shown, what),
+      fmt::format("write {{… = {}}} with what it is a number of, or {{\"{}\"}} for a word or a name", digits, word));
+}
+
 Slot parse_slot(std::string_view text, std::string_view where) {
   Slot slot;
-  std::string_view rest;
+  std::string_view rest = trim(text);
+  if (rest.size() > 2 && rest.front() == '"' && rest.find('"', 1) == rest.size() - 1) {
+    slot.mark = '"';
+    slot.written = rest.substr(1, rest.size() - 2);
+    return slot;
+  }
   slot.expression = parse_expression(text, rest, where);
+  if ((rest.empty() || rest.front() == ':') && is_written_number(slot.expression)) {
+    const std::string_view number = trim(text.substr(0, text.size() - rest.size()));
+    unchecked(fmt::format("{{{}}}", text), "is a number that nothing checks", number, number, where);
+  }
   if (rest.empty()) return slot;
   if (rest.substr(0, 3) == "≈") {
     slot.mark = '~';
@@ -76,6 +96,46 @@ void split(std::string_view all, const Place& place, Text&& text, Inside&& insid
       throw InputError(place.str(line), "a `{` is not closed on its line", form_of_slots);
     inside(all.substr(at + 1, end - at - 1), line);
     at = end + 1;
+  }
+}
+
+constexpr std::string_view ascii_digits = "0123456789";
+constexpr std::string_view ascii_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+
+/// Whether what stands before a digit makes it a part of a name, as in V01, T_1 and θ2: a letter, Latin or Greek, or _.
+bool ends_name(std::string_view before) {
+  if (before.empty()) return false;
+  const auto byte = [&](std::size_t from_end) { return static_cast<unsigned char>(before[before.size() - from_end]); };
+  if (before.size() > 1 && (byte(1) >> 6) == 2)  // À … Ͽ but × and ÷
+    return byte(2) >= 0xC3 && byte(2) <= 0xCF && !(byte(2) == 0xC3 && (byte(1) == 0x97 || byte(1) == 0xB7));
+  return ascii_letters.find(before.back()) != ascii_letters.npos;
+}
+
+/// Refuses a digit outside braces and code that is no part of a name.
+void check_no_literal(std::string_view all, const Place& place) {
+  std::string outside(all.size(), '$');  // what stands in braces has been checked already
+  split(
+      all, place,
+      [&](std::string_view piece) {
+        std::copy(piece.begin(), piece.end(), outside.begin() + (piece.data() - all.data()));
+      },
+      [](std::string_view, std::int32_t) {});
+  for (const std::string_view prose : prose_of(outside)) {
+    const auto start = static_cast<std::size_t>(prose.data() - outside.data());
+    for (std::size_t at = prose.find_first_of(ascii_digits); at != prose.npos;
+         at = prose.find_first_of(ascii_digits, at)) {
+      const std::size_t begin = at;
+      at = std::min(prose.find_first_not_of(ascii_digits, at), prose.size());
+      if (ends_name(all.substr(0, start + begin))) continue;
+      const auto of = [&](std::string_view more) {  // the number, or the word that begins with it: 1.5, 3-4-5
+        const std::size_t end = prose.find_first_not_of(std::string(ascii_digits) + std::string(more), begin);
+        const std::string_view found = prose.substr(begin, end - begin);
+        return found.substr(0, found.find_last_not_of("-.") + 1);
+      };
+      const std::string_view word = of(std::string(ascii_letters) + "-.");
+      unchecked(word, "stands outside braces, where nothing checks it", of("."), word,
+                place.str(static_cast<std::int32_t>(std::ranges::count(all.substr(0, start + begin), '\n'))));
+    }
   }
 }
 
@@ -160,6 +220,10 @@ std::string fill(std::string_view text, const Place& place, Replay& replay, cons
         const std::string where = place.str(line);
         const Moment moment(replay, event, position, where);
         const Slot slot = parse_slot(inside, where);
+        if (slot.mark == '"') {
+          filled += slot.written;
+          return;
+        }
         const Quantity value = evaluate(slot.expression, moment);
         const bool checked = slot.mark == '=' || slot.mark == '~';
         if (checked) verify(slot, inside, value, moment);
@@ -176,6 +240,7 @@ void check_fill(std::string_view text, const Place& place, std::uint8_t kind, co
       [&](std::string_view inside, std::int32_t line) {
         const std::string where = place.str(line);
         const Slot slot = parse_slot(inside, where);
+        if (slot.mark == '"') return;
         const Quantity::Type type = check(slot.expression, kind, page, where);
         if (type == Quantity::Type::number && (slot.mark == '=' || slot.mark == '~')) {
           if (!is_written_number(parse_expression(slot.written, where))) {
@@ -184,6 +249,7 @@ void check_fill(std::string_view text, const Place& place, std::uint8_t kind, co
           }
         }
       });
+  check_no_literal(text, place);
 }
 
 }  // namespace zstep::classroom

@@ -2,7 +2,8 @@
 //
 // What stands between braces is an expression. Plain, it is replaced by its value; after `:` comes the number of
 // decimals. After `=` or `~` the author writes what the reader will see, and it is checked: `=` wants the number itself
-// (√3/2 and 1/3 will do), `~` a decimal rounded as written. So a lesson cannot say what its trace does not show.
+// (√3/2 and 1/3 will do), `~` a decimal rounded as written. What stands in quotes, `{"8x8"}`, is shown as it stands: a
+// word or a name. A digit anywhere else is refused, and so a lesson cannot say what its trace does not show.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,7 @@ struct Place {
 std::string fill(std::string_view text, const Place& place, Replay& replay, const RecordedEvent* event,
                  std::int64_t position);
 
-/// Checks all of it that can be checked without a run.
+/// Checks all of it that can be checked without a run; that no number stands in it that no run could check, too.
 void check_fill(std::string_view text, const Place& place, std::uint8_t kind, const Page& page);
 
 /// A value as readers see it: 4.25, −3, ∞, A, back; `decimals` < 0 for at most four of them, as few as will do.

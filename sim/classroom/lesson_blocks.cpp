@@ -41,6 +41,12 @@ std::optional<std::string> after_key(const Lines& lines, std::string_view key) {
   return rest;
 }
 
+/// A hint, as many line ends after the block's first line as in the file: so a complaint about it counts its lines
+/// from there. They go when it is filled.
+std::string on_its_line(const Lines& lines, std::int32_t block, const std::string& hint) {
+  return std::string(static_cast<std::size_t>(lines.number() - block), '\n') + hint;
+}
+
 /// Calls `read` at each line up to the one that closes the block.
 template <class Read>
 void each_line(Lines& lines, std::string_view name, Read&& read) {
@@ -62,8 +68,8 @@ void read_task_line(const Lines& lines, Task& task) {
     task.done = *done, task.done_line = lines.number();
   } else if (const auto now = after_key(lines, "now:")) {
     task.now = *now, task.now_line = lines.number();
-  } else if (auto hint = after_key(lines, "hint:")) {
-    task.hints.push_back(*std::move(hint));
+  } else if (const auto hint = after_key(lines, "hint:")) {
+    task.hints.push_back(on_its_line(lines, task.line, *hint));
   } else if (auto solution = after_key(lines, "solution:")) {
     read_change(*solution, lines.where(lines.at) + ":");
     task.solution.push_back(*std::move(solution));
@@ -111,8 +117,8 @@ void read_marking_line(const Lines& lines, Marking& marking) {
     read_steps(lines, marking, Marking::Kind::scan_line, *scan_line);
   } else if (const auto order = after_key(lines, "order:")) {
     read_steps(lines, marking, Marking::Kind::order, *order);
-  } else if (auto hint = after_key(lines, "hint:")) {
-    marking.hints.push_back(*std::move(hint));
+  } else if (const auto hint = after_key(lines, "hint:")) {
+    marking.hints.push_back(on_its_line(lines, marking.line, *hint));
   } else if (const auto why = after_key(lines, "why:")) {
     if (!marking.why.empty()) lines.fail("a second `why:`", "say it in one line");
     marking.why = *why, marking.why_line = lines.number();

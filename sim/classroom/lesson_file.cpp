@@ -213,11 +213,13 @@ void check_stops(const Lesson& lesson, const std::string& file) {
                          "write a condition, as `frame(3, 2) == \"A\"`");
       check_fill(stop.task->text, {file, stop.task->text_line}, kind, page);
       check_fill(stop.task->now, {file, stop.task->now_line}, no_kind, page);
+      for (const std::string& hint : stop.task->hints) check_fill(hint, {file, stop.task->line}, kind, page);
     }
     if (stop.marking) {
       check_marking(*stop.marking, page, file);
       check_fill(stop.marking->text, {file, stop.marking->text_line}, kind, page);
       check_fill(stop.marking->why, {file, stop.marking->why_line}, kind, page);
+      for (const std::string& hint : stop.marking->hints) check_fill(hint, {file, stop.marking->line}, kind, page);
     }
     if (stop.notes) check_fill(stop.notes->text, {file, stop.notes->text_line}, kind, page);
     if (!stop.question) continue;

@@ -67,6 +67,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     stop.text = filled(stop.text, stop.text_line);
     if (stop.task) {
       stop.task->text = filled(stop.task->text, stop.task->text_line);
+      for (std::string& hint : stop.task->hints) hint = trim(filled(hint, stop.task->line));
       if (state_of(*stop.task, trace).done)
         throw InputError(Place{file, stop.task->done_line}.str(), "the lesson's own run does the task already",
                          "give a condition that holds only after a change");
@@ -74,6 +75,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     if (stop.marking) {
       stop.marking->text = filled(stop.marking->text, stop.marking->text_line);
       stop.marking->why = filled(stop.marking->why, stop.marking->why_line);
+      for (std::string& hint : stop.marking->hints) hint = trim(filled(hint, stop.marking->line));
       resolve_marking(*stop.marking, replay, stop.position, file);
     }
     if (stop.notes) stop.notes->text = filled(stop.notes->text, stop.notes->text_line);

@@ -190,11 +190,13 @@ int on_text(MD_TEXTTYPE type, const MD_CHAR* text, MD_SIZE size, void* user) {
   return 0;
 }
 
+constexpr unsigned dialect = MD_FLAG_NOHTML | MD_FLAG_NOINDENTEDCODEBLOCKS;
+
 }  // namespace
 
 std::vector<TextBlock> parse_markdown(std::string_view text) {
   MD_PARSER parser{};
-  parser.flags = MD_FLAG_NOHTML | MD_FLAG_NOINDENTEDCODEBLOCKS;
+  parser.flags = dialect;
   parser.enter_block = on_enter_block;
   parser.leave_block = on_leave_block;
   parser.enter_span = on_enter_span;
@@ -203,6 +205,20 @@ std::vector<TextBlock> parse_markdown(std::string_view text) {
   Builder build;
   md_parse(text.data(), static_cast<MD_SIZE>(text.size()), &parser, &build);
   return std::move(build.blocks);
+}
+
+std::vector<std::string_view> prose_of(std::string_view text) {
+  MD_PARSER parser{};
+  parser.flags = dialect;
+  parser.enter_block = parser.leave_block = [](MD_BLOCKTYPE, void*, void*) { return 0; };
+  parser.enter_span = parser.leave_span = [](MD_SPANTYPE, void*, void*) { return 0; };
+  parser.text = [](MD_TEXTTYPE type, const MD_CHAR* piece, MD_SIZE size, void* user) {
+    if (type == MD_TEXT_NORMAL) static_cast<std::vector<std::string_view>*>(user)->emplace_back(piece, size);
+    return 0;
+  };
+  std::vector<std::string_view> prose;
+  md_parse(text.data(), static_cast<MD_SIZE>(text.size()), &parser, &prose);
+  return prose;
 }
 
 std::string plain_text(const std::vector<TextBlock>& blocks) {

@@ -37,6 +37,9 @@ struct TextBlock {
 /// text.
 std::vector<TextBlock> parse_markdown(std::string_view text);
 
+/// What of the Markdown is read as words: no code, no marks, no targets of links. Views into `text`, in order.
+std::vector<std::string_view> prose_of(std::string_view text);
+
 /// The words alone, without any marks: for a terminal, a caption, a test.
 std::string plain_text(const std::vector<TextBlock>& blocks);
 

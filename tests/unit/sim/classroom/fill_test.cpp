@@ -55,6 +55,32 @@ TEST_CASE("braces that cannot be read") {
   CHECK(contains(small.error(13, "{z ~ 1/3}"), "is no decimal"));
 }
 
+TEST_CASE("a digit stands in checked braces, in code, in a name, or in quotes") {
+  Small small;
+  CHECK(small.at(13, "{\"8x8\"} and { \"3-4-5\" } and {\"−2*x\"}, pixel {\"(0, 2)\"}") ==
+        "8x8 and 3-4-5 and −2*x, pixel (0, 2)");
+  const std::string marked =
+      "T_1 of V01, z2 and θ2 in `z - 3`, [the page](page7.md)\n\n1. one\n2. two\n\n```\nfor x = 1 to 9\n```";
+  CHECK(small.at(13, marked) == marked);
+  CHECK(small.error(13, "Edge {x} and\nso edge 10, not {z = 5}.") ==
+        "t.md:21: `10` stands outside braces, where nothing checks it; write {… = 10} with what it is a number of, or "
+        "{\"10\"} for a word or a name");
+  CHECK(contains(small.error(13, "squares, 8x8."),
+                 "`8x8` stands outside braces, where nothing checks it; write {… = 8} "));
+  CHECK(contains(small.error(13, "a 3-4-5."), "{\"3-4-5\"} for a word or a name"));
+  for (const char* literal : {"−5", "×2", "√3", "(1", "**2**", "*2*", "a 2", "x^2", "∞2", "z=2", "{z = 5}2", "`z`2",
+                              "\"2\"", "- 2", "> 2", "[2](page.md)", "T_{x}2"})
+    CHECK_MESSAGE(contains(small.error(13, literal), "stands outside braces"), literal);
+  // A number in braces says no more than one outside, as long as nothing checks it.
+  CHECK(
+      small.error(13, "{33}") ==
+      "t.md:20: `{33}` is a number that nothing checks; write {… = 33} with what it is a number of, or {\"33\"} for a "
+      "word or a name");
+  for (const char* literal : {"{-1/3}", "{√3:2}", "{(1)}"})
+    CHECK_MESSAGE(contains(small.error(13, literal), "nothing checks"), literal);
+  CHECK(small.at(13, "{1 + 2 = 3} {2*z = 10}") == "3 10");
+}
+
 TEST_CASE("just before a pixel is interpolated, the stored depth is the coming pixel's") {
   Small small;
   const RecordedEvent coming = small.trace.event(18);

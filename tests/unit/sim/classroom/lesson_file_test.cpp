@@ -304,6 +304,38 @@ TEST_CASE("speaker's notes: beside a question, filled from the run, with their m
   CHECK(contains(load_error(head + "::: notes\nSay it.\n:::\n"), ":7: notes before the first stop"));
 }
 
+TEST_CASE("a number that nothing checks is refused wherever a lesson has text") {
+  const std::string refused = " stands outside braces, where nothing checks it; write {… = ";
+  const auto number = [&](const std::string& line) { return ":" + line + ": `12`" + refused + "12}"; };
+  const std::string stop = head + "## Here {at: compare}\n";  // line 7
+  CHECK(load_error(head + "## Test {\"12\"} {at: compare where x < 12}\nText.\n") == "");
+  CHECK(contains(load_error(head + "## Test 12 {at: start}\nText.\n"), number("7")));
+  CHECK(contains(load_error(stop + "\nText\nof 12.\n"), number("10")));
+  CHECK(contains(load_error(stop + "::: question\nWhy 12?\n- [x] a\n  > b\n- [ ] c\n  > d\n:::\n"), number("9")));
+  CHECK(contains(load_error(stop + "::: question\nWhy?\n- [x] a\n  > b\n- [ ] 12\n  > d\n:::\n"), number("12")));
+  CHECK(contains(load_error(stop + "::: question\nWhy?\n- [x] a\n  > b\n- [ ] c\n  > d\n  > 12\n:::\n"), number("14")));
+  const std::string done = "done: width > 30\n", solved = "solution: size = 40x40\n";
+  CHECK(contains(load_error(stop + "::: task\nDo 12.\n" + done + solved + ":::\n"), number("9")));
+  CHECK(contains(load_error(stop + "::: task\nDo.\n" + done + "now: 12\n" + solved + ":::\n"), number("11")));
+  CHECK(contains(load_error(stop + "::: task\nDo.\n" + done + "hint: a\nhint: 12\n" + solved + ":::\n"), number("12")));
+  const std::string pixels = "pixels: compare where y == 3\n", why = "why: So.\n";
+  CHECK(contains(load_error(stop + "::: mark\nMark 12.\n" + pixels + why + ":::\n"), number("9")));
+  CHECK(contains(load_error(stop + "::: mark\nMark.\n" + pixels + "why: 12\n:::\n"), number("11")));
+  CHECK(contains(load_error(stop + "::: mark\nMark.\n" + pixels + "hint: 12\n" + why + ":::\n"), number("11")));
+  CHECK(contains(load_error(stop + "Text.\n::: notes\nminutes: 2\nSay 12.\n:::\n"), number("11")));
+}
+
+TEST_CASE("hints are filled from the lesson's own run") {
+  const LessonFile file(head +
+                        "## Mark {at: clear}\n::: mark\nMark.\npixels: compare\nhint: {width = 8} a line.\nwhy: "
+                        "So.\n:::\n## Do {at: end}\n::: task\nDo.\ndone: width > 30\nhint: It is {width}, not "
+                        "{\"30\"}.\nsolution: size = 40x40\n:::\n");
+  Lesson lesson = load_lesson(file.path);
+  run_lesson(lesson);
+  CHECK(lesson.stops.at(0).marking->hints == std::vector<std::string>{"8 a line."});
+  CHECK(lesson.stops.at(1).task->hints == std::vector<std::string>{"It is 8, not 30."});
+}
+
 TEST_CASE("what is no lesson file is told so") {
   CHECK(contains(complaint([] { load_lesson("/nowhere/at-all.md"); }), "the lesson cannot be read"));
   CHECK(contains(complaint([] { load_lesson("/tmp"); }), "the lesson cannot be read"));
