@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/answers/why_not_parts.hpp"
+#include "traces/file/records.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -80,7 +81,8 @@ std::string lost_text(const Asked& q, const Visit& mine) {
     return fmt::format("at {} it was found to be nearer, but the trace does not say that it was written", step);
   if (!mine.stored) return fmt::format("at {} the trace says that it is not nearer, and does not say than what", step);
   const bool tie = mine.outcome == Outcome::tie;
-  const std::string cleared = fmt::format("{}, to which the depth buffer was cleared", told(*mine.stored));
+  const std::string cleared = fmt::format("{}, to which the {} was cleared", told(*mine.stored),
+                                          depth_buffer(q.trace.header()) == DepthBuffer::line ? "line buffer" : "depth buffer");
   if (mine.only_cleared && mine.stored_polygon == no_polygon)
     return fmt::format("at {} its {} is {} {}", step, q.z, tie ? "equal to" : "not nearer than", cleared);
   if (mine.only_cleared)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/answers/why_not_parts.hpp"
+#include "traces/file/records.hpp"
 #include "traces/formulas/outlines.hpp"
 
 namespace zstep::answers {
@@ -150,10 +151,7 @@ void tell_flag(Asked& q, Verdict& verdict, const Line& line) {
 }  // namespace
 
 bool of_sweep(const Trace& trace) {
-  const auto& options = trace.header().conventions.options;
-  const auto resolve = options.find("resolve");
-  const bool line_buffer = resolve != options.end() && resolve->second == "line-buffer";
-  return trace.has(kind_of<FlagFlip>) && !line_buffer;
+  return trace.has(kind_of<FlagFlip>) && depth_buffer(trace.header()) != DepthBuffer::line;
 }
 
 Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets) {

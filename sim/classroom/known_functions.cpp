@@ -232,7 +232,7 @@ const KnownFunction functions[] = {
        const double range = camera.far - camera.near;
        return Quantity::of((camera.far + camera.near) / range - 2 * camera.far * camera.near / range / a[0]);
      },
-     "pseudodepth(z_v): the number that perspective gives to this distance"},
+     "pseudodepth(z_v): the number that perspective gives to this view depth"},
     ARITHMETIC("abs", 1, std::abs(a[0]), "abs(a)"),
     ARITHMETIC("ceil", 1, std::ceil(a[0]), "ceil(a): rounded up"),
     ARITHMETIC("floor", 1, std::floor(a[0]), "floor(a): rounded down"),

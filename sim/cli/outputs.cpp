@@ -41,7 +41,7 @@ void add_outputs(CLI::App& command, Outputs& outputs) {
   add("--save-ids", outputs.ids, "FILE.npy",
       "Write the polygon seen at each pixel: int32 [H,W], top row first, -1 where none is");
   add("--save-depth", outputs.depth, "FILE.npy",
-      "Write the distance z_v seen at each pixel: float32 [H,W], +inf where nothing is");
+      "Write the view depth z_v seen at each pixel: float32 [H,W], +inf where nothing is");
   add("--save-depth-raw", outputs.raw_depth, "FILE.npy", "Write the depth buffer's own numbers: float64 [H,W]");
   add("--save-scene", outputs.scene, "FILE.toml",
       "Write the scene as it is run, with all that --change and other options say of it; comments of a scene file stay");
@@ -104,7 +104,7 @@ void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& 
     };
     write_npy(outputs.depth, top_row_first<float>(picture.depth, picture.width, picture.height, y_up, distance), height,
               width);
-    say_written(outputs.depth, fmt::format("distances z_v, float32 [{},{}]", height, width));
+    say_written(outputs.depth, fmt::format("view depths z_v, float32 [{},{}]", height, width));
   }
   if (!outputs.raw_depth.empty()) {
     write_npy(

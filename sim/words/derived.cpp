@@ -27,6 +27,8 @@ struct Teller {
     return written(name, value, place).of(words::owner_of(at, place, name));
   }
   Number written(std::string_view name, double value, const formulas::Place& place) {
+    // In the world z is a coordinate, on the raster a depth.
+    if (name.size() == 1 && place.field.ends_with("_w")) return {std::string(place.field), value};
     // An edge carries what is interpolated, a pixel its depth.
     const auto depth = place.in == formulas::Place::In::active_edge ? symbol_along : depth_symbol;
     std::string symbol = name == "z" ? depth(at.scene, at.header.conventions) : std::string(name);

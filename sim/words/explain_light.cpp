@@ -49,9 +49,9 @@ void tell(Telling& t, const ColorWrite& e) {
   const bool striped = attribute && attribute->x == e.x && attribute->y == e.y;
   const bool dark = striped && formulas::stripe_shade(attribute->attribute) < 1;
   t.say(fmt::format("Pixel ({}, {}) takes the colour {}, {}, {}{}.", e.x, e.y, e.r8, e.g8, e.b8,
-                    shaded    ? ": its polygon's in shadow"
-                    : dark    ? ": its polygon's in a dark stripe of a"
-                    : striped ? ": its polygon's in a bright stripe of a"
+                    shaded    ? ": its polygon is in shadow"
+                    : dark    ? ": its polygon is in a dark stripe of a"
+                    : striped ? ": its polygon is in a bright stripe of a"
                               : ""));
   t.formula(fmt::format("frame[{},{}] = ({}, {}, {})", e.x, e.y, e.r8, e.g8, e.b8));
 }

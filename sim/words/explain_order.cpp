@@ -20,10 +20,10 @@ PlaneEquation turned(PlaneEquation plane) {
   return {plane.piece, -plane.plane_a, -plane.plane_b, -plane.plane_c, -plane.plane_d};
 }
 
-std::string equation(const PlaneEquation& p) {
+std::string equation(const PlaneEquation& p, const std::string& z) {
   const auto of = [](double value) { return Shown(factor(value), value); };
-  return "f(x, y, z) = " + formulas::plane_value(of(p.plane_a), of(p.plane_b), of(p.plane_c), Shown(p.plane_d),
-                                                 Shown("x", 0), Shown("y", 0), Shown("z", 0)).symbols();
+  return "f(x, y, " + z + ") = " + formulas::plane_value(of(p.plane_a), of(p.plane_b), of(p.plane_c), Shown(p.plane_d),
+                                                 Shown("x", 0), Shown("y", 0), Shown(z, 0)).symbols();
 }
 
 /// Computes the extremes again from the corners that the state knows.
@@ -123,7 +123,7 @@ void tell(Telling& t, const SideTest& e) {
   t.value("least", e.least);
   t.value("greatest", e.greatest);
   if (!sorted || !of || !of->plane) return;
-  t.formula(equation(turned(*of->plane)) + "   the eye: f < 0");
+  t.formula(equation(turned(*of->plane), t.z) + "   the eye: f < 0");
   hold_extremes(t, e, turned(*of->plane));
 }
 

@@ -13,6 +13,7 @@
 #include "sim/words/shown.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/formulas/planes.hpp"
 #include "traces/formulas/rounding.hpp"
@@ -165,11 +166,20 @@ std::string in_symbols(Formula&& formula) {
 inline std::string point_on_way(const char* from, const char* to) {
   return "V = " + in_symbols([&](auto&& name) { return formulas::part_of_way(name(from), name(to), name("t")); });
 }
-/// "A·x + B·y + C·z + D".
-inline std::string plane_in_symbols() {
-  return in_symbols([](auto&& name) {
-    return formulas::plane_value(name("A"), name("B"), name("C"), name("D"), name("x"), name("y"), name("z"));
-  });
+/// What the coordinates of a space are called.
+struct PointNames {
+  std::string x, y, z;
+};
+inline const PointNames world_names{"x_w", "y_w", "z_w"};
+/// Those of the space in which this run cuts pieces: the world's, or the raster's with its depth.
+inline PointNames cutting_names(const Telling& t) {
+  return formulas::detail::cuts_in_world(t.at) ? world_names : PointNames{"x", "y", t.z};
+}
+/// "A·x + B·y + C·z + D" of a plane in that space; without its D where that is empty.
+inline std::string plane_in_symbols(const PointNames& at, const std::string& d = "D") {
+  const auto name = [](const std::string& symbol) { return Shown(symbol, 0); };
+  return formulas::plane_value(name("A"), name("B"), name("C"), d.empty() ? Shown(0.0) : name(d), name(at.x),
+                               name(at.y), name(at.z)).symbols();
 }
 
 // One for each kind.

@@ -37,8 +37,8 @@ void tell(Telling& t, const PieceMake& e) {
 }
 
 void tell(Telling& t, const PlaneEquation& e) {
-  t.say(fmt::format("The plane of {}: what lies on one side of it has A x + B y + C z + D > 0, on the other < 0.",
-                    t.piece(e.piece)));
+  t.say(fmt::format("The plane of {}: what lies on one side of it has {} > 0, on the other < 0.", t.piece(e.piece),
+                    plane_in_symbols(cutting_names(t))));
   for (const char* symbol : {"A", "B", "C", "D"}) t.owns(symbol, t.about);
   t.formula(fmt::format("A = {}, B = {}, C = {}, D = {}", factor(e.plane_a), factor(e.plane_b), factor(e.plane_c),
                         number(e.plane_d)));
@@ -71,7 +71,7 @@ void tell(Telling& t, const SplitVertex& e) {
   } else {
     t.formula(fmt::format("t = {} = {}   d: {} at either end",
                           in_symbols([](auto&& name) { return formulas::where_zero(name("d_0"), name("d_1")); }),
-                          number(e.t), plane_in_symbols()));
+                          number(e.t), plane_in_symbols(cutting_names(t))));
   }
   t.formula(fmt::format("{} = ({}, {}, {})", point_on_way("V_0", "V_1"), number(e.x_cut), number(e.y_cut),
                         number(e.z_cut)));

@@ -26,13 +26,13 @@ std::optional<Fragment> pixel_before(const Telling& t, const DepthInterpolate& e
 
 /// What the pseudo-code calls the buffer that this step compares with or writes to: "zbuffer", or "line" of a single
 /// scan line.
-std::string buffer_of(const Telling& t) {
-  const StepInfo* step = find_step(t.trace.header().page, t.trace.event(t.after.position).step);
-  return step && step->text.find("line[x]") != std::string::npos ? "line" : "zbuffer";
-}
+bool by_line(const Telling& t) { return depth_buffer(t.trace.header()) == DepthBuffer::line; }
+std::string buffer_of(const Telling& t) { return by_line(t) ? "line" : "zbuffer"; }
+/// The same in a sentence.
+std::string buffer_name(const Telling& t) { return by_line(t) ? "line buffer" : "depth buffer"; }
 /// Its index: "x,y", or of a single scan line "x".
 std::string pixel_of(const Telling& t, const std::string& x, const std::string& y) {
-  return buffer_of(t) == "line" ? x : x + "," + y;
+  return by_line(t) ? x : x + "," + y;
 }
 
 /// The depth that one of the few steps before this one found for the pixel; nullopt where none did.
@@ -82,18 +82,18 @@ Stored stored_of(const Telling& t, const Fragment& f) {
   Stored is{f.stored, f.stored_polygon == no_polygon, false, t.label(f.stored_polygon)};
   is.cleared = cleared_to(t).value_or(t.trace.header().empty_depth()) == f.stored;
   if (is.empty)
-    is.who = is.cleared ? "what the depth buffer was cleared to" : "the depth that was written here without a colour";
+    is.who = is.cleared ? fmt::format("what the {} was cleared to", buffer_name(t)) : "the depth that was written here without a colour";
   return is;
 }
 
 /// Why a depth is nearer: "nearer than A", or that nothing is there which it could lie behind.
-std::string nearer_text(const Stored& is, double z) {
+std::string nearer_text(const Stored& is, double z, const std::string& buffer) {
   if (z == is.z && !is.empty) return fmt::format("as near as {}, and of equals the last one stays", is.who);
   if (!is.cleared) return "nearer than " + is.who;
   if (!is.empty)
-    return fmt::format("{} was drawn here, but the depth buffer still holds what it was cleared to", is.who);
+    return fmt::format("{} was drawn here, but the {} still holds what it was cleared to", is.who, buffer);
   return std::isinf(is.z) ? "nothing was drawn here yet"
-                          : "the depth buffer was cleared to that, and nothing was drawn here yet";
+                          : fmt::format("the {} was cleared to that, and nothing was drawn here yet", buffer);
 }
 
 /// The colour that is written to a pixel together with a compare.
@@ -180,7 +180,7 @@ void tell(Telling& t, const DepthCompare& e) {
         z, relation, before, std::isinf(stored) ? "nothing that is opaque was drawn here" : "nearer than " + is.who,
         drawn, where, number(*glass)));
   } else if (e.nearer) {
-    t.say(fmt::format("{} {} {}: {}, {}.", z, relation, before, nearer_text(is, e.z), becomes_text(t, e, written)));
+    t.say(fmt::format("{} {} {}: {}, {}.", z, relation, before, nearer_text(is, e.z, buffer_name(t)), becomes_text(t, e, written)));
     const bool as_found =
         written.unknown ||
         (written.step != 0 && (t.machine.polygon == no_polygon || written.polygon == t.machine.polygon));
@@ -215,7 +215,7 @@ void tell(Telling& t, const DepthCompare& e) {
 void tell(Telling& t, const DepthWrite& e) {
   const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
   const std::string where =
-      buffer_of(t) == "line" ? fmt::format("line buffer at x = {}", e.x) : "depth buffer at " + pixel(e.x, e.y);
+      buffer_name(t) + " at " + (by_line(t) ? fmt::format("x = {}", e.x) : pixel(e.x, e.y));
   if (f) {
     const auto [z, before] = tell_apart(e.z, f->stored);
     t.say(fmt::format("The {} takes {}; it held {}.", where, z, before));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+
 namespace zstep::words {
 namespace {
 
@@ -19,6 +21,72 @@ std::string planes_in(std::int32_t bits) {
     text += plane_name(static_cast<ClipPlane>(plane));
   }
   return text;
+}
+
+/// "V_1 × V_2": the product of two neighbours of the fan about V_0.
+std::string product_of(std::size_t i) { return fmt::format("V_{} \u00d7 V_{}", i, i + 1); }
+
+/// The determinant. Of a triangle it is the triple product of its vertices; of more corners the sum of those over the
+/// fan about the first, of which any one alone may have the other sign where the outline turns inwards.
+void formulas_of_determinant(Telling& t, const FacingTest& e) {
+  constexpr std::size_t few = 6;  // corners whose fan is written out
+  const std::string verdict = "   negative faces away";
+  const auto corners = formulas::detail::corners_of(t.at, t.machine.facet);
+  t.derive(e);
+  const DerivedField* found = t.derived_of("determinant");
+  const bool parallel = t.at.camera && t.at.camera->kind == Camera::Kind::orthographic, fan = corners.size() > 3;
+  if (!found || corners.size() < 3) {
+    t.formula(fmt::format("{} = {}{}", fan ? "sum over the fan" : "determinant", number(e.determinant), verdict));
+    return;
+  }
+  const auto view = [&](std::size_t i) { return t.at.viewed(corners[i])->view; };
+  // The direction in which all eyes look stands for V_0 where the rays are parallel.
+  const auto term = [&](std::size_t i) {
+    if (!parallel)
+      return Shown(fmt::format("V_0\u00b7({})", product_of(i)), glm::dot(view(0), glm::cross(view(i), view(i + 1))));
+    const std::string area = fmt::format("((V_{} \u2212 V_0) \u00d7 (V_{} \u2212 V_0))", i, i + 1);
+    return Shown("(0, 0, 1)\u00b7" + area, glm::cross(view(i) - view(0), view(i + 1) - view(0)).z);
+  };
+  const Shown first = term(1);
+  if (!fan) {
+    const bool so = t.hold_against("determinant", e.determinant, found->formula.rounded());
+    t.formula(so ? fmt::format("{} = {}{}", first.symbols(), number(e.determinant), verdict)
+                 : Telling::contradicted(first.symbols(), Shown(first.value()), e.determinant));
+    return;
+  }
+  t.formula(fmt::format("{} = {}   of three vertices alone", first.symbols(), number(first.value())));
+  const bool so = t.hold_against("the sum over the fan", e.determinant, found->formula.rounded());
+  Shown sum = first;
+  for (std::size_t i = 2; i + 1 < corners.size() && corners.size() <= few; ++i) sum = sum + term(i);
+  const std::string name = "sum over the fan",
+                    added = corners.size() > few ? "" : fmt::format(" = {} = {}", sum.symbols(), sum.numbers());
+  if (so) return t.formula(fmt::format("{}{} = {}{}", name, added, number(e.determinant), verdict));
+  const auto [is, ought] = tell_apart(e.determinant, found->formula.value());
+  t.formula(fmt::format("{}{} = {}, but the trace records {}", name, added, ought, is));
+}
+
+/// The normal whose length counts in (p − e)·n and in the plane: as long as twice the area.
+std::string normal_of(std::size_t corners) {
+  const auto term = [](std::size_t i) {
+    return fmt::format("(p_{} \u2212 p_0) \u00d7 (p_{} \u2212 p_0)", i, i + 1);
+  };
+  if (corners <= 3) return "n = " + term(1);
+  const char* between = corners == 4 ? " + " : " + \u2026 + ";
+  return fmt::format("n = {}{}{}, the sum over the fan", term(1), between, term(corners - 2));
+}
+
+/// The test in its four formulations.
+void formulas_of_facing(Telling& t, const FacingTest& e) {
+  const auto sign = [](double v) { return v < 0 ? " < 0" : v > 0 ? " > 0" : ""; };
+  const bool parallel = t.at.camera && t.at.camera->kind == Camera::Kind::orthographic;
+  const std::size_t corners = formulas::detail::corners_of(t.at, t.machine.facet).size();
+  if (corners >= 3) t.formula(normal_of(corners));
+  t.formula(fmt::format("{}\u00b7n = {}{}   positive faces away", parallel ? "line of sight" : "(p \u2212 e)",
+                        number(e.view_dot_normal), sign(e.view_dot_normal)));
+  t.formula(fmt::format("{} at the eye = {}   (A, B, C) = n; negative faces away",
+                        plane_in_symbols(world_names, parallel ? "" : "D"), number(e.plane_at_eye)));
+  formulas_of_determinant(t, e);
+  t.formula(fmt::format("n_z after projection = {}   positive faces away", number(e.projected_normal_z)));
 }
 
 std::string in_binary(std::int32_t bits) { return fmt::format("{:06b}", static_cast<unsigned>(bits) & 63u); }
@@ -48,12 +116,7 @@ void tell(Telling& t, const FacingTest& e) {
   } else {
     t.say(fmt::format("Polygon {} {}: four ways to ask, one answer.", t.here(), facing_text(e.facing)));
   }
-  const auto sign = [](double v) { return v < 0 ? "< 0" : v > 0 ? "> 0" : "= 0"; };
-  t.formula(fmt::format("(p \u2212 e)\u00b7n = {} {}   positive faces away", number(e.view_dot_normal),
-                        e.view_dot_normal == 0 ? "" : sign(e.view_dot_normal)));
-  t.formula(fmt::format("{} at the eye = {}   negative faces away", plane_in_symbols(), number(e.plane_at_eye)));
-  t.formula(fmt::format("V0\u00b7(V1 \u00d7 V2) = {}   negative faces away", number(e.determinant)));
-  t.formula(fmt::format("n_z after projection = {}   positive faces away", number(e.projected_normal_z)));
+  formulas_of_facing(t, e);
   t.value("(p - e).n", e.view_dot_normal);
   t.value("plane at eye", e.plane_at_eye);
   t.value("determinant", e.determinant);
@@ -102,9 +165,12 @@ void tell(Telling& t, const ClipVertex& e) {
   t.say(fmt::format("Vertex {} is {} the {} plane: it is {}.", e.vertex, e.inside ? "inside" : "outside",
                     plane_name(e.plane), e.inside ? "kept" : "cut off"));
   if (e.inside != (e.distance >= 0))
-    t.contradict(fmt::format("The trace takes vertex {} for {} the {} plane, but its distance says {}.", e.vertex,
+    t.contradict(fmt::format("The trace takes vertex {} for {} the {} plane, but the value there says {}.", e.vertex,
                              e.inside ? "inside" : "outside", plane_name(e.plane), e.inside ? "outside" : "inside"));
-  t.formula(fmt::format("distance = {} {} 0", number(e.distance), e.distance >= 0 ? "\u2265" : "<"));
+  t.derive(e);
+  const DerivedField* found = t.derived_of("distance");
+  const std::string inside = found ? found->formula.equation() : "how far inside";
+  t.formula(fmt::format("{} = {} {} 0", inside, number(e.distance), e.distance >= 0 ? "\u2265" : "<"));
   t.value("distance", e.distance);
 }
 

@@ -51,7 +51,9 @@ void tell(Telling& t, const EyeSide& e) {
   const bool direction = t.scene.camera.kind != Camera::Kind::perspective;
   t.derive(e);
   if (!t.follows("the value", "value", e.value)) return;
-  if (direction) t.formula("w = 0: the eye is infinitely far away, in the direction (x, y, z)");
+  if (!direction) return;
+  const PointNames at = cutting_names(t);
+  t.formula(fmt::format("w = 0: the eye is infinitely far away, in the direction ({}, {}, {})", at.x, at.y, at.z));
 }
 
 void tell(Telling& t, const NodeSkip& e) {
@@ -62,7 +64,7 @@ void tell(Telling& t, const NodeSkip& e) {
         "The trace skips what lies {} the plane of {}, but the view volume reaches there: its {} value is {}.",
         e.front ? "in front of" : "behind", node_name(t, e.node), e.front ? "greatest" : "least", number(e.value)));
   t.formula(fmt::format("{} of {} over the view volume's corners = {}{}", e.front ? "greatest" : "least",
-                        plane_in_symbols(), number(e.value),
+                        plane_in_symbols(cutting_names(t)), number(e.value),
                         e.value > 0   ? " > 0"
                         : e.value < 0 ? " < 0"
                                       : ""));

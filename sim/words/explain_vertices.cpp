@@ -1,5 +1,6 @@
 // Clearing the buffers; a vertex on its way through viewing, projection and viewport (000, "Viewing"; 003 for z*).
 #include "sim/words/explain_parts.hpp"
+#include "traces/file/records.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/viewing.hpp"
 
@@ -35,13 +36,19 @@ void tell_depth(Telling& t, const Projection& e) {
 
 void tell(Telling& t, const BuffersClear& e) {
   const Raster& r = t.scene.raster;
+  const std::string pixels =
+      fmt::format("{} \u00d7 {} = {} pixels", r.width, r.height, grouped(std::int64_t{r.width} * r.height));
+  const DepthBuffer buffer = depth_buffer(t.trace.header());
+  if (buffer != DepthBuffer::picture) {  // the line of a line buffer is cleared for each scan line anew
+    t.say("Every pixel becomes background.");
+    return t.formula("frame[x,y] = background at " + pixels);
+  }
   t.say(e.z == t.trace.header().comparison.farthest()
             ? fmt::format(
                   "Every pixel becomes background and every depth becomes {}, so whatever comes first will be nearer.",
                   number(e.z))
             : fmt::format("Every pixel becomes background and every depth becomes {}.", number(e.z)));
-  t.formula(fmt::format("zbuffer[x,y] = {} at {} \u00d7 {} = {} pixels", number(e.z), r.width, r.height,
-                        grouped(std::int64_t{r.width} * r.height)));
+  t.formula(fmt::format("zbuffer[x,y] = {} at {}", number(e.z), pixels));
 }
 
 void tell(Telling& t, const ViewTransform& e) {
@@ -67,8 +74,8 @@ void tell(Telling& t, const Projection& e) {
   const bool perspective = t.at.camera->kind == Camera::Kind::perspective;
   t.say(
       perspective
-          ? fmt::format("Vertex {} is projected: divided by its distance z_v, so what is far becomes small.", e.vertex)
-          : fmt::format("Vertex {} is projected straight onto the plane: its size does not depend on its distance.",
+          ? fmt::format("Vertex {} is projected: x_v and y_v are divided by its view depth z_v, so what lies deep becomes small.", e.vertex)
+          : fmt::format("Vertex {} is projected straight onto the plane: its size does not depend on its view depth z_v.",
                         e.vertex));
   t.derive(e);
   if (!perspective) {

@@ -179,7 +179,9 @@ class Reader {
     while (at_ < end_ && (is_letter(text_[at_]) || (at_ > begin && is_digit(text_[at_]))) && !at_sign()) ++at_;
     if (at_ == begin) return std::nullopt;
     if (at_ - begin == 1 && text_[begin] == 'z') take("*");
-    take("'");
+    // Behind a single letter it is a prime, behind a word an apostrophe.
+    const bool single = at_ - begin == 1 || text_.substr(begin, at_ - begin) == "z*";
+    if (single && sees("'") && !(at_ + 1 < end_ && is_letter(text_[at_ + 1]))) take("'");
     Notation found{Kind::symbol, std::string(text_.substr(begin, at_ - begin))};
     if (const std::size_t below = at_; take("_")) {
       while (at_ < end_ && (is_letter(text_[at_]) || is_digit(text_[at_]) || text_[at_] == '_') && !at_sign()) ++at_;

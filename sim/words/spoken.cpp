@@ -30,15 +30,63 @@ constexpr std::array signs{
     Said{"\u2195", " "},          Said{"\u2717", " "},
     Said{"\u2713", " "},          Said{"\u25b6", " "},
     Said{"\u2026", "..."},        Said{"\u2032", " prime"},
-    Said{"\u2019", "'"},          Said{"\u03b1", "alpha"},
-    Said{"\u03b8", "theta"},      Said{"\u03c1", "rho"},
-    Said{"\u03c6", "phi"},        Said{"\u0394", "delta "},
+    Said{"\u2019", "'"},          Said{"\u2206", "delta "},
+    Said{"\u2248", " about "},    Said{"\u00b1", " plus or minus "},
+    Said{"\u2211", " the sum of "}, Said{"\u22c5", " times "},
+    Said{"\u00bd", " one half "}, Said{"\u00bc", " one quarter "},
+    Said{"\u00be", " three quarters "}, Said{"\u00b3", " cubed"},
+    Said{"\u00b5s", " microseconds"}, Said{"\u00b5", "micro"},
+    Said{"\u2022", " "},         Said{"\u21b3", " "},
     Said{"%", " percent"},        Said{"&", " and "},
 };
+
+/// U+03B1 to U+03C9; the capitals stand 32 before.
+constexpr std::array<std::string_view, 25> greek{
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta",   "theta",   "iota",  "kappa", "lambda", "mu",  "nu",
+    "xi",    "omicron", "pi", "rho",   "sigma",   "sigma", "tau",  "upsilon", "phi",   "chi",   "psi",    "omega"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || (static_cast<unsigned char>(c) & 0x80u) != 0;
+}
+
+/// The code point of two or three bytes at `at`, 0 for any other, and how many bytes it takes.
+std::pair<unsigned, std::size_t> code_at(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t k) { return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0u; };
+  if ((byte(0) & 0xe0u) == 0xc0u) return {(byte(0) & 0x1fu) << 6 | (byte(1) & 0x3fu), 2};
+  if ((byte(0) & 0xf0u) == 0xe0u)
+    return {(byte(0) & 0x0fu) << 12 | (byte(1) & 0x3fu) << 6 | (byte(2) & 0x3fu), 3};
+  return {0, 1};
+}
+/// "beta", "sub 2", "to the power 4": letters and digits that are no ASCII; empty for others.
+std::string letter_or_digit(unsigned code) {
+  constexpr unsigned alpha = 0x3b1, capital_alpha = 0x391;
+  if (code >= alpha && code < alpha + greek.size()) return std::string(greek[code - alpha]);
+  if (code == 0x394) return "delta";
+  if (code >= capital_alpha && code < capital_alpha + greek.size())
+    return "capital " + std::string(greek[code - capital_alpha]);
+  if (code >= 0x2080 && code <= 0x2089) return "sub " + std::to_string(code - 0x2080);
+  if (code == 0x2070 || (code >= 0x2074 && code <= 0x2079)) return "to the power " + std::to_string(code - 0x2070);
+  return {};
+}
+
+bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+/// The letters that end just before `at`, and those that begin there.
+std::string_view letters_before(std::string_view text, std::size_t at) {
+  std::size_t from = at;
+  while (from > 0 && is_ascii_letter(text[from - 1])) --from;
+  return text.substr(from, at - from);
+}
+std::string_view letters_from(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  while (end < text.size() && is_ascii_letter(text[end])) ++end;
+  return text.substr(at, end - at);
+}
+/// "in/out", and neither "a/z" nor "dz/dx".
+bool parts_words(std::string_view text, std::size_t bar) {
+  const std::string_view one = letters_before(text, bar), other = letters_from(text, bar + 1);
+  const bool derivative = one.starts_with('d') && other.starts_with('d') && one.size() == 2 && other.size() == 2;
+  return one.size() >= 2 && other.size() >= 2 && !derivative;
 }
 
 /// A line, a bullet or another mark of a table, U+2500 to U+27BF, which the words beside it do without.
@@ -72,18 +120,24 @@ std::string with_words(std::string_view text) {
       said += " times 10 to the power ", ++at;
     } else if (here == '*') {
       said += " star ", ++at;
-    } else if (here == '_') {
-      said += " sub ", ++at;
-    } else if (here == '\'' && is_word(before) && !is_word(after)) {
+    } else if (here == '_') {  // of a symbol; in the name of a field it sets words apart
+      said += letters_before(text, at).size() > 2 ? " " : " sub ", ++at;
+    } else if (here == '\'' && letters_before(text, at).size() == 1 && !is_word(after)) {
       said += " prime ", ++at;
     } else if (here == '/') {
-      said += " over ", ++at;
+      said += parts_words(text, at) ? " or " : " over ", ++at;
     } else if (here == '[' || here == ']') {
       said += here == '[' ? " at " : " ", ++at;
     } else if (at == 0 && (sees("\u2192") || sees("\u2190"))) {  // an arrow at a mark, not between two things
       at += 3;
     } else {
-      bool found = false;
+      const auto [code, bytes] = code_at(text, at);
+      const std::string name = letter_or_digit(code);
+      bool found = !name.empty();
+      if (found) {
+        const bool joined = at + bytes < text.size() && is_ascii_letter(text[at + bytes]);
+        said += (is_word(before) ? " " : "") + name + (joined ? " " : ""), at += bytes;
+      }
       for (const Said& one : signs)
         if (!found && sees(one.sign)) said += one.words, at += one.sign.size(), found = true;
       if (!found && is_mark(text.substr(at))) said += ' ', at += 3;

@@ -158,12 +158,10 @@ void derive(const EyeSide& e, const Situation& at, Out& out) {
   if (!plane) return;
   // From afar it is the direction towards the eye that counts, and w is 0.
   const glm::dvec3 eye = at.on_screen() ? glm::dvec3(0, 0, -1) : at.camera->eye;
-  const auto of_eye = [&](std::string_view name, double value) {
-    return out.number(name, value, Place{Place::In::scene, 0});
-  };
-  const auto w = of_eye("w", at.camera->kind == Camera::Kind::perspective ? 1 : 0);
-  out.gives(&EyeSide::value, plane_value(plane->a, plane->b, plane->c, plane->d * w, of_eye("x", eye.x),
-                                         of_eye("y", eye.y), of_eye("z", eye.z)));
+  const Place scene{Place::In::scene, 0};
+  const auto w = out.number("w", at.camera->kind == Camera::Kind::perspective ? 1 : 0, scene);
+  const auto p = vector_of(out, "", eye, scene, detail::cutting_stage(at));
+  out.gives(&EyeSide::value, plane_value(plane->a, plane->b, plane->c, plane->d * w, p.x, p.y, p.z));
 }
 
 template <class Out>

@@ -9,6 +9,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "sim/answers/origin/enclosed.hpp"
+#include "traces/file/records.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
 
@@ -119,6 +120,7 @@ class Exactly {
   /// Is this number one that the depth buffer gets, or is compared with?
   bool is_depth_of(std::int64_t step, const ChainValue& value) const {
     if (step < 1 || value.condition || !value.word.empty()) return false;
+    if (depth_buffer(trace_.header()) == DepthBuffer::none) return false;
     return visit_event(
         [&]<class E>(const E& e) {
           if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> ||

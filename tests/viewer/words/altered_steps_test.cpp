@@ -133,10 +133,10 @@ TEST_CASE("altered steps: sides of planes") {
   const Explanation touched = told<NodeSkip>("bsp-behind", [](NodeSkip& e) { e.value = 0; });
   CHECK(contradicted(touched) ==
         "The trace skips what lies behind the plane of A, but the view volume reaches there: its least value is 0.");
-  CHECK(has_formula(touched, "least of A\u00b7x + B\u00b7y + C\u00b7z + D over the view volume's corners = 0"));
+  CHECK(has_formula(touched, "least of A\u00b7x_w + B\u00b7y_w + C\u00b7z_w + D over the view volume's corners = 0"));
   CHECK_FALSE(told<ClipVertex>("clipping", [](ClipVertex& e) { e.inside = true, e.distance = 0; }).doubt);
   CHECK(contradicted(told<ClipVertex>("clipping", [](ClipVertex& e) { e.inside = false, e.distance = 0; })) ==
-        "The trace takes vertex 0 for outside the near plane, but its distance says inside.");
+        "The trace takes vertex 0 for outside the near plane, but the value there says inside.");
   CHECK(contradicted(told<FacingTest>("pyramid", [](FacingTest& e) { e.determinant = -e.determinant; })) ==
         "The trace says that polygon A faces the eye, but its four numbers do not agree.");
 }

@@ -3,12 +3,15 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "tests/golden/golden.hpp"
+#include "tests/where.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -62,6 +65,45 @@ TEST_CASE("spoken: a formula in words") {
   CHECK(spoken_formula("k\u00b7dz/dx") == "k times dz over dx");
   CHECK(spoken_formula("zbuffer[x,y]: 0.7 < \u221e is true") == "zbuffer at x,y: 0.7 less than infinity is true");
   CHECK(spoken_formula("\u2308x_L \u2212 1/2\u2309") == "the ceiling of x sub L minus 1 over 2");
+}
+
+TEST_CASE("spoken: an apostrophe is no prime, a stroke between words is no fraction, a field's name is words") {
+  CHECK(spoken_formula("x' = 3, y' = 4 in the light's picture, z_light = 0.5") ==
+        "x prime equals 3, y prime equals 4 in the light's picture, z sub light equals 0.5");
+  CHECK(spoken("the vertices' outcodes") == "the vertices' outcodes");
+  CHECK(spoken_formula("the vertices' outcodes, or-ed") == "the vertices' outcodes, or-ed");
+  CHECK(spoken("flip its polygon's in/out flag") == "flip its polygon's in or out flag");
+  CHECK(spoken("a/z and dz/dx") == "a over z and dz over dx");
+  CHECK(spoken("write_pixel comes after x_L") == "write pixel comes after x sub L");
+}
+
+TEST_CASE("spoken: every letter of the Greek alphabet and every sign of the lessons has a name") {
+  CHECK(spoken("\u03b1 + \u03b2 = \u03b3") == "alpha plus beta equals gamma");
+  CHECK(spoken("\u0394z, sin \u03b8, \u03c1") == "delta z, sin theta, rho");
+  CHECK(spoken("T\u2084 T\u2081, \u00bd\u00b7n\u00b2") == "T sub 4 T sub 1, one half times n squared");
+  for (unsigned code = 0x391; code <= 0x3c9; ++code) {
+    if (code == 0x3a2 || (code > 0x3a9 && code < 0x3b1)) continue;  // no letters
+    const std::string letter{static_cast<char>(0xc0u | code >> 6), static_cast<char>(0x80u | (code & 0x3fu))};
+    CAPTURE(code);
+    CHECK(spoken(letter).size() > 1);
+    CHECK(unspeakable(spoken_formula("2\u00b7" + letter)).empty());
+  }
+  int signs = 0;
+  for (const auto& file : std::filesystem::directory_iterator(test::in_checkout("lessons"))) {
+    if (file.path().extension() != ".md") continue;
+    std::ifstream text(file.path());
+    for (std::string line; std::getline(text, line);) {
+      std::string beyond;  // the signs alone, whatever the words beside them are
+      for (const char c : line)
+        if ((static_cast<unsigned char>(c) & 0x80u) != 0) beyond += c;
+      const std::string said = spoken(beyond);
+      CAPTURE(file.path().string());
+      CAPTURE(line);
+      CHECK(unspeakable(said).empty());
+      signs += !beyond.empty();
+    }
+  }
+  CHECK(signs > 100);
 }
 
 TEST_CASE("spoken: every sentence and formula of the golden traces, with every number, and nothing but words") {
