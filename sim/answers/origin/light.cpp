@@ -54,7 +54,7 @@ struct ThroughSpace {
   Number value(const std::string& name, double is, Tell&& tell) { return work.derived(step, "", "", name, is, tell); }
 
   Number depth() {
-    const double z = work.state().picture.depth[work.state().picture.at(e.x, e.y)];
+    const double z = work.buffers().picture.depth[work.buffers().picture.at(e.x, e.y)];
     return work.derived(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z,
                         [&](Datum& datum) {
                           datum.is("z", {{"z", z}});
@@ -125,7 +125,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   const double column = std::round(e.x_light), row = std::round(e.y_light);
   const std::vector<Number> asked{work.field(step, "z_light"), work.field(step, "x_light"),
                                   work.field(step, "y_light")};
-  const Picture& light = work.state().light;
+  const Picture& light = work.buffers().light;
   if (!(column >= 0 && column < light.width && row >= 0 && row < light.height))
     return datum.comes_of("false beside the light's picture", asked);
   const Trace::Pixel pixel{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};

@@ -195,11 +195,24 @@ Number Work::edge_end(std::int32_t edge, bool lower, Axis3 axis) {
   });
 }
 
+const State& Work::operands_of(std::int64_t step, const Event& event) {
+  // A vertex has its coordinates until it is viewed anew: what its last transformations read is still there.
+  const auto is_last = [&](std::int32_t vertex, Step VertexSteps::*made) { return steps_of(vertex).*made == step; };
+  const auto* view = get_if<ViewTransform>(&event);
+  const auto* projection = get_if<Projection>(&event);
+  const auto* viewport = get_if<ViewportTransform>(&event);
+  if ((view && is_last(view->vertex, &VertexSteps::viewed)) ||
+      (projection && is_last(projection->vertex, &VertexSteps::projected)) ||
+      (viewport && is_last(viewport->vertex, &VertexSteps::on_raster)))
+    return state();
+  replay_.go_to(step - 1);
+  return replay_.state();
+}
+
 const std::vector<Derivation>& Work::derivations(std::int64_t step, const Event& event) {
   const auto [known, is_new] = derivations_.try_emplace(step);
   if (!is_new) return known->second;
-  replay_.go_to(step - 1);
-  return known->second = derivations_of(event, formulas::situation_of(trace, replay_.state()));
+  return known->second = derivations_of(event, formulas::situation_of(trace, operands_of(step, event)));
 }
 
 void Work::tell_formula(Datum& datum, std::int64_t step, const Event& event, std::string_view field,

@@ -83,14 +83,14 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& 
     return datum.is("round(255*light)", {{"light", work.field(end, names[which], 0)}});
   }
   if (m.shadow && m.shadow->x == e.x && m.shadow->y == e.y) {
-    const std::int32_t polygon = work.state().picture.polygon[work.state().picture.at(e.x, e.y)];
+    const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
     const Step compare = find_last<ShadowCompare>(work.trace, step, [](const ShadowCompare&) { return true; });
     if (compare) work.later(*compare, "lit");
     return datum.is("round(colour*in_shadow)",
                     {{"colour", work.color_of(polygon, which)}, {"in_shadow", shadow_buffer::in_shadow}});
   }
   if (m.attribute && m.attribute->x == e.x && m.attribute->y == e.y) {
-    const std::int32_t polygon = work.state().picture.polygon[work.state().picture.at(e.x, e.y)];
+    const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
     const Step found =
         find_last<AttributeInterpolate>(work.trace, step, [](const AttributeInterpolate&) { return true; });
     if (found) work.later(*found, "attribute");

@@ -63,6 +63,14 @@ void Datum::given() { work_.chain.links[link_].given = true; }
 
 void Datum::at_source(std::string source) { work_.chain.links[link_].source = std::move(source); }
 
+const State& Work::state() const {
+  if (state_) return *state_;
+  const State& whole = buffers();
+  State& kept = state_.emplace();
+  kept.position = whole.position, kept.machine = whole.machine, kept.vertices = whole.vertices;
+  return kept;
+}
+
 std::string Work::depth_name() const { return depth_symbol(scene, conventions); }
 std::string Work::label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
 const std::string& Work::piece(std::int32_t number) const {
@@ -154,7 +162,7 @@ void Work::run_later() {
     const Later next = std::move(later_.front());
     later_.pop_front();
     at_ = next.step;
-    vertices_.clear(), pieces_.clear();
+    state_.reset(), vertices_.clear(), pieces_.clear();
     current_ = next.parent;
     const Number number = field(next.step, next.name);
     if (number.link < 0 || next.parent < 0) continue;

@@ -104,12 +104,15 @@ class Work {
   Chain chain;
 
   /// The state in which numbers are looked for: that of the step that was asked about, or of a later question of the
-  /// chain. It moves while a number is followed back, so what is needed of it afterwards is to be copied.
-  const State& state() const {
-    if (replay_.position() != at_) replay_.go_to(at_);
+  /// chain. Its buffers are empty; see buffers().
+  const State& state() const;
+  const MethodState& machine() const { return state().machine; }
+  /// The same state with its buffers. It moves while a number is followed back, so what is needed of it afterwards is to
+  /// be copied.
+  const State& buffers() const {
+    replay_.go_to(at_);
     return replay_.state();
   }
-  const MethodState& machine() const { return state().machine; }
   std::int64_t at() const { return at_; }
   std::string depth_name() const;
   std::string label(std::int32_t polygon) const;
@@ -180,9 +183,12 @@ class Work {
     std::int32_t parent;
   };
   const std::vector<Derivation>& derivations(std::int64_t step, const Event& event);
+  /// A state that has the operands of a step's formulas.
+  const State& operands_of(std::int64_t step, const Event& event);
 
   Replay& replay_;
   std::int64_t at_;
+  mutable std::optional<State> state_;  ///< where the question is: kept, as each seek takes milliseconds
   std::map<std::int64_t, std::vector<Derivation>> derivations_;
   std::map<std::pair<std::int64_t, std::string>, std::int32_t> links_;
   std::map<std::int32_t, VertexSteps> vertices_;  ///< as far as the state has them, and so the names of pieces
