@@ -17,9 +17,18 @@ struct Squares {
   std::int32_t left = 0, right = -1, top = 0, bottom = -1;  // both ends included; none when right < left
 };
 
+std::vector<bool> begun_polygons(const Trace& trace) {
+  // Rays come to no polygon; and what is dropped without its work beginning is in the list of rejects.
+  if (trace.polygons().empty() || trace.has(kind_of<RayBegin>) || trace.has(kind_of<PolygonReject>)) return {};
+  std::vector<bool> begun(trace.scene().polygons.size(), false);
+  for (const PolygonMark& mark : trace.polygons()) begun[static_cast<std::size_t>(mark.polygon)] = true;
+  const bool all = std::find(begun.begin(), begun.end(), false) == begun.end();
+  return all ? std::vector<bool>{} : begun;
+}
+
 }  // namespace
 
-FacetsNear::FacetsNear(const Trace& trace) {
+FacetsNear::FacetsNear(const Trace& trace) : begun_(begun_polygons(trace)) {
   const Scene& scene = trace.scene();
   const codec::SceneGeometry facts(scene, trace.header());
   squares_across_ = static_cast<std::int32_t>(std::ceil(scene.raster.width / side));

@@ -105,20 +105,14 @@ class History {
   }
 
   bool cut() const { return !trace_.whole(); }
-  /// In the trace, work begins on some polygons and on others never.
-  bool marks_some_only() {
-    if (trace_.polygons().empty() || trace_.has(kind_of<RayBegin>)) return false;
-    begun_.assign(trace_.scene().polygons.size(), false);
-    for (const PolygonMark& mark : trace_.polygons()) begun_[static_cast<std::size_t>(mark.polygon)] = true;
-    return std::find(begun_.begin(), begun_.end(), false) != begun_.end();
-  }
+  const std::vector<bool>& begun() const { return facets_.begun(); }
 
   /// Polygons that cover the pixel's centre.
   void find_there() {
     const Scene& scene = trace_.scene();
     there_.assign(scene.polygons.size(), false), towards_ = away_ = there_;
     const bool matters =
-        trace_.has(kind_of<PolygonReject>) || cut() || marks_some_only() || owner_by_interval_or_area() != nullptr;
+        trace_.has(kind_of<PolygonReject>) || cut() || !begun().empty() || owner_by_interval_or_area() != nullptr;
     if (!matters || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height)
       return;
     for (const std::int32_t facet : facets_.near(pixel_)) {
@@ -233,7 +227,7 @@ class History {
   /// Of these, the polygons whose turn had not come when the recording was cut off.
   void add_cut_off() {
     const bool fills = records<PixelPaint>(trace_) || records<PixelWrite>(trace_) || records<DepthCompare>(trace_);
-    if ((!cut() && begun_.empty()) || trace_.size() == 0 || !fills) return;  // others draw lines alone
+    if ((!cut() && begun().empty()) || trace_.size() == 0 || !fills) return;  // others draw lines alone
     // Where depths are compared, each polygon comes to every pixel that it covers. Other methods leave alone what is
     // settled.
     const bool all_come = records<DepthCompare>(trace_);
@@ -244,7 +238,7 @@ class History {
     for (const Visit& visit : visits_)
       if (visit.polygon != no_polygon) came[static_cast<std::size_t>(visit.polygon)] = true;
     for (std::size_t polygon = 0; polygon < towards_.size(); ++polygon) {
-      if (!towards_[polygon] || came[polygon] || (!cut() && begun_[polygon])) continue;
+      if (!towards_[polygon] || came[polygon] || (!cut() && begun()[polygon])) continue;
       Visit& visit = add(trace_.size(), static_cast<std::int32_t>(polygon), Outcome::cut_off);
       visit.reason = cut() ? "the recording was cut off before its turn"
                            : fmt::format("the trace ends at step {}, before work on it begins", grouped(trace_.size()));
@@ -285,7 +279,6 @@ class History {
   const FacetsNear& facets_;
   Trace::Pixel pixel_;
   std::optional<std::int32_t> keeper_;  ///< of the eye's ray, whose hit is kept; none where no ray is recorded
-  std::vector<bool> begun_;  ///< by polygon: work on it begins; empty if all may have begun
   std::vector<bool> there_, towards_,
       away_;  ///< by polygon: it covers the pixel; with a facet that may be drawn; with one that is culled
   std::set<std::int32_t> facets_there_;
