@@ -49,9 +49,11 @@ std::vector<std::pair<std::string, std::string>> measure_answers(const Trace& tr
                         static_cast<std::int32_t>(below(static_cast<std::size_t>(scene.raster.height)))};
   };
   std::size_t links = 0;
+  const std::int64_t seeks = replay.seeks();
   const std::string steps = time_of([&] {
     links += answers::explain_value(trace, replay, {below(static_cast<std::size_t>(trace.size())) + 1}).links.size();
   });
+  const auto seeks_of_steps = static_cast<double>(replay.seeks() - seeks) / questions;
   const std::string pixels = time_of(
       [&] { links += answers::explain_value(trace, replay, answers::of_pixel(trace.size(), pixel())).links.size(); });
   const std::string why = time_of([&] {
@@ -72,6 +74,7 @@ std::vector<std::pair<std::string, std::string>> measure_answers(const Trace& tr
   });
   if (links == 0) fmt::print(" ");
   return {{"explain a step's value, median; p99", steps},
+          {"seeks to explain a step's value, mean", fmt::format("{:.1f}", seeks_of_steps)},
           {"explain a pixel's depth, median; p99", pixels},
           {"why not, any polygon, median; p99", why},
           {"why not, the one that is seen, median; p99", there}};

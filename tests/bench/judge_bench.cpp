@@ -20,13 +20,13 @@ using namespace zstep;
 
 namespace {
 
-Trace recorded(const char* scene, int width, int height) {
+Trace recorded(const char* scene, int width, int height, const char* by = "z-buffer") {
   ViewOptions view;
   view.width = width, view.height = height;
   const Scene looked_at = look_at_scene(load_scene(scene).scene, view);
-  const Method& z_buffer = method("z-buffer");
-  TraceRecorder recorder(header_for(z_buffer, {}), looked_at);
-  z_buffer.record(looked_at, {}, recorder);
+  const Method& taught = method(by);
+  TraceRecorder recorder(header_for(taught, {}), looked_at);
+  taught.record(looked_at, {}, recorder);
   recorder.finish();
   return Trace::from_bytes(recorder.take_bytes(), scene);
 }
@@ -94,8 +94,7 @@ int main() {
     std::sort(work.seconds.begin(), work.seconds.end());
     return work.seconds[work.seconds.size() / 2];
   };
-  fmt::print("{} steps, {:.1f} MB of JSON Lines, {} depths\n\n| | seconds | |\n|---|---|---|\n", run.size(),
-             static_cast<double>(lines.size()) / 1e6, depths);
+  fmt::print("| | seconds | |\n|---|---|---|\n");
   fmt::print("| {} | {:.3f} | {:.0f} MB/s |\n", reading.name, median(reading),
              static_cast<double>(lines.size()) / 1e6 / median(reading));
   fmt::print("| {} | {:.3f} | {:.1f} million steps/s |\n", checking.name, median(checking),
@@ -105,4 +104,11 @@ int main() {
                median(*diff) / median(decoding));
   fmt::print("| {} | {:.3f} | {:.0f} depths/s |\n", exact.name, median(exact),
              static_cast<double>(depths) / median(exact));
+
+  const Trace rays = recorded("teapot:8", 160, 120, "ray-casting");
+  const double of_rays = processor_seconds_of([&] { check(rays); });
+  fmt::print("| check of ray casting, {:.1f} million steps | {:.1f} | {:.1f} million steps/s |\n",
+             static_cast<double>(rays.size()) / 1e6, of_rays, static_cast<double>(rays.size()) / 1e6 / of_rays);
+  fmt::print("\n{} steps, {:.1f} MB of JSON Lines, {} depths.\n", run.size(), static_cast<double>(lines.size()) / 1e6,
+             depths);
 }

@@ -89,32 +89,32 @@ void compare(const std::string& title, const std::string& name) {
 
   int drawn = 0;
   for (const std::int32_t polygon : ours.polygon) drawn += polygon != no_polygon;
-  fmt::print("{:24} {:>9} {:>8} {:>10.2f}", title, bench::triangles_in(scene), drawn, 1e-6 * median(our_rate));
+  fmt::print("| {} | {} | {} | {:.2f} |", title, bench::triangles_in(scene), drawn, 1e-6 * median(our_rate));
 #if ZSTEP_BENCH_EMBREE
   int different = 0;
   for (std::size_t i = 0; i < ours.polygon.size(); ++i) different += ours.polygon[i] != embrees.polygon[i];
-  fmt::print(" {:>10.2f} {:>7.2f} {:>10} {:>10.1f} {:>10.1f}\n", 1e-6 * median(embrees_rate), median(ratio), different,
+  fmt::print(" {:.2f} | {:.2f} | {} | {:.1f} | {:.1f} |\n", 1e-6 * median(embrees_rate), median(ratio), different,
              1000 * our_build, 1000 * embrees_build);
   if (different > drawn / 1000) {
     fmt::print(stderr, "{}: Embree sees another picture\n", title);
     std::exit(1);
   }
 #else
-  fmt::print(" {:>10} {:>7} {:>10} {:>10.1f} {:>10}\n", "-", "-", "-", 1000 * our_build, "-");
+  fmt::print(" - | - | - | {:.1f} | - |\n", 1000 * our_build);
 #endif
 }
 
 }  // namespace
 
 int main() {
-  fmt::print("{:24} {:>9} {:>8} {:>10} {:>10} {:>7} {:>10} {:>10} {:>10}\n", "1024x768, 10^6 rays a s", "triangles",
-             "hits", "cast_fast", "Embree", "ratio", "differ at", "build, ms", "Embree's");
+  fmt::print("| 1024x768 | triangles | hits | cast_fast, million rays a second | Embree's | ratio | pixels that differ | "
+             "build, ms | Embree's |\n|---|---|---|---|---|---|---|---|---|\n");
   compare("teapot", "teapot");
   compare("teapot:32", "teapot:32");
   compare("torus, 50 000 triangles", "torus");
 #if ZSTEP_BENCH_EMBREE
-  fmt::print("{}\n", bench::embree_name());
+  fmt::print("\n{}\n", bench::embree_name());
 #else
-  fmt::print("Embree (libembree-dev, 3 or 4) was not found when zstep was configured\n");
+  fmt::print("\nEmbree (libembree-dev, 3 or 4) was not found when zstep was configured\n");
 #endif
 }

@@ -66,7 +66,7 @@ double median_frame(App& app, Unit unit, int frames) {
 }
 
 double report(const std::string& what, double ms) {
-  fmt::print("{:<58} {:>9.2f} ms\n", what, ms);
+  fmt::print("| {} | {:.2f} |\n", what, ms);
   return ms;
 }
 
@@ -82,12 +82,12 @@ void bench_large(const std::string& scene, std::int32_t w, std::int32_t h) {
     const double seek = milliseconds();
     app.session().go_to(static_cast<std::int64_t>(share * static_cast<double>(trace.size())));
     app.frame();
-    report(fmt::format("  seek to {:.1f} % and draw", share * 100), milliseconds() - seek);
+    report(name + fmt::format(": seek to {:.1f} % and draw", share * 100), milliseconds() - seek);
   }
   app.session().go_to(trace.size() / 2);
   app.frame();
   for (const Unit unit : {Unit::event, Unit::pixel, Unit::scan_line, Unit::polygon})
-    report(fmt::format("  next {}, median frame", unit_word(unit)), median_frame(app, unit, 60));
+    report(name + fmt::format(": next {}, median frame", unit_word(unit)), median_frame(app, unit, 60));
   std::vector<double> back;
   for (int i = 0; i < 60; ++i) {
     const double start = milliseconds();
@@ -95,7 +95,7 @@ void bench_large(const std::string& scene, std::int32_t w, std::int32_t h) {
     app.frame();
     back.push_back(milliseconds() - start);
   }
-  report("  previous step, median frame", median(back));
+  report(name + ": previous step, median frame", median(back));
 }
 
 /// From a change to its picture, as when a hand pulls a vertex; both in turn, so that each makes another run.
@@ -161,6 +161,7 @@ void bench_steps(const char* by, const std::string& scene, int w, int h) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  fmt::print("| | ms |\n|---|---|\n");
   if (count > 1 && std::string(arguments[1]) == "drags") {
     for (const auto& [w, h] : {std::pair{1600, 900}, {3840, 2160}}) {
       bench_drags("pyramid-behind", w, h);
@@ -193,7 +194,7 @@ int main(int count, char** arguments) {
       report("64x64 trace at 3840x2160: next step, median frame", median_frame(large, Unit::event, 100));
   report("64x64 trace at 3840x2160: next polygon, median frame", median_frame(large, Unit::polygon, 30));
   if (step > frame_budget_ms || step_large > large_budget_ms) {
-    fmt::print("a frame takes more than {} ms, or {} ms at 3840x2160\n", frame_budget_ms, large_budget_ms);
+    fmt::print(stderr, "a frame takes more than {} ms, or {} ms at 3840x2160\n", frame_budget_ms, large_budget_ms);
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

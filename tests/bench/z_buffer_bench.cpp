@@ -96,32 +96,30 @@ void compare(const std::string& name, const Scene& scene, bool cull) {
     all_over_mesa.push_back(mesa.back() / all.back());
 #endif
   }
-  fmt::print("{:24} {:>7} {:>7} {:>8.3f} {:>8.3f} {:>8.3f}", name, scene.facets.size(), drawn(expected), median(taught),
+  fmt::print("| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} |", name, scene.facets.size(), drawn(expected), median(taught),
              median(one), median(all));
-  if (mesa.empty()) {
-    fmt::print(" {:>8}   {:>5.2f} {:>5.2f}   {:>5} {:>5}\n", "-", median(one_over_taught), median(all_over_taught), "-",
-               "-");
-  } else {
-    fmt::print(" {:>8.3f}   {:>5.2f} {:>5.2f}   {:>5.2f} {:>5.2f}\n", median(mesa), median(one_over_taught),
-               median(all_over_taught), median(one_over_mesa), median(all_over_mesa));
-  }
+  const auto times = [](const std::vector<double>& ratio) {
+    return ratio.empty() ? std::string("-") : fmt::format("{:.2f}", median(ratio));
+  };
+  fmt::print(" {} | {} | {} | {} | {} |\n", mesa.empty() ? "-" : fmt::format("{:.3f}", median(mesa)),
+             times(one_over_taught), times(all_over_taught), times(one_over_mesa), times(all_over_mesa));
 }
 
 }  // namespace
 
 int main() {
-  fmt::print("{:24} {:>7} {:>7} {:>8} {:>17} {:>8}   {:>11}   {:>11}\n", "ms a frame of 1024x768", "facets", "pixels",
-             "taught", "run_fast", "llvmpipe", "x taught", "x llvmpipe");
-  fmt::print("{:24} {:>7} {:>7} {:>8} {:>8} {:>8} {:>8}   {:>5} {:>5}   {:>5} {:>5}\n", "", "", "", "", "1 thread",
-             fmt::format("{} thr.", std::thread::hardware_concurrency()), "1 thread", "1", "all", "1", "all");
+  const unsigned threads = std::thread::hardware_concurrency();
+  fmt::print("| | facets | pixels | taught loop, ms | fast, 1 thread | fast, {0} threads | llvmpipe, 1 thread | 1 thread, times "
+             "taught | {0} threads | 1 thread, times llvmpipe | {0} threads |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+             threads);
   for (const std::string name : {"teapot:4", "teapot:8", "teapot:16", "teapot:32", "teapot:64"}) {
     compare(name, teapot(name), true);
   }
   compare("torus, 50 000 triangles", looked_at(bench::torus(250, 100, true)), true);
   compare("12 large polygons", looked_at(bench::leaves(12)), false);
 #if ZSTEP_BENCH_LLVMPIPE
-  fmt::print("llvmpipe is \"{}\" in this thread\n", bench::Llvmpipe(looked_at(bench::leaves(1)), false).name());
+  fmt::print("\nllvmpipe is \"{}\" in this thread\n", bench::Llvmpipe(looked_at(bench::leaves(1)), false).name());
 #else
-  fmt::print("llvmpipe was not measured: OSMesa (libosmesa6-dev) was not found when zstep was configured\n");
+  fmt::print("\nllvmpipe was not measured: OSMesa (libosmesa6-dev) was not found when zstep was configured\n");
 #endif
 }

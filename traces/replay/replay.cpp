@@ -158,6 +158,7 @@ struct Replay::Impl {
   }
 
   void seek(std::int64_t target, const OnWay& on_way) {
+    ++seeks;
     const bool from_here = state.position <= target && state.position >= key_frames.before(target);
     if (!from_here) {
       key_frames.restore_before(target, state);
@@ -182,7 +183,7 @@ struct Replay::Impl {
   KeyFrames key_frames;
   UndoLog log;
   std::deque<std::pair<std::int64_t, MethodState>> check_points;  ///< never empty; the log reaches back to the first
-  std::int64_t check_point_due = 0;
+  std::int64_t check_point_due = 0, seeks = 0;
   bool refused = false;
 };
 
@@ -193,6 +194,8 @@ Replay& Replay::operator=(Replay&&) noexcept = default;
 
 const Trace& Replay::trace() const { return *impl_->trace; }
 const State& Replay::state() const { return impl_->state; }
+
+std::int64_t Replay::seeks() const { return impl_->seeks; }
 
 void Replay::go_to(std::int64_t position, const OnWay& on_way) {
   position = std::clamp<std::int64_t>(position, 0, impl_->trace->size());

@@ -42,6 +42,9 @@ class Replay {
   void step_forward() { go_to(position() + 1); }
   void step_back() { go_to(position() - 1); }
 
+  /// How often a position was sought so far, and not stepped to: what an answer costs is mostly this.
+  std::int64_t seeks() const;
+
   /// The event that led here, or nullptr at position 0.
   const RecordedEvent* current() const;
 
