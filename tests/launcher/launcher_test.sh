@@ -364,6 +364,47 @@ case_a_header_of_which_a_comment_changed_is_precompiled_anew() {
   done
 }
 
+# Benchmarks that are stand-ins: what they print goes into the pages, and of two of them each figure is compared.
+case_the_pages_quote_what_the_benchmarks_print() {
+  mkdir -p "$box/programs"
+  printf '#!/bin/bash\n[ "$1" = fails ] && exit 1\nprintf "| | ms |\\n|---|---|\\n| %%s | 1.5 |\\n" "$*"\n' >"$box/programs/zstep_bench_x"
+  chmod +x "$box/programs/zstep_bench_x"
+  local page=$box/page.md page_of="$source_dir/tests/bench/page.sh"
+  printf '# Before\n<!-- bench: zstep_bench_x a b -->\nold\n<!-- end -->\nAfter\n' >"$page"
+  bash "$page_of" "$box/programs" "$page" 2>/dev/null
+  expect "the table" "$(<"$page")" '^\| a b \| 1.5 \|$'
+  expect "of which commit, day and machine" "$(<"$page")" '^Commit .+, [0-9]+ [A-Z][a-z]+ 20[0-9][0-9], .+ processors, .+:$'
+  refuse "what was there" "$(<"$page")" '^old$'
+  expect "what stands around it" "$(<"$page")" '^# Before$'
+  expect "what stands around it" "$(<"$page")" '^After$'
+  local once
+  once=$(<"$page")
+  bash "$page_of" "$box/programs" "$page" 2>/dev/null
+  same "written once more" "$(<"$page")" "$once"
+  printf '<!-- bench: zstep_bench_x fails -->\n<!-- end -->\n' >>"$page"
+  once=$(<"$page")
+  bash "$page_of" "$box/programs" "$page" 2>/dev/null && same "a program that fails" "is taken" "is refused"
+  same "a page when a program fails" "$(<"$page")" "$once"
+}
+
+case_a_figure_that_is_worse_than_elsewhere_is_marked() {
+  local head='| | one | two |\n|---|---|---|\n'
+  # shellcheck disable=SC2059
+  {
+    printf "$head| seek, median; p99 | 4.0 ms; 9.0 ms | 1 ms; 2 ms |\n| rate | 5 M/s | 6 M/s |\n" >"$box/a1"
+    printf "$head| seek, median; p99 | 6.0 ms; 9.0 ms | 1 ms; 2 ms |\n| rate | 5 M/s | 6 M/s |\n" >"$box/a2"
+    printf "$head| seek, median; p99 | 5.0 ms; 9.0 ms | 1 ms; 2 ms |\n| rate | 5 M/s | 6 M/s |\n" >"$box/a3"
+    printf "$head| seek, median; p99 | 2.5 ms; 9.0 ms | 1 ms; 2 ms |\n| rate | 5 M/s | 9 M/s |\n| gone | 1 s | 1 s |\n" >"$box/b"
+  }
+  local said
+  said=$(awk -v limit=1.25 -f "$source_dir/tests/bench/ratios.awk" side=here "$box/a1" "$box/a2" "$box/a3" side=there "$box/b")
+  expect "medians and their ratio" "$said" '^\| seek, median; p99 \| one \| 1 \| 5 \| 2.5 \| 2.00 \| above 1.25 \|$'
+  expect "an equal one" "$said" '^\| seek, median; p99 \| one \| 2 \| 9 \| 9 \| 1.00 \|  \|$'
+  expect "a rate, worse when smaller" "$said" '^\| rate \| two \| 6 \| 9 \| 1.50 \| above 1.25 \|$'
+  expect "what only one has" "$said" '^not compared: gone \| one \(only there\)$'
+  expect "how many" "$said" '^2 above 1.25$'
+}
+
 if [ $# -gt 1 ]; then
   fresh
   "case_$2"
