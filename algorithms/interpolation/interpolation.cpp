@@ -1,5 +1,6 @@
 #include "algorithms/interpolation/interpolation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -119,8 +120,8 @@ Plane<T> find_plane(std::int32_t polygon, const clipping::Outline& outline, cons
   return plane;
 }
 
-/// Draws one polygon's spans. Calls each.depth(pixel, z) for each depth that is written, each.attribute(pixel, a) for
-/// each attribute.
+/// Draws one polygon's spans. Calls each.computed(pixel, z) for each depth, each.depth(pixel, z) for each that is
+/// written, each.attribute(pixel, a) for each attribute.
 template <class T, Recorder R, class Each>
 class Drawing {
  public:
@@ -166,6 +167,7 @@ class Drawing {
     record_(z_buffer::step::interpolate_z, DepthInterpolate{x, y, z});
 
     const std::size_t pixel = picture_.at(x, y);
+    each_.computed(pixel, depth);
     const bool nearer = ways_.wins(z, picture_.depth[pixel]);
     record_(z_buffer::step::compare, DepthCompare{x, y, z, nearer});
     if (!nearer) return;
@@ -257,6 +259,8 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
 /// Keeps nothing of what is drawn besides the picture.
 struct Forget {
   template <class T>
+  void computed(std::size_t, const T&) const {}
+  template <class T>
   void depth(std::size_t, const T&) const {}
   template <class T>
   void attribute(std::size_t, const T&) const {}
@@ -265,6 +269,10 @@ struct Forget {
 /// Keeps how far each number can be off.
 struct Keep {
   Bounds& bounds;
+  template <class T>
+  void computed(std::size_t pixel, const Bounded<T>& z) const {
+    bounds.of_any[pixel] = std::max(bounds.of_any[pixel], z.error);
+  }
   template <class T>
   void depth(std::size_t pixel, const Bounded<T>& z) const {
     bounds.of_pixel[pixel] = z.error;
@@ -310,6 +318,7 @@ Bounds bounds_of(const Scene& scene, const Conventions& conventions) {
   return in_numbers(scene, conventions, [&]<class T>(const NumbersOf<T>& numbers) {
     Bounds bounds;
     bounds.of_pixel.assign(Picture(scene.raster.width, scene.raster.height).depth.size(), 0);
+    bounds.of_any = bounds.of_pixel;
     if (conventions.attribute != Conventions::Attribute::none)
       bounds.of_attribute = bounds.attribute = bounds.of_pixel;
     NullRecorder nothing;

@@ -28,6 +28,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record);
 struct Bounds {
   Picture picture;               ///< that of run()
   std::vector<double> of_pixel;  ///< [height*width], Picture::at, in units of depth; 0 where nothing was drawn
+  std::vector<double> of_any;    ///< the same of any depth that is computed there, whether it is nearer or not
   /// The attribute that shades each pixel, and how far it can be off; empty where none is interpolated.
   std::vector<double> attribute, of_attribute;
 };

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "algorithms/catalog/catalog.hpp"
-#include "algorithms/interpolation/interpolation.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/cli/chart_file.hpp"
 #include "sim/cli/commands.hpp"
@@ -16,6 +14,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
+#include "sim/cost/depth_bounds.hpp"
 #include "sim/image/npy.hpp"
 #include "sim/image/png.hpp"
 #include "sim/pages/rows.hpp"
@@ -49,28 +48,45 @@ struct Allowed {
   double largest = 0;       ///< of all pixels, in units of depth
   std::int64_t beyond = 0;  ///< pixels whose stored depth is farther off than its own bound
 };
-/// Nothing where no Z-buffer draws the scene so, or the header does not say in which numbers.
+/// Nothing where no Z-buffer draws the scene so, or the header does not say in which numbers, or where nothing that it
+/// draws is at the pixels of the run.
 std::optional<Allowed> allowed_in(const Trace& trace, const Errors& errors) {
-  const Header& header = trace.header();
-  if (header.algorithm != "z-buffer" || !header.declares(Convention::number_format)) return std::nullopt;
-  try {
-    check_run(method("z-buffer"), trace.scene(), header.conventions);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-  const interpolation::Bounds bounds = interpolation::bounds_of(trace.scene(), header.conventions);
+  const auto bounds = compare::bounds_in(trace);
+  if (!bounds) return std::nullopt;
   Allowed allowed;
-  for (std::size_t pixel = 0; pixel < bounds.of_pixel.size(); ++pixel) {
+  bool any = false;
+  for (std::size_t pixel = 0; pixel < bounds->of_pixel.size(); ++pixel) {
     const double off = std::abs(errors.depth_error_of_pixel[pixel]);
-    if (std::isnan(off) || errors.polygon_of_pixel[pixel] != bounds.picture.polygon[pixel]) continue;
-    allowed.largest = std::max(allowed.largest, bounds.of_pixel[pixel]);
-    allowed.beyond += off > bounds.of_pixel[pixel];
+    if (std::isnan(off) || errors.polygon_of_pixel[pixel] != bounds->picture.polygon[pixel]) continue;
+    any = true;
+    allowed.largest = std::max(allowed.largest, bounds->of_pixel[pixel]);
+    allowed.beyond += off > bounds->of_pixel[pixel];
   }
+  if (!any) return std::nullopt;
   return allowed;
 }
 
 /// "0.5", "12", "3.4e6": errors in last digits range from less than one to many.
-std::string digits(double value) { return value < 1e5 ? number(value, 2, true) : fmt::format("{:.1e}", value); }
+std::string digits(double value) {
+  return value < 1e5 || std::isinf(value) ? number(value, 2, true) : fmt::format("{:.1e}", value);
+}
+/// Three digits: "9.3e-08", "∞".
+std::string in_depth(double value) { return std::isinf(value) ? number(value) : fmt::format("{:.3g}", value); }
+
+/// Why nothing in a run can be held against exact depths, and what would mend it.
+InputError nothing_exact(const std::string& path, const Trace& trace) {
+  const bool any = trace.has(kind_of<DepthInterpolate>) || trace.has(kind_of<DepthCompare>) ||
+                   trace.has(kind_of<PixelPaint>);
+  if (!any)
+    return InputError(path, "records no depth that is computed at a pixel",
+                      "print the steps for depth_interpolate or depth_compare, or those for rays");
+  if (trace.has(kind_of<RayEnd>))
+    return InputError(path, "has no ray that meets something and paints its pixel", "print ray_end before pixel_paint");
+  if (!trace.has(kind_of<PolygonBegin>) && !trace.has(kind_of<EdgeTableInsert>))
+    return InputError(path, "does not say which polygon its depths are of", "print polygon_begin before them");
+  return InputError(path, "has depths only of polygons whose plane gives none: seen edge-on, or not the scene's",
+                    "look at the scene with 'zstep info'");
+}
 
 /// What the last bit of the depth buffer is worth: in fixed point always the same, else a last digit at the depth.
 std::string buffer_text(const Trace& trace) {
@@ -88,10 +104,17 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
                              (header.declares(Convention::number_format) ? "" : ", which its header does not declare");
   fmt::print("{}: {} compared with the exact ones, in ulps (units in the last place) of {}\n", printable(trace.name()),
              counted(errors.all.depths, "depth", "depths"), format);
+  if (errors.by_polygon > 0)
+    fmt::print("{} of them with the plane of the polygon: the run has no span with its two edges there\n",
+               grouped(errors.by_polygon));
   if (errors.not_judged > 0)
-    fmt::print("{} have no span, plane or ray in the trace and are left out\n", grouped(errors.not_judged));
-  fmt::print("largest error {}, root mean square {}; at most {:.3g} in depth, at step {}\n", digits(errors.all.largest),
-             digits(errors.all.root_mean_square()), errors.all.largest_depth, errors.steepest_step);
+    fmt::print("{} left out: nothing in the run says what they are exactly\n",
+               counted(errors.not_judged, "depth is", "depths are"));
+  if (errors.not_finite > 0)
+    fmt::print("{} no finite number, the first at step {}\n", counted(errors.not_finite, "depth is", "depths are"),
+               errors.not_finite_step);
+  fmt::print("largest error {}, root mean square {}; at most {} in depth, at step {}\n", digits(errors.all.largest),
+             digits(errors.all.root_mean_square()), in_depth(errors.all.largest_depth), errors.steepest_step);
   fmt::print("{}\n", buffer_text(trace));
   if (allowed)
     fmt::print("rounding can change a depth by at most {:.3g}; {}\n", allowed->largest,
@@ -103,10 +126,10 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
              counted(errors.wrong_pixels, "pixel would", "pixels would"));
   if (trace.has(kind_of<AttributeInterpolate>)) {
     const oracle::AttributeErrors attribute = oracle::attribute_errors_of(trace);
-    fmt::print("{} compared with the polygons' own: largest error {:.3g}, at step {}, root mean square {:.3g}; by "
-               "rounding alone {:.3g}\n\n",
-               counted(attribute.attributes, "attribute", "attributes"), attribute.largest, attribute.largest_step,
-               attribute.root_mean_square(), attribute.rounding);
+    fmt::print("{} compared with the polygons' own: largest error {}, at step {}, root mean square {}; by "
+               "rounding alone {}\n\n",
+               counted(attribute.attributes, "attribute", "attributes"), in_depth(attribute.largest),
+               attribute.largest_step, in_depth(attribute.root_mean_square()), in_depth(attribute.rounding));
   }
   for (const oracle::WrongDecision& wrong : errors.decisions) {
     if (&wrong - errors.decisions.data() >= 3 && !options.all) break;
@@ -122,20 +145,23 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
   if (!options.all && rows.size() > most_polygons) rows.resize(most_polygons);
   fmt::print("{:<16} {:>10} {:>12} {:>12} {:>14} {:>8}\n", "polygon", "depths", "largest", "rms", "in depth", "wrong");
   for (const ErrorOf& row : rows)
-    fmt::print("{:<16} {:>10} {:>12} {:>12} {:>14.3g} {:>8}\n", polygon_label(trace.scene(), row.polygon), row.depths,
-               digits(row.largest), digits(row.root_mean_square()), row.largest_depth, row.decided_wrong);
+    fmt::print("{:<16} {:>10} {:>12} {:>12} {:>14} {:>8}\n", polygon_label(trace.scene(), row.polygon), row.depths,
+               digits(row.largest), digits(row.root_mean_square()), in_depth(row.largest_depth), row.decided_wrong);
   if (rows.size() < errors.polygons.size())
     fmt::print("… and {} more: --all prints them\n",
                grouped(static_cast<std::int64_t>(errors.polygons.size() - rows.size())));
 }
 
+/// What is not finite becomes a word.
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value)); }
+
 Json json_of(const ErrorOf& of) {
   return Json{{"depths", of.depths},
-              {"largest_digits", of.largest},
-              {"rms_digits", of.root_mean_square()},
-              {"largest_depth", of.largest_depth},
-              {"largest_buffer_units", of.largest},
-              {"rms_buffer_units", of.root_mean_square()},
+              {"largest_digits", json_number(of.largest)},
+              {"rms_digits", json_number(of.root_mean_square())},
+              {"largest_depth", json_number(of.largest_depth)},
+              {"largest_buffer_units", json_number(of.largest)},
+              {"rms_buffer_units", json_number(of.root_mean_square())},
               {"decided_wrong", of.decided_wrong}};
 }
 
@@ -146,12 +172,14 @@ void print_json(const Trace& trace, const Errors& errors, const std::optional<Al
   const double unit = depth_unit(trace.scene(), trace.header().conventions);
   all["buffer_unit"] = unit > 0 ? Json(unit) : Json(nullptr);  // null: a last digit at each depth
   all["not_judged"] = errors.not_judged;
+  all["by_polygon"] = errors.by_polygon;
+  all["not_finite"] = errors.not_finite;
   if (trace.has(kind_of<AttributeInterpolate>)) {
     const oracle::AttributeErrors attribute = oracle::attribute_errors_of(trace);
     all["attribute"] = Json{{"values", attribute.attributes},
-                            {"largest", attribute.largest},
-                            {"rms", attribute.root_mean_square()},
-                            {"rounding", attribute.rounding},
+                            {"largest", json_number(attribute.largest)},
+                            {"rms", json_number(attribute.root_mean_square())},
+                            {"rounding", json_number(attribute.rounding)},
                             {"largest_at_step", attribute.largest_step}};
   }
   all["largest_at_step"] = errors.steepest_step;
@@ -167,8 +195,8 @@ void print_json(const Trace& trace, const Errors& errors, const std::optional<Al
                              {"x", wrong.x},
                              {"y", wrong.y},
                              {"polygon", wrong.polygon},
-                             {"z", wrong.z},
-                             {"stored", wrong.stored},
+                             {"z", json_number(wrong.z)},
+                             {"stored", json_number(wrong.stored)},
                              {"z_exact", wrong.z_exact},
                              {"stored_exact", wrong.stored_exact}});
   all["polygons"] = polygons;
@@ -231,9 +259,7 @@ int run(const ErrorOptions& options) {
     return false;
   });
   watch.clear_line();
-  if (errors.all.depths == 0)
-    throw InputError(options.trace, "has no spans, planes or rays, from which exact depths follow",
-                     "record them: edge_table_insert and span_begin of a Z-buffer, or rays");
+  if (errors.all.depths == 0) throw nothing_exact(options.trace, trace);
   const Raster& raster = trace.scene().raster;
   const std::optional<Allowed> allowed = allowed_in(trace, errors);
   if (options.json) print_json(trace, errors, allowed);
@@ -256,7 +282,8 @@ int run(const ErrorOptions& options) {
     const std::string said = write_chart(options.plot, drift_of(trace, errors));
     if (!options.json) say_written(options.plot, said);
   }
-  return errors.all.decided_wrong + errors.wrong_pixels == 0 ? exit_code::done : exit_code::finding;
+  const std::int64_t found = errors.all.decided_wrong + errors.wrong_pixels + errors.not_finite;
+  return found == 0 ? exit_code::done : exit_code::finding;
 }
 
 }  // namespace
@@ -275,8 +302,10 @@ void add_error(CLI::App& app, Action& action) {
       ->type_name("FILE.png|.svg");
   command->footer(
       "Computes the depths of spans again, without rounding, from the vertices that the trace has on the raster;\n"
-      "so too the vertices of pieces and the t of rays. It compares every depth and every decision with these.\n"
-      "Exit code 1: with exact depths a compare would go the other way, or a pixel would show another polygon.\n"
+      "so too the vertices of pieces and the t of rays. Where the trace has no spans, it takes the planes of the\n"
+      "polygons. It compares every depth and every decision with these.\n"
+      "Exit code 1: with exact depths a compare would go the other way, a pixel would show another polygon, or a\n"
+      "depth is no finite number.\n"
       "\n"
       "Examples:\n"
       "  zstep error run.ztrace\n"

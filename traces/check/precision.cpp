@@ -158,9 +158,7 @@ Precision precision_of_fixed(const Trace& trace, NumberFormat format, const char
   return {formulas::rounding_of_float64, 2 * unit, true, fmt::format("{}, {}", word_of(format), why), format, unit};
 }
 
-}  // namespace
-
-Precision precision_of(const Trace& trace, const HeldTo& held) {
+Precision precision_of_numbers(const Trace& trace, const HeldTo& held) {
   const int digits = held.digits;
   const Header& header = trace.header();
   const bool declared = header.declares(Convention::number_format);
@@ -212,6 +210,14 @@ Precision precision_of(const Trace& trace, const HeldTo& held) {
     return {formulas::rounding_of_float32, 0, true, "float32, as the numbers look", NumberFormat::float32};
   return {formulas::rounding_of_float64, 0, true,
           declared ? "float64, as the header declares" : "float64, as the numbers look"};
+}
+
+}  // namespace
+
+Precision precision_of(const Trace& trace, const HeldTo& held) {
+  Precision precision = precision_of_numbers(trace, held);
+  precision.depths = held.depths;
+  return precision;
 }
 
 }  // namespace zstep

@@ -2,11 +2,24 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "traces/file/trace.hpp"
 
 namespace zstep {
+
+/// By how much rounding may change a depth at each pixel, whatever its size: of a depth near 0 no share of it says that.
+struct DepthBounds {
+  std::int32_t width = 0;
+  std::vector<double> of_pixel;  ///< [height*width], Picture::at, in units of depth
+  double at(std::int64_t x, std::int64_t y) const {
+    const std::int64_t pixel = y * width + x;
+    const bool inside = x >= 0 && x < width && y >= 0 && static_cast<std::size_t>(pixel) < of_pixel.size();
+    return inside ? of_pixel[static_cast<std::size_t>(pixel)] : 0;
+  }
+};
 
 struct Precision {
   double relative = 0;        ///< by what share of itself a number may be off
@@ -16,12 +29,16 @@ struct Precision {
   NumberFormat format = NumberFormat::float64;
   double unit = 0;            ///< of fixed-point depths, or of the last decimal that is written; else 0
   bool held = false;          ///< to more digits than are written, as `digits` asks
+  std::shared_ptr<const DepthBounds> depths = nullptr;  ///< as it was told
+
+  double allowed_depth(std::int64_t x, std::int64_t y) const { return depths ? depths->at(x, y) : 0; }
 };
 
 /// What numbers are held to, whatever they look like.
 struct HeldTo {
   int digits = 0;  ///< or decimals, at least
   std::uint32_t fixed = ~0u;  ///< bit F: numbers of the fixed-point format F are taken for such where no format is declared
+  std::shared_ptr<const DepthBounds> depths = nullptr;  ///< what theory allows the depths of pixels, where it is known
   HeldTo() = default;
   HeldTo(int least, std::uint32_t formats = ~0u) : digits(least), fixed(formats) {}  // NOLINT: a number of digits
   bool takes(NumberFormat format) const { return (fixed >> static_cast<unsigned>(format) & 1) != 0; }

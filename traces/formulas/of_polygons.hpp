@@ -35,10 +35,14 @@ auto distance_of_vertex(Out& out, const Situation& at, ClipPlane plane, std::int
   const Camera& camera = *at.camera;
   const Place scene{Place::In::scene, 0};
   const auto number = [&](std::string_view name, double value) { return out.number(name, value, scene); };
+  const auto w_y = number("w_y", camera.window);
   const ViewVolume<typename Out::Number> volume{
-      camera.kind == Camera::Kind::orthographic, number("f", camera.near), number("F", camera.far),
-      number("d", camera.d), number("w_x", camera.window * at.scene.raster.width / at.scene.raster.height),
-      number("w_y", camera.window)};
+      camera.kind == Camera::Kind::orthographic,
+      number("f", camera.near),
+      number("F", camera.far),
+      number("d", camera.d),
+      out.named("w_x", window_width(w_y, number("W", at.scene.raster.width), number("H", at.scene.raster.height))),
+      w_y};
   const auto view = vector_of(out, suffix, found->view, Place{Place::In::vertex, vertex}, view_stage);
   return distance_inside(volume, plane, view.x, view.y, view.z);
 }
@@ -47,6 +51,7 @@ auto distance_of_vertex(Out& out, const Situation& at, ClipPlane plane, std::int
 struct Plainly {
   using Number = Rounded;
   Number number(std::string_view, double value, const Place&) { return value; }
+  Number named(std::string_view, const Number& formula) { return formula; }
 };
 
 /// Has the facet at work its whole outline, where nothing is clipped off?

@@ -74,11 +74,11 @@ void derive(const ViewportTransform& e, const Situation& at, Out& out) {
   const Raster& raster = at.scene.raster;
   if (!(at.camera->window > 0) || raster.height <= 0) return;
   const Place place{Place::In::vertex, e.vertex};
-  const double half_width = at.camera->window * raster.width / raster.height;
-  const auto x = screen_x(out.number("x_p", vertex->plane.x, place["x_p"]), detail::of_scene(out, "w_x", half_width),
-                          detail::of_scene(out, "W", raster.width));
-  const auto y = screen_y(out.number("y_p", vertex->plane.y, place["y_p"]),
-                          detail::of_scene(out, "w_y", at.camera->window), detail::of_scene(out, "H", raster.height));
+  const auto width = detail::of_scene(out, "W", raster.width), height = detail::of_scene(out, "H", raster.height),
+             w_y = detail::of_scene(out, "w_y", at.camera->window);
+  const auto x = screen_x(out.number("x_p", vertex->plane.x, place["x_p"]),
+                          out.named("w_x", window_width(w_y, width, height)), width);
+  const auto y = screen_y(out.number("y_p", vertex->plane.y, place["y_p"]), w_y, height);
   const bool whole = at.header.conventions.positions == Conventions::Positions::integer;
   out.gives(&ViewportTransform::x_s, whole ? to_nearest(x) : x);
   out.gives(&ViewportTransform::y_s, whole ? to_nearest(y) : y);

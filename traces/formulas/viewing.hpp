@@ -76,6 +76,12 @@ T distance_inside(const ViewVolume<T>& volume, ClipPlane plane, const T& x, cons
   return plane == ClipPlane::left || plane == ClipPlane::bottom ? w + scaled : w - scaled;
 }
 
+/// Half the width of the window, from half its height: pixels are square.
+template <class T>
+T window_width(const T& w_y, const T& width, const T& height) {
+  return w_y * width / height;
+}
+
 /// The window of half width w_x and half height w_y becomes the raster; pixel centres are at whole numbers.
 template <class T>
 T screen_x(const T& x_p, const T& w_x, const T& width) {

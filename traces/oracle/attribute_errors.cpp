@@ -46,8 +46,15 @@ class AttributeJudge {
 
   void take(std::int64_t step, const AttributeInterpolate& e, const Situation& at) {
     if (!tried_) find_ends(at, e.y);
-    if (!on_polygon_ || !std::isfinite(e.attribute)) {
+    if (!on_polygon_) {
       ++errors_.not_judged;
+      return;
+    }
+    if (!std::isfinite(e.attribute)) {
+      if (++errors_.not_finite == 1) errors_.largest_step = step;
+      errors_.largest = errors_.sum_of_squares = errors_.rounding = std::numeric_limits<double>::infinity();
+      errors_.rounding_of_pixel[static_cast<std::size_t>(at.pixel(e.x, e.y))] = errors_.rounding;
+      ++errors_.attributes;
       return;
     }
     const Rational a = exactly(e.attribute);

@@ -12,6 +12,7 @@ namespace zstep::oracle {
 struct AttributeErrors {
   std::int64_t attributes = 0;  ///< that were interpolated and have an exact one
   std::int64_t not_judged = 0;  ///< of which the trace does not have span and edges
+  std::int64_t not_finite = 0;  ///< NaN and infinities, whose error is infinite
   // Off the attribute that the polygon itself has.
   double largest = 0, sum_of_squares = 0;
   std::int64_t largest_step = 0;

@@ -1,6 +1,7 @@
 #include "traces/oracle/errors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -53,6 +54,7 @@ class DepthJudge {
     if (at.method().pass == Pass::light) return;
     if constexpr (std::is_same_v<E, EdgeTableInsert>) edge_inserted(position, e.edge);
     if constexpr (std::is_same_v<E, SpanBegin>) span_.reset(), tried_ = false, span_began_ = position;
+    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PlaneSlopes>) rows_.clear();
     if constexpr (std::is_same_v<E, BuffersClear>) clear();
     if constexpr (std::is_same_v<E, RayBegin>)
       if (e.role == RayRole::eye) ray_ = e, ray_kept_ = ray_nearest_ = {};
@@ -72,6 +74,7 @@ class DepthJudge {
       found_.wrong_pixels += stored_[pixel].polygon != nearest_[pixel].polygon && stored_[pixel].exact != nullptr;
     for (const Known& stored : stored_) found_.polygon_of_pixel.push_back(stored.polygon);
     found_.fighting_pixels = std::count(fighting_.begin(), fighting_.end(), true);
+    found_.fighting = std::move(fighting_);
     for (const auto& [polygon, errors] : polygons_) found_.polygons.push_back(errors);
     for (auto& [edge, errors] : along_edges_)
       if (errors.size() > found_.along_edge.size()) found_.along_edge = std::move(errors);
@@ -123,6 +126,53 @@ class DepthJudge {
     const auto a = at.on_raster(slopes.vertex_0), b = at.on_raster(slopes.vertex_1), c = at.on_raster(slopes.vertex_2);
     if (!a || !b || !c) return std::nullopt;
     return ExactDepth::on_plane({a->x, a->y, a->z}, {b->x, b->y, b->z}, {c->x, c->y, c->z}, y, along_);
+  }
+  /// A pixel of which the trace has no span: on the plane of the slopes at work, or of the facet.
+  std::shared_ptr<const ExactDepth> exact_polygon(const Situation& at, std::int32_t x, std::int32_t y,
+                                                  std::int32_t polygon) {
+    const auto& slopes = at.method().slopes;
+    const bool by_slopes = truth_ == Truth::formula && slopes && slopes->polygon == polygon;
+    const std::int32_t facet = by_slopes ? -1 : facet_of(at, polygon);
+    if (!by_slopes && facet < 0) return nullptr;
+    ++found_.by_polygon;
+    const auto corners = by_slopes ? std::array{slopes->vertex_0, slopes->vertex_1, slopes->vertex_2} : triangle(facet);
+    if (by_slopes || (corners[0] >= 0 && !is_bent() && is_on_raster(at, corners))) {
+      const auto [row, fresh] = rows_.try_emplace(y);
+      const PlaneSlopes through{polygon, corners[0], corners[1], corners[2], 0, 0};
+      if (fresh)
+        if (auto exact = on_plane(at, through, y)) row->second = std::make_shared<const ExactDepth>(*std::move(exact));
+      if (row->second) return row->second;
+    } else if (const auto t = rays_.meet(facet, x, y)) {
+      return constant(rays_.depth(*t));
+    }
+    --found_.by_polygon;
+    return nullptr;
+  }
+  /// The facet at work, if it is the polygon's; else the polygon's only one. -1 where there is none.
+  std::int32_t facet_of(const Situation& at, std::int32_t polygon) const {
+    const std::vector<Facet>& facets = trace_.scene().facets;
+    const auto at_work = static_cast<std::size_t>(at.method().facet);
+    if (at.method().facet >= 0 && at_work < facets.size() && facets[at_work].polygon == polygon)
+      return at.method().facet;
+    const auto of_polygon = [&](const Facet& facet) { return facet.polygon == polygon; };
+    const auto first = std::find_if(facets.begin(), facets.end(), of_polygon);
+    if (first == facets.end() || std::find_if(first + 1, facets.end(), of_polygon) != facets.end()) return -1;
+    return static_cast<std::int32_t>(first - facets.begin());
+  }
+  std::array<std::int32_t, 3> triangle(std::int32_t facet) const {
+    const Scene& scene = trace_.scene();
+    const Facet& of = scene.facets[static_cast<std::size_t>(facet)];
+    if (of.corner_count != 3) return {-1, -1, -1};
+    const auto corner = [&](std::int32_t i) { return scene.corners[static_cast<std::size_t>(of.first_corner + i)]; };
+    return {corner(0), corner(1), corner(2)};
+  }
+  static bool is_on_raster(const Situation& at, const std::array<std::int32_t, 3>& corners) {
+    return std::all_of(corners.begin(), corners.end(), [&](std::int32_t one) { return at.on_raster(one).has_value(); });
+  }
+  /// Is z_v not linear on the picture?
+  bool is_bent() const {
+    return trace_.scene().camera.kind == Camera::Kind::perspective &&
+           trace_.header().conventions.depth == Conventions::Depth::view;
   }
   static std::optional<Edge> edge(const Situation& at, std::int32_t number) {
     const EdgeTableInsert* entry = at.edge(number);
@@ -192,13 +242,19 @@ class DepthJudge {
     } else {
       exact = exact_span(at, e.y);
     }
+    if (!exact && !trace_.has(kind_of<RayEnd>)) exact = exact_polygon(at, e.x, e.y, polygon);
     fragment_ = {exact, e.z, polygon, -1};
     if (!exact) {
       ++found_.not_judged;
       return;
     }
-    const double off = exact->error_of(e.z, e.x), unit = formulas::last_digit(e.z, format_, unit_);
-    const double off_view = view_depth_error(trace_.scene().camera, trace_.header().conventions, e.z, off);
+    const bool finite = std::isfinite(e.z);
+    if (!finite && ++found_.not_finite == 1) found_.not_finite_step = position;
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const double off = finite ? exact->error_of(e.z, e.x) : infinite;
+    const double unit = finite ? formulas::last_digit(e.z, format_, unit_) : 1;
+    const double off_view =
+        finite ? view_depth_error(trace_.scene().camera, trace_.header().conventions, e.z, off) : infinite;
     error_ = off / unit, off_ = off;
     for (ErrorOf* of : {&found_.all, &polygons_.try_emplace(polygon, ErrorOf{polygon}).first->second}) {
       ++of->depths;
@@ -224,7 +280,7 @@ class DepthJudge {
     const auto& span = at.method().span;
     if (!span || span->y != y) return;
     const auto put = [&](std::vector<double>& errors, std::int32_t from, std::int32_t to, std::int32_t most) {
-      if (from < 0 || from > to || to >= most) return;
+      if (from < 0 || from > to || to >= most || !std::isfinite(error_)) return;
       const auto n = static_cast<std::size_t>(to - from);
       if (n >= errors.size()) errors.resize(n + 1);
       errors[n] = std::abs(error_);
@@ -308,6 +364,7 @@ class DepthJudge {
   std::vector<std::int64_t> inserted_;                       ///< that step, by the edge's number
   std::int64_t span_began_ = 0;
   bool tried_ = false;
+  std::map<std::int32_t, std::shared_ptr<const ExactDepth>> rows_;  ///< of the plane at work, where there are no spans
 };
 
 }  // namespace

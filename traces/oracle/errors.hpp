@@ -35,12 +35,16 @@ struct WrongDecision {
 struct Errors {
   ErrorOf all;
   std::vector<ErrorOf> polygons;        ///< by their number; those without depths are left out
-  std::int64_t not_judged = 0;          ///< depths of which the trace does not have span and edges
+  std::int64_t not_judged = 0;          ///< depths of which nothing says what they are exactly
+  std::int64_t by_polygon = 0;          ///< held against the polygon itself, as the trace has no span with its edges
+  std::int64_t not_finite = 0;          ///< NaN and infinities, whose error is infinite
+  std::int64_t not_finite_step = 0;     ///< the first of them
   std::int64_t steepest_step = 0;       ///< with the largest error
   std::vector<WrongDecision> decisions; ///< the first ones, at most 100
   std::int64_t compares = 0;            ///< of which the exact outcome is known
   std::int64_t wrong_pixels = 0;        ///< that show another polygon than the one that is exactly the nearest
   std::int64_t fighting_pixels = 0;     ///< in which a compare was decided otherwise
+  std::vector<bool> fighting;           ///< [height*width], which these are
   std::optional<double> least_gap;      ///< the smallest z_v by which two polygons that met in a pixel differ
   double gap_at = 0;                    ///< and the z_v of the nearer of them
   /// Errors in last digits of the pixels of the longest span, and of the first pixels of spans on the lines of the longest
@@ -69,10 +73,12 @@ enum class Truth : std::uint8_t {
   surface,  ///< the depth of the polygon itself
 };
 
-/// Goes through a run that interpolates along spans, takes depths from planes, or casts rays. Where polygons are cut, what cutting makes is exact,
-/// too; cut in the world, all vertices are followed from there, and rays begin in the eye of the camera. `on_way` is
-/// told the steps that are done now and then; true ends it. `on_depth` is told each depth of a span whose left edge the
-/// trace has. The light's pass is left out. Throws InputError where the trace cannot be read.
+/// Goes through a run that interpolates along spans, takes depths from planes, or casts rays. Where polygons are cut,
+/// what cutting makes is exact, too; cut in the world, all vertices are followed from there, and rays begin in the eye of
+/// the camera. A depth without a span and its edges is held against the plane by the slopes that the trace has, else
+/// against the plane of the facet at work. `on_way` is told the steps that are done now and then; true ends it.
+/// `on_depth` is told each depth of a span whose left edge the trace has. The light's pass is left out. Throws InputError
+/// where the trace cannot be read.
 Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way = nullptr,
                  Truth truth = Truth::formula, const std::function<void(const DepthError&)>& on_depth = nullptr);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "traces/formulas/eye_rays.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::oracle {
@@ -36,10 +37,9 @@ const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
     return exactly(glm::dvec3(camera.view[0][i], camera.view[1][i], camera.view[2][i]));
   };
   const Point right = row(0), up = row(1), away = row(2);
-  // The window's width is an operand, here as in the formulas of traces/formulas.
-  const Rational width = scene_.raster.width, height = scene_.raster.height, half(1, 2), w_y = exactly(camera.window),
-                 w_x = exactly(camera.window * scene_.raster.width / scene_.raster.height);
-  const Rational x_p = (x + half) * 2 * w_x / width - w_x, y_p = w_y - (y + half) * 2 * w_y / height;
+  const Rational width = scene_.raster.width, height = scene_.raster.height, w_y = exactly(camera.window),
+                 w_x = formulas::window_width(w_y, width, height);
+  const Rational x_p = formulas::ray_x(Rational(x), w_x, width), y_p = formulas::ray_y(Rational(y), w_y, height);
   const Point across = scaled(right, x_p) + scaled(up, y_p);
   if (camera.kind == Camera::Kind::orthographic) {
     const Point origin = exactly(glm::dvec3(camera.view[3]));  // of the world, in viewing coordinates

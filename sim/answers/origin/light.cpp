@@ -71,7 +71,7 @@ struct ThroughSpace {
     const Number z = z_v();
     Operands of;
     const Formula at = x ? of("x", e.x) : of("y", e.y), size = x ? of("W", eye.width) : of("H", eye.height),
-                  window = x ? of("w_x", eye.window_x) : of("w_y", eye.window_y),
+                  window = x ? of("w_x", work.window_width(step, "w_x", eye.window_y)) : of("w_y", eye.window_y),
                   plane = x ? formulas::window_x(at, window, size) : formulas::window_y(at, window, size),
                   far = of("z_eye", z), d = of("d", eye.d), seen = eye.orthographic ? plane : plane * (far / d);
     return value(x ? "x_eye" : "y_eye", seen.value(), [&](Datum& datum) { datum.is(seen, of); });
@@ -110,7 +110,8 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   Operands of;
   if (field == "x_light") {
     const Formula d = of("d", lens.d), x_v = of("x_v", through.seen(0)), z_v = of("z_v", through.seen(2)),
-                  w_x = of("w_x", lens.window_x), width = of("W", lens.width);
+                  w_x = of("w_light", work.window_width(step, "w_light", lens.window_y)),
+                  width = of("W", lens.width);
     return datum.is(formulas::screen_x(formulas::projected(d, x_v, z_v), w_x, width), of, false);
   }
   if (field == "y_light") {

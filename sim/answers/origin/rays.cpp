@@ -36,9 +36,11 @@ using Way = formulas::Vector<Formula>;
 const Formula& along_axis(const Way& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 /// From the middle of the picture to a pixel's centre on the projection plane, along one axis of the world.
-Formula across_window(Operands& of, const viewing::Lens& lens, const RayBegin& e, double right, double up) {
-  const Formula x = of("x", e.x), w_x = of("w_x", lens.window_x), width = of("W", lens.width), t_1 = of("T_1", right),
-                w_y = of("w_y", lens.window_y), y = of("y", e.y), height = of("H", lens.height), t_2 = of("T_2", up);
+Formula across_window(Operands& of, Work& work, std::int64_t step, const viewing::Lens& lens, const RayBegin& e,
+                      double right, double up) {
+  const Formula x = of("x", e.x), w_x = of("w_x", work.window_width(step, "w_x", lens.window_y)), width = of("W", lens.width),
+                t_1 = of("T_1", right), w_y = of("w_y", lens.window_y), y = of("y", e.y),
+                height = of("H", lens.height), t_2 = of("T_2", up);
   return formulas::ray_x(x, w_x, width) * t_1 + formulas::ray_y(y, w_y, height) * t_2;
 }
 
@@ -70,7 +72,7 @@ Number unit_along(Work& work, std::int64_t begin, int axis) {
       });
 }
 
-void tell_eye_direction(Datum& datum, Work& work, const RayBegin& e, int axis) {
+void tell_eye_direction(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, int axis) {
   const Camera& camera = work.scene.camera;
   const viewing::Lens lens(camera, work.scene.raster, work.conventions.depth);
   if (camera.kind == Camera::Kind::screen) {
@@ -83,13 +85,13 @@ void tell_eye_direction(Datum& datum, Work& work, const RayBegin& e, int axis) {
     return datum.note(fmt::format("the line of sight, the third row of T_v; T_3: column {}", axis + 1));
   }
   Operands of;
-  const Formula across = across_window(of, lens, e, view[axis][0], view[axis][1]), d = of("d", lens.d),
+  const Formula across = across_window(of, work, step, lens, e, view[axis][0], view[axis][1]), d = of("d", lens.d),
                 t_3 = of("T_3", view[axis][2]);
   datum.is(across + d * t_3, of);
   datum.note(fmt::format("T_1, T_2, T_3: column {} of T_v", axis + 1));
 }
 
-void tell_eye_start(Datum& datum, Work& work, const RayBegin& e, int axis) {
+void tell_eye_start(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, int axis) {
   const Camera& camera = work.scene.camera;
   if (camera.kind == Camera::Kind::screen) {
     datum.is("p", {{"p", axis == 0 ? e.x : axis == 1 ? e.y : 0}});
@@ -105,7 +107,7 @@ void tell_eye_start(Datum& datum, Work& work, const RayBegin& e, int axis) {
   const glm::dmat4& view = camera.view;
   Operands of;
   const double right = view[axis][0], up = view[axis][1];
-  const Formula across = across_window(of, lens, e, right, up), o_x = of("o_x", view[3][0]),
+  const Formula across = across_window(of, work, step, lens, e, right, up), o_x = of("o_x", view[3][0]),
                 o_y = of("o_y", view[3][1]), o_z = of("o_z", view[3][2]), t_3 = of("T_3", view[axis][2]);
   datum.is(across - formulas::dot(Way{o_x, o_y, o_z}, Way{of("T_1", right), of("T_2", up), t_3}), of, false);
   datum.note(fmt::format("on the plane of the eye; T_1, T_2, T_3: column {} of T_v; o: its fourth", axis + 1));
@@ -154,7 +156,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e,
   if (!start && !field.starts_with("dir_")) return;
   const int axis = axis_in(start ? field : field.substr(4));
   if (e.role == RayRole::eye)
-    return start ? tell_eye_start(datum, work, e, axis) : tell_eye_direction(datum, work, e, axis);
+    return start ? tell_eye_start(datum, work, step, e, axis) : tell_eye_direction(datum, work, step, e, axis);
   const Step parent = begin_of_ray(work, step - 1, e.parent);
   const Step hit = parent ? kept_hit(work, step, *parent) : std::nullopt;
   if (!hit) return;

@@ -4,6 +4,7 @@
 #include "sim/answers/origin/planes.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/formulas/viewing.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -120,6 +121,17 @@ Number Work::projected(std::int32_t vertex, std::string_view name) {
   const VertexStages* way = way_of(*this, vertex);
   const double value = !way ? 0 : name == "x_p" ? way->plane.x : name == "y_p" ? way->plane.y : way->plane.z;
   return field(steps_of(vertex).projected, name, value);
+}
+
+Number Work::window_width(std::int64_t step, const std::string& name, double w_y) {
+  const Raster& raster = scene.raster;
+  return derived(step, "", "", name, formulas::window_width<double>(w_y, raster.width, raster.height),
+                 [&](Datum& datum) {
+                   Operands of;
+                   const Formula half_height = of("w_y", w_y), width = of("W", raster.width),
+                                 height = of("H", raster.height);
+                   datum.is(formulas::window_width(half_height, width, height), of);
+                 });
 }
 
 Number Work::on_raster(std::int32_t vertex, Axis3 axis) {

@@ -127,6 +127,9 @@ class Work {
   bool tell_derived(Datum& datum, std::int64_t step, const Event& event, std::string_view field);
   void tell_formula(Datum& datum, std::int64_t step, const Event& event, std::string_view field,
                     const Formula& formula);
+  /// Half the width of a window of this half height, as a number of this name at a step's link.
+  Number window_width(std::int64_t step, const std::string& name, double w_y);
+
   /// A number with a name of its own at a step's link (what an event does not carry), told by `tell(datum)`.
   template <class Tell>
   Number derived(std::int64_t step, const std::string& subject, const std::string& what, const std::string& name,

@@ -243,6 +243,68 @@ TEST_CASE("error: of a shadow buffer's run only the eye's pass is judged") {
   CHECK(errors.all.depths + errors.not_judged == of_eye);
 }
 
+/// The same run without steps of these kinds.
+template <class... E>
+Trace run_without(const Trace& trace) {
+  TraceRecorder recorder(trace.header(), trace.scene());
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& step) {
+    if (!(holds<E>(step.event) || ...)) record_any(recorder, step.step, step.event);
+    return true;
+  });
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "without");
+}
+
+TEST_CASE("error: without spans or edges the slopes, and without these the polygons say what depths are exactly") {
+  ViewOptions view;
+  view.width = 40, view.height = 30;
+  const Scene scene = look_at_scene(load_scene("pyramid-behind").scene, view);
+  Conventions by_plane;
+  by_plane.interpolation = Conventions::Interpolation::plane;
+  const Trace whole = test::recorded_by("z-buffer", scene, by_plane);
+  const oracle::Errors all = oracle::errors_of(whole);
+  CHECK(all.by_polygon == 0);
+  const Trace no_spans = run_without<EdgeTableInsert, EdgeTableSkip, EdgeEnter, EdgeStep, EdgeRetire, EdgeSwap, SpanBegin>(whole);
+  const oracle::Errors by_slopes = oracle::errors_of(no_spans);
+  CHECK(by_slopes.all.depths == all.all.depths);
+  CHECK(by_slopes.all.largest == all.all.largest);
+  CHECK(by_slopes.by_polygon == all.all.depths);
+  const Trace no_slopes = run_without<PlaneSlopes, ViewTransform, Projection, ViewportTransform, OutlineVertex>(no_spans);
+  const oracle::Errors by_polygons = oracle::errors_of(no_slopes);
+  CHECK(by_polygons.all.depths == all.all.depths);
+  CHECK(by_polygons.not_judged == 0);
+  CHECK(by_polygons.all.largest_depth < 1e-13);
+  const Trace edges_only = run_without<EdgeTableInsert, EdgeTableSkip, EdgeEnter, EdgeStep, EdgeRetire, EdgeSwap>(
+      test::recorded_by("z-buffer", scene));
+  CHECK(oracle::errors_of(edges_only).all.depths == all.all.depths);
+}
+
+TEST_CASE("error: a depth that is no finite number has no error of 0") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/foley.jsonl"));
+  for (const double z : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    std::int64_t made = 0, first = 0;
+    TraceRecorder recorder(right.header(), right.scene());
+    right.each(0, right.size(), [&](std::int64_t step, const RecordedEvent& read) {
+      RecordedEvent made_of = read;
+      if (auto* depth = get_if<DepthInterpolate>(&made_of.event)) {
+        depth->z = z;
+        if (++made == 1) first = step;
+      }
+      record_any(recorder, made_of.step, made_of.event);
+      return true;
+    });
+    recorder.finish();
+    const oracle::Errors errors = oracle::errors_of(Trace::from_bytes(recorder.take_bytes(), "not finite"));
+    CHECK(made > 0);
+    CHECK(errors.not_finite == made);
+    CHECK(errors.not_finite_step == first);
+    CHECK(errors.all.depths == made);
+    CHECK(std::isinf(errors.all.largest));
+    CHECK(std::isinf(errors.all.root_mean_square()));
+    CHECK(errors.along_span.empty());
+  }
+}
+
 using Exact3 = std::array<Fraction, 3>;
 Exact3 minus(const Exact3& a, const Exact3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Exact3 as_fractions(const glm::dvec3& p) { return {Fraction(p.x), Fraction(p.y), Fraction(p.z)}; }
@@ -260,7 +322,7 @@ TEST_CASE("exact: t of a ray is also what Cramer's rule gives for X_0 + t dX = a
     test::look(scene, Camera::Kind::perspective, 4 + trial * 0.01, 30, 60, 1, 8);
     const Camera& camera = scene.camera;
     const int x = trial % 24, y = trial % 20;
-    const Fraction w_y(camera.window), w_x(camera.window * 24 / 20);
+    const Fraction w_y(camera.window), w_x = w_y * 24 / 20;
     const Fraction x_p = (Fraction(x) + Fraction(1, 2)) * 2 * w_x / 24 - w_x,
                    y_p = w_y - (Fraction(y) + Fraction(1, 2)) * 2 * w_y / 20;
     Exact3 along;
