@@ -83,6 +83,9 @@ Drawing chart_of(const Scene& scene, const std::vector<compare::Compared>& metho
     else if (a.unexplained > 0)
       put(3, static_cast<double>(differ),
           (a.unexplained < differ ? grouped(differ) + ", " : "") + grouped(a.unexplained) + " wrong", true);
+    else if (a.colors > 0)
+      put(3, static_cast<double>(differ),
+          (a.colors < differ ? grouped(differ) + ", " : "") + grouped(a.colors) + " in colour", compared.wrong());
     else put(3, static_cast<double>(differ), differ == 0 ? "0" : grouped(differ) + ", explained");
   }
   return draw_chart(chart);

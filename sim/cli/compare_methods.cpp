@@ -84,29 +84,28 @@ void print_summary(const CompareOptions& options, const Run& run, const std::vec
   fmt::print("{}: {}, {}x{} pixels. Pictures are held against that of {}.\n\n", run.scene.name,
              counted(static_cast<std::int64_t>(run.scene.polygons.size()), "polygon", "polygons"),
              run.scene.raster.width, run.scene.raster.height, all.front().title);
-  Table table({left, right, right, right, right, right, right, right, right});
-  table.row({"METHOD", "EQUAL", "EDGES", "TIES", "WRONG", "STEPS", "MEMORY", "TIME", "RUNS"});
+  Table table({left, right, right, right, right, right, right, right, right, right});
+  table.row({"METHOD", "EQUAL", "EDGES", "TIES", "WRONG", "COLOUR", "STEPS", "MEMORY", "TIME", "RUNS"});
   std::string ends;
   for (const Compared& compared : all) {
     const Measured& m = compared.measured;
     if (!m.done()) {
-      table.row({compared.title, "-", "-", "-", "-", "-", "-", "-", "-"});
+      table.row({compared.title, "-", "-", "-", "-", "-", "-", "-", "-", "-"});
       ends += fmt::format("{}: {}\n", compared.title, end_text(m, options.limit));
       continue;
     }
     const compare::Agreement& a = compared.agreement;
     const auto pixels = [&](std::int64_t count) { return compared.comparable ? grouped(count) : std::string("-"); };
     table.row({compared.title, pixels(a.equal), pixels(a.at_edges), pixels(a.ties), pixels(a.unexplained),
-               grouped(m.steps()), bytes_text(m.heap), seconds_text(m.median_seconds()),
+               pixels(a.colors), grouped(m.steps()), bytes_text(m.heap), seconds_text(m.median_seconds()),
                fmt::format("{}", m.seconds.size())});
   }
   fmt::print("{}{}\n", table.text(0), ends);
   fmt::print(
-      "EQUAL, EDGES, TIES, WRONG: pixels with the same polygon; with another one, as an edge runs within 1.5/256 of a "
-      "pixel of\n"
-      "the centre, or as depths are equal to 1e-5; and those that neither explains; - where a method draws lines, or "
-      "glass is\n"
-      "mixed with what lies behind. STEPS: what a recording would hold.\n"
+      "EQUAL, EDGES, TIES, WRONG: pixels with the same polygon in the same colour; with another polygon, as an edge runs\n"
+      "within 1.5/256 of a pixel of the centre, or as depths are equal to 1e-5; and those that neither explains. COLOUR:\n"
+      "pixels with the same polygon in another colour: one method shades, or the two shade otherwise. - where a method\n"
+      "draws lines, or glass is mixed with what lies behind. STEPS: what a recording would hold.\n"
       "MEMORY: the most that a run holds at once, its picture included. TIME: of the processor, the median of\n"
       "runs without recording.\n");
 }
@@ -160,6 +159,8 @@ int compare_scene(const CompareOptions& options) {
       const Measured& first = all.empty() ? compared.measured : all.front().measured;
       compared.comparable =
           compared.measured.done() && first.done() && have_same_polygons(run.scene, *entrant.method, *first.method);
+      compared.same_shading =
+          compared.comparable && entrant.method->gives == (all.empty() ? entrant : entrants.front()).method->gives;
       if (compared.comparable)
         compared.agreement = compare::agreement(run.scene, run.conventions, first.picture, compared.measured.picture);
       all.push_back(std::move(compared));
@@ -177,8 +178,7 @@ int compare_scene(const CompareOptions& options) {
   if (stopped) return exit_code::interrupted;
   const auto unfinished = [](const Compared& one) { return one.measured.end == compare::Apart::End::out_of_time; };
   if (std::any_of(all.begin(), all.end(), unfinished)) return exit_code::incomplete;
-  const bool wrong = std::any_of(all.begin(), all.end(),
-                                 [](const Compared& one) { return one.comparable && one.agreement.unexplained > 0; });
+  const bool wrong = std::any_of(all.begin(), all.end(), [](const Compared& one) { return one.wrong(); });
   return wrong ? exit_code::finding : exit_code::done;
 }
 

@@ -72,21 +72,23 @@ void print_rows(const Scene& scene, const std::vector<ModeRow>& rows) {
   using enum Table::Align;
   fmt::print("{}, {}x{} pixels; {} depths. Errors of z_v are distances from the polygons themselves.\n\n", scene.name,
              scene.raster.width, scene.raster.height, grouped(rows.front().errors.depths));
-  Table table({left, right, right, right, right, right, right, right, right, right, right});
-  table.row({"MODE", "LARGEST", "RMS", "ROUNDING", "BOUND", "WRONG", "TURNED", "+", "\u00d7", "\u00f7", "TIME"});
+  Table table({left, right, right, right, right, right, right, right, right, right, right, right});
+  table.row(
+      {"MODE", "LARGEST", "RMS", "ROUNDING", "BOUND", "WRONG", "TURNED", "BENT", "+", "\u00d7", "\u00f7", "TIME"});
   for (const ModeRow& row : rows) {
     const ModeErrors& e = row.errors;
     const compare::Operations& o = e.operations;
     table.row({row.mode.text, error_text(e.largest), error_text(e.rms), error_text(e.rounding_depth),
                error_text(e.bound) + (e.within_bounds ? "" : " passed"), grouped(e.wrong_pixels),
-               grouped(e.fighting_pixels), count_text(o.each(o.additions)), count_text(o.each(o.multiplications)),
-               count_text(o.each(o.divisions)), seconds_text(row.seconds)});
+               grouped(e.fighting_pixels), grouped(e.bent_pixels), count_text(o.each(o.additions)),
+               count_text(o.each(o.multiplications)), count_text(o.each(o.divisions)), seconds_text(row.seconds)});
   }
   fmt::print("{}\n", table.text(0));
   fmt::print(
       "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error by rounding alone of a\n"
       "depth that stays in the buffer, in the buffer's own units; BOUND: the most that theory allows. WRONG: pixels\n"
-      "that do not show the nearest polygon; TURNED: pixels where rounding turned a compare. +, \u00d7, \u00f7:\n"
+      "that do not show the nearest polygon; TURNED: pixels where rounding turned a compare; BENT: pixels where a\n"
+      "compare goes wrong without rounding, as z_v is interpolated as if it were linear on the picture. +, \u00d7, \u00f7:\n"
       "additions, multiplications, divisions per pixel. TIME: processor time of a run without recording.\n");
 }
 
@@ -119,7 +121,7 @@ std::string csv_of(const std::string& scene, const std::string& swept, const std
                    const std::vector<std::vector<ModeRow>>& runs) {
   const bool attributes = std::any_of(runs.begin(), runs.end(), has_attributes);
   std::string text = fmt::format(
-      "scene,mode,{}depths,largest,rms,rounding,bound,wrong_pixels,turned_pixels,additions,"
+      "scene,mode,{}depths,largest,rms,rounding,bound,wrong_pixels,turned_pixels,bent_pixels,additions,"
       "multiplications,divisions,time_s{}\n",
       swept.empty() ? "" : swept + ",",
       attributes ? ",attribute_largest,attribute_rms,attribute_rounding,attribute_bound,shaded_pixels,"
@@ -129,10 +131,10 @@ std::string csv_of(const std::string& scene, const std::string& swept, const std
     for (const ModeRow& row : runs[k]) {
       const ModeErrors& e = row.errors;
       const compare::Operations& o = e.operations;
-      text += fmt::format("{},{},{}{},{},{},{},{},{},{},{},{},{},{}", compare::csv_cell(scene),
+      text += fmt::format("{},{},{}{},{},{},{},{},{},{},{},{},{},{},{}", compare::csv_cell(scene),
                           compare::csv_cell(row.mode.text), swept.empty() ? "" : fmt::format("{},", values[k]),
                           e.depths, e.largest, e.rms, e.rounding_depth, e.bound, e.wrong_pixels, e.fighting_pixels,
-                          o.additions, o.multiplications, o.divisions,
+                          e.bent_pixels, o.additions, o.multiplications, o.divisions,
                           std::isnan(row.seconds) ? std::string() : fmt::format("{}", row.seconds));
       if (attributes)
         text += fmt::format(",{},{},{},{},{},{},{},{}", e.attribute.largest, e.attribute.root_mean_square(),

@@ -11,7 +11,10 @@ Agreement agreement(const Scene& scene, const Conventions& conventions, const Pi
   const Verdict verdict = explain_difference(scene, conventions, first, other);
   Agreement result;
   result.pixels = static_cast<std::int64_t>(first.polygon.size());
-  result.equal = verdict.equal + verdict.empty;
+  for (std::size_t pixel = 0; pixel < first.polygon.size(); ++pixel)
+    result.colors += first.polygon[pixel] == other.polygon[pixel] &&
+                     !(color_at(first, scene, pixel) == color_at(other, scene, pixel));
+  result.equal = verdict.equal + verdict.empty - result.colors;
   result.at_edges = verdict.at_edges, result.ties = verdict.ties, result.unexplained = verdict.unexplained;
   return result;
 }
@@ -43,6 +46,7 @@ std::string csv_of(const std::string& scene, const std::vector<Compared>& method
       line("at_edges", a.at_edges);
       line("ties", a.ties);
       line("unexplained", a.unexplained);
+      line("colors", a.colors);
     }
     line("runs", measured.seconds.size());
     line("time_s", measured.median_seconds());

@@ -11,9 +11,11 @@ namespace zstep::compare {
 
 /// How a picture stands to another one, pixel by pixel (explain_difference has the rule).
 struct Agreement {
-  std::int64_t pixels = 0, equal = 0;
-  std::int64_t at_edges = 0, ties = 0;  ///< they differ, and both may be right
-  std::int64_t unexplained = 0;         ///< they differ, and one of them is wrong
+  std::int64_t pixels = 0;
+  std::int64_t equal = 0;               ///< with the same polygon in the same colour
+  std::int64_t at_edges = 0, ties = 0;  ///< with another polygon, and both may be right
+  std::int64_t unexplained = 0;         ///< with another polygon, and one of them is wrong
+  std::int64_t colors = 0;              ///< with the same polygon in another colour
 
   std::int64_t differing() const { return pixels - equal; }
 };
@@ -25,10 +27,13 @@ struct Compared {
   Measured measured;
   Agreement agreement;      ///< with the first method's picture
   bool comparable = false;  ///< both are done and have polygons at their pixels
+  bool same_shading = false;  ///< and both should have the same colours there
+  /// Is there a pixel that nothing explains?
+  bool wrong() const { return comparable && agreement.unexplained + (same_shading ? agreement.colors : 0) > 0; }
 };
 
 /// The numbers as CSV, one a line: scene,method,measure,step,value. Measures: pixels, equal, differing, at_edges, ties,
-/// unexplained, runs, time_s (the median), heap_bytes, steps, count (of the step named). A method that was not done has
+/// unexplained, colors, runs, time_s (the median), heap_bytes, steps, count (of the step named). A method that was not done has
 /// one line, measure `end`, value `out_of_time` or `failed`.
 std::string csv_of(const std::string& scene, const std::vector<Compared>& methods);
 

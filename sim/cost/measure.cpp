@@ -116,6 +116,7 @@ Measured measure(const Method& method, const Scene& scene, const Conventions& co
     out.put(picture.height);
     out.put(picture.polygon);
     out.put(picture.depth);
+    out.put(picture.ink);
 
     std::int64_t heap = -1;
     CountRecorder counts;
@@ -139,6 +140,7 @@ Measured measure(const Method& method, const Scene& scene, const Conventions& co
   in.get(measured.picture.height);
   in.get(measured.picture.polygon);
   in.get(measured.picture.depth);
+  in.get(measured.picture.ink);
   in.get(measured.heap);
   in.get(measured.count);
   return measured;

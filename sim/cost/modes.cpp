@@ -63,7 +63,9 @@ ModeErrors errors_of_mode(const Scene& scene, const Mode& mode) {
   errors.rms = from_surface.all.root_mean_square_view();
   errors.rounding = from_formula.all.largest;
   errors.wrong_pixels = from_surface.wrong_pixels;
-  errors.fighting_pixels = from_surface.fighting_pixels;
+  errors.fighting_pixels = from_formula.fighting_pixels;
+  for (std::size_t pixel = 0; pixel < from_surface.fighting.size(); ++pixel)
+    errors.bent_pixels += from_surface.fighting[pixel] && !from_formula.fighting[pixel];
   errors.least_gap = from_surface.least_gap;
   errors.gap_at = from_surface.gap_at;
   if (errors.least_gap) errors.unit_at_gap = formulas::resolution(scene, mode.conventions, errors.gap_at);

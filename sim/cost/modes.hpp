@@ -32,7 +32,10 @@ struct ModeErrors {
   double rounding_depth = 0;      ///< of the depths that stay in the buffer, in its own units;
   double bound = 0;               ///< and what theory bounds it by: the largest of all pixels
   bool within_bounds = true;      ///< every stored depth is as near to its exact one as its own bound says
-  std::int64_t wrong_pixels = 0, fighting_pixels = 0;
+  std::int64_t wrong_pixels = 0;     ///< that do not show the nearest polygon
+  std::int64_t fighting_pixels = 0;  ///< in which rounding turned a compare
+  std::int64_t bent_pixels = 0;      ///< in which a compare goes wrong without rounding, as z_v is interpolated as if
+                                     ///< it were linear on the picture
   std::optional<double> least_gap;  ///< the smallest z_v between polygons that met in a pixel
   double gap_at = 0;                ///< and where
   double unit_at_gap = 0;           ///< how far apart in z_v two neighbouring numbers of the buffer are there

@@ -31,6 +31,20 @@ TEST_SUITE("compare/comparison") {
     CHECK(a.at_edges == 1);
     CHECK(a.unexplained == 1);
     CHECK(agreement(scene, {}, first, first).equal == 48);
+
+    // The same polygon in another colour is not the same picture.
+    Picture shaded = first;
+    shaded.use_ink();
+    shaded.ink[shaded.at(2, 2)] = ink_of({1, 2, 3});
+    const Agreement b = agreement(scene, {}, first, shaded);
+    CHECK(b.equal == 47);
+    CHECK(b.colors == 1);
+    CHECK(b.unexplained == 0);
+    Compared compared;
+    compared.comparable = true, compared.agreement = b;
+    CHECK(!compared.wrong());  // the one shades, and the other does not
+    compared.same_shading = true;
+    CHECK(compared.wrong());
   }
 
   TEST_CASE("CSV: a line a number, quoted where it must be") {
@@ -49,7 +63,7 @@ TEST_SUITE("compare/comparison") {
     const std::string text = csv_of("a, \"b\"", {compared, late});
     CHECK(text.starts_with("scene,method,measure,step,value\n\"a, \"\"b\"\"\",z-buffer,pixels,,100\n"));
     for (const std::string line :
-         {"equal,,97", "differing,,3", "at_edges,,2", "ties,,1", "unexplained,,0", "runs,,3", "time_s,,0.5",
+         {"equal,,97", "differing,,3", "at_edges,,2", "ties,,1", "unexplained,,0", "colors,,0", "runs,,3", "time_s,,0.5",
           "heap_bytes,,4096", "steps,,1", "count,z_buffer.clear,1", "count,z_buffer.compare,0", "end,,out_of_time"}) {
       CAPTURE(line);
       CHECK(text.find(",z-buffer," + line + "\n") != std::string::npos);

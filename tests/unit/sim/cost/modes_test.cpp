@@ -56,6 +56,19 @@ TEST_CASE("float32 with reversed depth keeps thousands of times more of z_v than
   CHECK(fixed_reversed < 2 * fixed_forward);
 }
 
+TEST_CASE("rounding turns only compares that go the other way in exact numbers; z_v that is not linear bends others") {
+  const Scene scene = look_at_scene(load_scene(test::in_checkout("tests/data/crossed-boxes.toml")).scene, {});
+  const ModeErrors linear = errors_of_mode(scene, mode_of(NumberFormat::float64, Conventions::Depth::view));
+  CHECK(linear.wrong_pixels > 0);
+  CHECK(linear.fighting_pixels == 0);
+  CHECK(linear.bent_pixels >= linear.wrong_pixels);
+  const ModeErrors right = errors_of_mode(scene, mode_of(NumberFormat::float64));
+  CHECK(right.wrong_pixels + right.fighting_pixels + right.bent_pixels == 0);
+  const ModeErrors coarse = errors_of_mode(poster(0.001), mode_of(NumberFormat::fixed16));
+  CHECK(coarse.fighting_pixels > 0);
+  CHECK(coarse.bent_pixels == 0);
+}
+
 TEST_CASE("modes are all combinations of their words, what cannot be drawn is named") {
   std::vector<std::string> left_out;
   Scene scene = load_scene("delhi").scene;
