@@ -1,6 +1,7 @@
 // zstep diff: where do two runs part?
 #include "sim/cli/diff.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -13,6 +14,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
+#include "sim/cost/depth_bounds.hpp"
 #include "sim/image/file.hpp"
 #include "sim/pages/pictures.hpp"
 #include "traces/error.hpp"
@@ -32,10 +34,13 @@ struct BothRuns {
     const Raster &one = a.scene().raster, &other = b.scene().raster;
     check_sizes(one.width, one.height, other.width, other.height, path_b);
     Watch watch;
-    report = diff::compare(a, b, [&](double share) {
-      watch.show(fmt::format("comparing: {} % (Ctrl-C stops)", static_cast<int>(100 * share)));
-      return false;
-    });
+    report = diff::compare(
+        a, b,
+        [&](double share) {
+          watch.show(fmt::format("comparing: {} % (Ctrl-C stops)", static_cast<int>(100 * share)));
+          return false;
+        },
+        diff::Way::fast, compare::held_to_bounds(a, b));
     watch.clear_line();
   }
 };
@@ -69,8 +74,17 @@ int runs(const DiffOptions& options) {
   }
   const Picture &picture_a = end_a.state().picture, &picture_b = end_b.state().picture;
   const PicturePair pictures{
-      diff::compare_pictures(picture_a, a.scene(), picture_b, b.scene(), report.precision), {}, {}, {}};
+      diff::compare_pictures(diff::buffers_of(a, picture_a), diff::buffers_of(b, picture_b), report.precision),
+      {},
+      {},
+      {}};
   DiffText text = diff_text(a, b, options, report, pictures.difference);
+  // Of two methods few steps are the same; and what no cause explains is to be told all the same.
+  const bool no_cause = std::none_of(report.causes.begin(), report.causes.end(), [](const diff::Cause& cause) {
+    return cause.part == diff::Part::different;
+  });
+  if (pictures.difference.colors > 0 && (no_cause || a.header().algorithm != b.header().algorithm))
+    text.seen = seen_text(a, picture_a, b, picture_b);
   for (const std::string& impossible : {impossible_a, impossible_b})
     if (!impossible.empty()) text.notes.push_back("compared up to a step that is impossible: " + impossible);
   if (report.alignment.not_kept > 0) text.notes.push_back(not_followed_text(report));
@@ -82,7 +96,7 @@ int runs(const DiffOptions& options) {
     write_diff_page(options, text, report, drawn);
   }
   if (options.json) print_diff_json(text, report, pictures.difference);
-  else print_diff(text, report, options.all);
+  else print_diff(text, report, pictures.difference, options.all);
   if (options.view) {
     if (const int code = show_both(both, options.show, options.show.at.empty()); code != exit_code::done) return code;
   }

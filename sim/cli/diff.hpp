@@ -44,13 +44,16 @@ struct DiffText {
   std::vector<std::string> notes;  ///< what the runs do not share
   std::vector<CauseText> causes;
   std::string pictures;  ///< one sentence
+  std::vector<std::string> seen;  ///< where causes do not tell it: which polygons are seen otherwise, and how that came
 };
 
 /// All of it in words.
 DiffText diff_text(const Trace& a, const Trace& b, const DiffOptions& options, const diff::DiffReport& report,
                    const diff::BufferDifference& pictures);
 std::string pictures_text(const diff::BufferDifference& found);
-void print_diff(const DiffText& text, const diff::DiffReport& report, bool all);
+/// What both runs did at pixels at which they end with different polygons.
+std::vector<std::string> seen_text(const Trace& a, const Picture& end_a, const Trace& b, const Picture& end_b);
+void print_diff(const DiffText& text, const diff::DiffReport& report, const diff::BufferDifference& pictures, bool all);
 void print_diff_json(const DiffText& text, const diff::DiffReport& report, const diff::BufferDifference& pictures);
 
 /// Two runs in one window: matched first, with progress on the terminal.

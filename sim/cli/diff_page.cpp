@@ -29,6 +29,7 @@ std::string diff_page(const DiffText& text, const diff::DiffReport& report, cons
                       markup(text.name_a), markup(text.name_b));
   for (const std::string& note : text.notes) page += fmt::format("<p>{}</p>\n", markup(note));
   page += fmt::format("<p>{}</p>\n", markup(text.pictures));
+  for (const std::string& sentence : text.seen) page += fmt::format("<p>{}</p>\n", markup(sentence));
   page += figure(pictures.a, "A", "the picture of A");
   page += figure(pictures.b, "B", "the picture of B");
   page += figure(pictures.map, "Where they differ: the darker, the more", "the pixels that differ, dark on white");

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <span>
 
 #include <fmt/format.h>
 
 #include "sim/cli/diff.hpp"
 #include "sim/cli/messages.hpp"
+#include "sim/cost/depth_bounds.hpp"
 #include "sim/image/file.hpp"
 #include "sim/image/npy.hpp"
 #include "sim/image/pfm.hpp"
@@ -67,10 +69,18 @@ int diff_with_picture(const DiffOptions& options) {
         throw InputError(options.b, "has whole numbers", "give depths as float32 or float64");
     }
     if (float32) precision.relative = std::max(precision.relative, formulas::rounding_of_float32);
+    precision.depths =
+        compare::held_to_bounds(a, float32 ? NumberFormat::float32 : a.header().conventions.number_format).depths;
     check_sizes(raster.width, raster.height, width, height, options.b);
     const auto same = [](double z) { return z; };
+    if (raster.y_up && precision.depths) {  // tables of depths have the top row first
+      auto turned = std::make_shared<DepthBounds>(*precision.depths);
+      turned->of_pixel = top_row_first<double>(turned->of_pixel, raster.width, raster.height, true, same);
+      precision.depths = std::move(turned);
+    }
     pictures.difference = diff::compare_depths(
-        top_row_first<double>(picture.depth, raster.width, raster.height, raster.y_up, same), depths, precision);
+        top_row_first<double>(picture.depth, raster.width, raster.height, raster.y_up, same), depths, precision,
+        diff::buffers_of(a, picture).empty);
   }
   pictures.map = map_of(pictures.difference.apart, raster.width, raster.height, false);
   diff::DiffReport report;

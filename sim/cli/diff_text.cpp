@@ -1,5 +1,6 @@
 // What zstep diff prints of two runs, as text and as JSON.
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -7,10 +8,12 @@
 #include "sim/cli/diff.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/words/derived.hpp"
+#include "sim/words/explain.hpp"
 #include "sim/words/file_lines.hpp"
 #include "sim/words/judged.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
+#include "traces/diff/seen.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/formulas/situation_of.hpp"
 #include "traces/replay/replay.hpp"
@@ -43,12 +46,27 @@ CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, F
 
 std::string kind_name(std::size_t kind) { return std::string(text_of_kind(kind).name); }
 
-std::vector<std::string> notes_of(const Trace& a, const Trace& b) {
+/// "A keeps the first of equal depths, B takes the last".
+std::string ties_text(const Comparison& a, const Comparison& b) {
+  const auto of = [](const Comparison& comparison) {
+    return comparison.ties == Comparison::Ties::first ? "keeps the first of equal depths" : "takes the last of equal depths";
+  };
+  return fmt::format("A {}, B {}", of(a), of(b));
+}
+std::string nearer_text(const Comparison& a, const Comparison& b) {
+  const auto of = [](const Comparison& comparison) {
+    return comparison.nearer == Comparison::Nearer::smaller ? "smaller" : "greater";
+  };
+  return fmt::format("of A the {} depth is nearer, of B the {}", of(a), of(b));
+}
+
+std::vector<std::string> notes_of(const Trace& a, const Trace& b, const DiffReport& report) {
   std::vector<std::string> notes;
   const auto only = [&](const Trace& has, const Trace& has_not, const char* name) {
     std::string kinds;
     for (std::size_t kind = 0; kind < kind_count; ++kind)
-      if (has.has(static_cast<std::uint8_t>(kind)) && !has_not.has(static_cast<std::uint8_t>(kind)))
+      if (has.has(static_cast<std::uint8_t>(kind)) && !has_not.has(static_cast<std::uint8_t>(kind)) &&
+          !report.alignment.compared[kind])
         kinds += (kinds.empty() ? "" : ", ") + kind_name(kind);
     if (!kinds.empty()) notes.push_back(fmt::format("{} never records {}: not compared", name, kinds));
   };
@@ -58,7 +76,7 @@ std::vector<std::string> notes_of(const Trace& a, const Trace& b) {
   if (one.points != other.points) notes.push_back("the vertices of the two scenes differ");
   else if (!(one.camera == other.camera)) notes.push_back("the cameras of the two scenes differ");
   const Header &h = a.header(), &k = b.header();
-  const auto parts = [&](Convention which, bool differ, const char* what) {
+  const auto parts = [&](Convention which, bool differ, const std::string& what) {
     if (h.declares(which) && k.declares(which) && differ) notes.push_back(fmt::format("the headers differ: {}", what));
   };
   parts(Convention::depth, h.conventions.depth != k.conventions.depth, "which z is interpolated");
@@ -67,7 +85,8 @@ std::vector<std::string> notes_of(const Trace& a, const Trace& b) {
   parts(Convention::coverage, h.conventions.coverage != k.conventions.coverage, "which pixels a span covers");
   parts(Convention::cull, h.conventions.cull != k.conventions.cull, "whether back faces are culled");
   parts(Convention::number_format, h.conventions.number_format != k.conventions.number_format, "the number format");
-  parts(Convention::nearer, h.comparison != k.comparison, "which depth is nearer, or which one wins a tie");
+  parts(Convention::nearer, h.comparison.nearer != k.comparison.nearer, nearer_text(h.comparison, k.comparison));
+  parts(Convention::ties, h.comparison.ties != k.comparison.ties, ties_text(h.comparison, k.comparison));
   return notes;
 }
 
@@ -92,18 +111,82 @@ void print_table(const DiffReport& report) {
 }  // namespace
 
 std::string pictures_text(const diff::BufferDifference& found) {
+  const std::string empty =
+      found.empty_a == found.empty_b
+          ? ""
+          : fmt::format(" Where nothing is drawn the depth is {} in A, {} in B.", number(found.empty_a), number(found.empty_b));
+  const std::string unknown =
+      found.depths_compared ? empty : " Only colours are compared: one of the two has no depths.";
   if (found.colors == 0 && found.depths == 0)
-    return found.depths_rounded == 0
-               ? fmt::format("The pictures are the same, all {} pixels.", grouped(found.pixels))
-               : fmt::format("The pictures are the same; {} of {} depths differ by rounding.",
-                             grouped(found.depths_rounded), grouped(found.pixels));
-  return fmt::format("The pictures differ: of {} pixels {} have another colour, {} another depth (by at most {}).",
-                     grouped(found.pixels), grouped(found.colors), grouped(found.depths), number(found.farthest));
+    return (found.depths_rounded == 0
+                ? fmt::format("The pictures are the same, all {} pixels.", grouped(found.pixels))
+                : fmt::format("The pictures are the same; {} of {} depths differ by rounding.",
+                              grouped(found.depths_rounded), grouped(found.pixels))) +
+           unknown;
+  std::vector<std::string> parts;
+  const auto add = [&](std::int64_t count, const std::string& what) {
+    if (count > 0) parts.push_back(fmt::format("{} {} {}", grouped(count), count == 1 ? "has" : "have", what));
+  };
+  add(found.colors, "another colour");
+  add(found.depths - found.only_a - found.only_b - found.not_finite,
+      fmt::format("another depth (by at most {})", number(found.farthest)));
+  add(found.only_a, "a depth in A alone");
+  add(found.only_b, "a depth in B alone");
+  add(found.not_finite, "a depth that is no finite number in one of the two");
+  return fmt::format("The pictures differ: of {} pixels {}.{}", grouped(found.pixels), enumerate(parts, "and"), unknown);
+}
+
+namespace {
+
+/// "long", "the background".
+std::string seen_label(const Scene& scene, std::int32_t polygon) {
+  return polygon == no_polygon ? "the background" : polygon_label(scene, polygon);
+}
+
+/// How one run comes to show `shown` at a pixel and not `other`, in one sentence.
+std::string how_seen(const char* run, const Trace& trace, std::int32_t shown, const diff::DrawnAt& of_shown,
+                     std::int32_t other, const diff::DrawnAt& of_other) {
+  const std::string name = seen_label(trace.scene(), shown), rest = seen_label(trace.scene(), other);
+  const bool compares = trace.has(kind_of<DepthCompare>);
+  const auto [z, z_other] = tell_apart(of_shown.z, of_other.z);
+  const bool known = std::isfinite(of_shown.z) && std::isfinite(of_other.z);
+  const double behind = trace.header().comparison.behind(of_shown.z, of_other.z);
+  const std::string_view stands = behind > 0 ? "though it is farther" : behind < 0 ? "and is nearer" : "at the same depth";
+  if (of_shown.step != 0 && of_other.step != 0 && of_shown.step > of_other.step)
+    return fmt::format("{} draws {} (step {}) over {} (step {}){}.", run, name, grouped(of_shown.step), rest,
+                       grouped(of_other.step), known ? fmt::format(", {}: z = {} over {}", stands, z, z_other) : "");
+  if (of_shown.step != 0 && of_other.step != 0)
+    return fmt::format("{} draws {} (step {}) before {} (step {}).", run, name, grouped(of_shown.step), rest,
+                       grouped(of_other.step));
+  if (of_shown.step != 0 && of_other.found != 0)
+    return fmt::format("{} draws {} (step {}), z = {}; {} (step {}) loses with z = {}.", run, name,
+                       grouped(of_shown.step), z, rest, grouped(of_other.found), z_other);
+  if (of_shown.step != 0 && other != no_polygon)
+    return fmt::format("{} draws {} (step {}), and never comes to {} there.", run, name, grouped(of_shown.step), rest);
+  if (of_shown.step != 0) return fmt::format("{} draws {} there (step {}).", run, name, grouped(of_shown.step));
+  if (of_other.found != 0 && compares)
+    return fmt::format("{} compares {} there (step {}), and it is not drawn.", run, rest, grouped(of_other.found));
+  return fmt::format("{} never comes to {} there.", run, rest);
+}
+
+}  // namespace
+
+std::vector<std::string> seen_text(const Trace& a, const Picture& end_a, const Trace& b, const Picture& end_b) {
+  std::vector<std::string> sentences;
+  for (const diff::SeenApart& group : diff::seen_apart(a, end_a, b, end_b))
+    sentences.push_back(fmt::format(
+        "{} {} in A, {} in B; the first is ({}, {}). {} {}", counted(group.pixels, "pixel shows", "pixels show"),
+        seen_label(a.scene(), group.polygon_a), seen_label(b.scene(), group.polygon_b), group.x, group.y,
+        how_seen("A", a, group.polygon_a, group.a_in_a, group.polygon_b, group.b_in_a),
+        how_seen("B", b, group.polygon_b, group.b_in_b, group.polygon_a, group.a_in_b)));
+  if (sentences.empty())
+    sentences.push_back("The same polygons are seen; which step gives them another colour cannot be told from these runs.");
+  return sentences;
 }
 
 DiffText diff_text(const Trace& a, const Trace& b, const DiffOptions& options, const DiffReport& report,
                    const diff::BufferDifference& pictures) {
-  DiffText text{printable(a.name()), printable(b.name()), notes_of(a, b), {}, pictures_text(pictures)};
+  DiffText text{printable(a.name()), printable(b.name()), notes_of(a, b, report), {}, pictures_text(pictures)};
   Replay replay_a(a), replay_b(b);
   FileLines lines_a(options.a), lines_b(options.b);
   const std::size_t shown = options.all ? report.causes.size() : std::min(causes_shown, report.causes.size());
@@ -134,19 +217,24 @@ DiffText diff_text(const Trace& a, const Trace& b, const DiffOptions& options, c
   return text;
 }
 
-void print_diff(const DiffText& text, const DiffReport& report, bool all) {
+void print_diff(const DiffText& text, const DiffReport& report, const diff::BufferDifference& pictures, bool all) {
   fmt::print("A: {}\nB: {}\n", text.name_a, text.name_b);
   for (const std::string& note : text.notes) fmt::print("{}\n", note);
   fmt::print("\n");
   const auto different = static_cast<std::int64_t>(
       std::count_if(report.causes.begin(), report.causes.end(),
                     [](const diff::Cause& cause) { return cause.part == Part::different; }));
+  const bool same_pictures = pictures.colors == 0 && pictures.depths == 0;
   if (report.causes.empty()) fmt::print("All steps that both have are the same, to the last bit.\n");
-  else if (different == 0) fmt::print("The runs differ only by rounding ({}).\n", report.precision.text);
+  else if (different == 0 && same_pictures) fmt::print("The runs differ only by rounding ({}).\n", report.precision.text);
+  else if (different == 0)
+    fmt::print("No step differs by more than rounding ({}), but rounding decides what is seen.\n", report.precision.text);
   else
     fmt::print("{}, {} in all\n", counted(different, "cause", "causes"),
                counted(report.differences(), "difference", "differences"));
-  fmt::print("{}\n\n", text.pictures);
+  fmt::print("{}\n", text.pictures);
+  for (const std::string& sentence : text.seen) fmt::print("{}\n", sentence);
+  fmt::print("\n");
   for (std::size_t i = 0; i < text.causes.size(); ++i) {
     const CauseText& cause = text.causes[i];
     fmt::print("{}. {}{}: {}\n", i + 1, cause.step, cause.subject.empty() ? "" : ", " + cause.subject, cause.what);
@@ -199,9 +287,14 @@ void print_diff_json(const DiffText& text, const DiffReport& report, const diff:
                  {"causes_in_all", report.causes.size()},
                  {"causes", causes},
                  {"kinds", kinds},
+                 {"seen", text.seen},
                  {"pixels", pictures.pixels},
                  {"colors_differ", pictures.colors},
                  {"depths_differ", pictures.depths},
+                 {"depths_in_a_alone", pictures.only_a},
+                 {"depths_in_b_alone", pictures.only_b},
+                 {"depths_not_finite", pictures.not_finite},
+                 {"depths_compared", pictures.depths_compared},
                  {"depth_farthest", pictures.farthest}};
   fmt::print("{}\n", all.dump(2));
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cost/depth_bounds.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
@@ -84,7 +85,9 @@ void Stage::compare_with(const std::string& path) {
       return refuse(fmt::format("That run has {} pixels, and this one {}; record both with one size.",
                                 sizes_text(there), sizes_text(here)));
     bool ended = on_way(0);
-    second.report = diff::compare(trace(), second.trace, [&](double share) { return ended = ended || on_way(share); });
+    second.report = diff::compare(
+        trace(), second.trace, [&](double share) { return ended = ended || on_way(share); }, diff::Way::fast,
+        compare::held_to_bounds(trace(), second.trace));
     if (ended) return refuse("Comparing was ended.");
     app().end_against();
     if (!first_app_->compares()) seconds_.clear();

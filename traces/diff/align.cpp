@@ -16,14 +16,13 @@ namespace {
 /// Beyond so many steps whose partner has not come yet the comparison ends.
 constexpr std::size_t most_waiting = 3'000'000;
 
-/// Does a run record this kind? What is done to pixels, and that edges leave the list, it does where its pseudo-code
-/// has a line for it, also if it never came to it: that may be the mistake.
+/// Does a run record this kind? What is done to pixels it does where its pseudo-code has a line for it, also if it never
+/// came to it: that may be the mistake.
 bool may_record(const Trace& trace, std::uint8_t kind) {
   if (trace.has(kind)) return true;
   constexpr std::array of_pixels{kind_of<DepthCompare>, kind_of<DepthWrite>, kind_of<PixelWrite>, kind_of<PixelPaint>};
   const Page& page = trace.header().page;
-  const bool of_list = kind == kind_of<EdgeRetire> && trace.has(kind_of<EdgeEnter>);
-  return (of_list || std::find(of_pixels.begin(), of_pixels.end(), kind) != of_pixels.end()) &&
+  return std::find(of_pixels.begin(), of_pixels.end(), kind) != of_pixels.end() &&
          std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
 }
 
@@ -41,7 +40,7 @@ class Aligner {
  public:
   Aligner(const Trace& a, const Trace& b, bool plain, std::size_t keeps)
       : both_(recorded_by_both(a, b)), a_(a, both_), b_(b, both_), in_step_(a_, b_, found_, plain), plain_(plain) {
-    found_.keeps = keeps;
+    found_.keeps = keeps, found_.compared = both_;
   }
 
   /// In step as far as that goes; then each step by what it is about, until the runs are in step again. Which steps are

@@ -37,7 +37,8 @@ inline constexpr std::size_t most_differences = 4'000'000;
 struct Alignment {
   std::vector<Match> by_a, by_b;            ///< the same, ordered by one run's steps and by the other's
   std::vector<Difference> differences;      ///< by the steps of B; what B does not have stands where it would have been
-  std::array<KindCount, kind_count> kinds;  ///< of the kinds that both runs record
+  std::array<KindCount, kind_count> kinds;  ///< of the kinds that are compared
+  std::array<bool, kind_count> compared{};  ///< which these are
   std::size_t keeps = most_differences;
   std::int64_t not_kept = 0;                ///< differences beyond those, which are only counted
   bool identical = false;                   ///< byte for byte

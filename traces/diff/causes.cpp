@@ -2,7 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <tuple>
+
+#include "traces/diff/identity.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::diff {
 
@@ -34,8 +40,11 @@ class Roots {
   bool wrong_a(std::int32_t d) const { return in_a_[index(d)].wrong; }
   bool wrong_b(std::int32_t d) const { return in_b_[index(d)].wrong; }
   bool by_rounding(std::int32_t d, const Difference& difference) const {
-    return (difference.only_b() || in_a_[index(d)].rounding) && (difference.only_a() || in_b_[index(d)].rounding);
+    return !tie(d) && (difference.only_b() || in_a_[index(d)].rounding) &&
+           (difference.only_a() || in_b_[index(d)].rounding);
   }
+  /// Both runs compare two equal depths, and say otherwise which wins.
+  bool tie(std::int32_t d) const { return in_a_[index(d)].tie && in_b_[index(d)].tie; }
 
  private:
   static constexpr std::int32_t on_the_way = -2;
@@ -43,6 +52,7 @@ class Roots {
   std::int32_t from(std::int32_t d) const {
     const Finding &a = in_a_[index(d)], &b = in_b_[index(d)];
     if (a.wrong != b.wrong) return no_difference;  // one of the two computes it wrongly
+    if (tie(d)) return no_difference;
     return b.comes_from != no_difference ? b.comes_from : a.comes_from;
   }
 
@@ -58,6 +68,43 @@ bool may_be_missing(const Difference& difference) {
           difference.kind == kind_of<EdgeSwap>);
 }
 
+/// Of the fields that part, those by which differences are of one sort: the numbers; the rest of a step follows from
+/// them. Where no number parts, all.
+std::uint16_t sort_of(const Difference& difference) {
+  const std::span<const FieldOfKind> all = fields_of_kind(difference.kind);
+  std::uint16_t numbers = 0;
+  for (std::size_t field = 0; field < all.size(); ++field)
+    if (all[field].type == FieldOfKind::Type::real) numbers = static_cast<std::uint16_t>(numbers | 1u << field);
+  const auto parting = static_cast<std::uint16_t>(difference.fields & numbers);
+  return parting != 0 ? parting : difference.fields;
+}
+
+constexpr std::uint16_t bit_of_span(std::string_view name) {
+  std::uint16_t bit = 0;
+  for_each_index<SpanBegin>([&]<std::size_t I>() {
+    if (field_at<SpanBegin, I>.name == name) bit = static_cast<std::uint16_t>(1u << I);
+  });
+  return bit;
+}
+
+/// Spans that only name the other one of two edges at one x, each of the two once: in one span, or the right one of a
+/// span and the left one of the next.
+std::vector<bool> exchanged_edges(const std::vector<Difference>& differences, const std::vector<Finding>& in_a,
+                                  const std::vector<Finding>& in_b) {
+  constexpr std::uint16_t left = bit_of_span("left_edge"), right = bit_of_span("right_edge");
+  std::vector<bool> exchanged(differences.size());
+  std::optional<std::size_t> open;  // a span of which only the right edge is another one
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    if (differences[i].kind != kind_of<SpanBegin>) continue;
+    const bool free = in_a[i].free && in_b[i].free;
+    const std::uint16_t fields = differences[i].fields;
+    if (free && fields == (left | right)) exchanged[i] = true;
+    if (free && fields == left && open) exchanged[*open] = exchanged[i] = true;
+    open = free && fields == right ? std::optional(i) : std::nullopt;
+  }
+  return exchanged;
+}
+
 bool writes_pixel(std::uint8_t kind) {
   return kind == kind_of<PixelWrite> || kind == kind_of<PixelPaint> || kind == kind_of<ColorWrite> ||
          kind == kind_of<ColorBlend>;
@@ -69,13 +116,14 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
   const auto& differences = report.alignment.differences;
   Roots roots(in_a, in_b);
   // By what parts: several of one sort are one cause that comes again.
-  using Sort = std::tuple<std::uint8_t, std::uint16_t, bool, bool, Part>;
+  using Sort = std::tuple<std::uint8_t, std::uint16_t, bool, bool, bool, bool, bool, Part>;
   std::map<Sort, std::size_t> known;
   std::vector<std::size_t> cause_of(differences.size());
   std::vector<bool> followed(differences.size());
   for (std::size_t i = 0; i < differences.size(); ++i)
     if (const std::int32_t root = roots.of(static_cast<std::int32_t>(i)); root != static_cast<std::int32_t>(i))
       followed[static_cast<std::size_t>(root)] = true;
+  const std::vector<bool> exchanged = exchanged_edges(differences, in_a, in_b);
   for (const bool symptoms : {false, true}) {
     for (std::size_t i = 0; i < differences.size(); ++i) {
       const auto d = static_cast<std::int32_t>(i);
@@ -88,11 +136,19 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
         report.kinds[difference.kind].idle_b += difference.only_b();
         continue;
       }
+      if (!symptoms && exchanged[i] && !followed[i]) {
+        ++report.kinds[difference.kind].same;
+        continue;
+      }
       if (!symptoms) {
-        const Part part = roots.by_rounding(d, difference) ? Part::rounding : Part::different;
-        const Sort sort{difference.kind, difference.fields, difference.only_a(), difference.only_b(), part};
+        const bool only_one_named = in_a[i].free && in_b[i].free && !exchanged[i];
+        const Part part = roots.by_rounding(d, difference) && !only_one_named ? Part::rounding : Part::different;
+        const bool wrong_a = roots.wrong_a(d), wrong_b = roots.wrong_b(d), tie = roots.tie(d);
+        const Sort sort{difference.kind, sort_of(difference), difference.only_a(), difference.only_b(), wrong_a,
+                        wrong_b,         tie,                 part};
         const auto [found, fresh] = known.try_emplace(sort, report.causes.size());
-        if (fresh) report.causes.push_back({difference, part, roots.wrong_a(d), roots.wrong_b(d), 0, 0, 0});
+        const bool unexplained = !difference.only_a() && !difference.only_b() && !(in_a[i].told && in_b[i].told);
+        if (fresh) report.causes.push_back({difference, part, wrong_a, wrong_b, tie, unexplained});
         else ++report.causes[found->second].again;
         cause_of[i] = found->second;
       } else {

@@ -2,7 +2,8 @@
 //
 // Steps are matched by what they are about (align.hpp). Where a step's numbers part, it is a cause if its operands did
 // not part before, or if one of the two runs computes wrongly from the operands it has; else it is a symptom of what
-// its operands come from. What rounding explains under the number formats of both is kept apart from what it does not.
+// its operands come from. Operands are what a formula or a rule has (traces/formulas): that one step comes after another
+// says nothing. What rounding explains under the number formats of both is kept apart from what it does not.
 #pragma once
 
 #include <functional>
@@ -29,7 +30,9 @@ struct Cause {
   Difference first;
   Part part = Part::different;
   bool wrong_a = false, wrong_b = false;  ///< the number does not follow from the run's own operands
-  std::int64_t again = 0;                 ///< later differences of the same kind, with a reason of their own
+  bool tie = false;                       ///< both compare two equal depths, and say otherwise which wins
+  bool unexplained = false;               ///< a number, and not both runs have what it follows from
+  std::int64_t again = 0;                 ///< later differences of the same sort, with a reason of their own
   std::int64_t symptoms = 0;              ///< differences that follow from it
   std::int64_t pixels = 0;                ///< of these, pixels that were written otherwise
   std::optional<TooEarly> too_early = std::nullopt;  ///< nothing but its place in the order is wrong

@@ -159,7 +159,8 @@ class Follow {
     if constexpr (begins<E>() > 0)
       for (std::size_t rank = begins<E>(); rank < scopes_.size(); ++rank)
         scopes_[rank] = rank == begins<E>() ? number : no_difference;
-    if (report_.alignment.kinds[kind_of<E>].pairs > 0 || number != no_difference) identity_.take_note_of(e);
+    if (report_.alignment.kinds[kind_of<E>].pairs > 0 || number != no_difference || says_whose_turn<E>)
+      identity_.take_note_of(e);
   }
 
   /// Has the last difference begun something that is not over yet?
@@ -181,6 +182,7 @@ class Follow {
     if constexpr (std::is_same_v<E, EdgeEnter>) reads(Place{Place::In::edge_table, e.edge});
     if constexpr (std::is_same_v<E, EdgeRetire>) reads(Place{Place::In::active_edge, e.edge});
     finding.wrong = witness.wrong;
+    finding.told = (difference.fields & ~exact_bits<E>() & ~witness.told) == 0;
     if constexpr (std::is_same_v<E, EdgeStep>)
       if (const EdgeTableInsert* entry = at.edge(e.edge); entry && (difference.only_a() || difference.only_b()))
         finding.idle = identity_.next_row(e.edge) >= entry->end_row;
@@ -189,7 +191,25 @@ class Follow {
     else if constexpr (tests_pair<E>()) finding.idle = alone && is_undecided();
     if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>)
       finding.idle = alone && e.first > e.last;
+    bool either_way = false;  // where two edges meet, either may be the left one
+    if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
+    // Of a plane whose normal has another length; of opposite signs they would be off by more than the larger one.
+    const bool of_longer_normal =
+        only_as_long_as_normal<E>(difference.fields) && reads.from_rounding != no_difference && difference.off < 1;
+    const double margin = formulas::off_by_margin(e, at, box_margin_, share_apart);
+    const double allowed =
+        std::max({written_off(e, difference.fields), witness.may_be_off_here(), double{reads.operands_off}, margin});
+    const bool numbers_near = either_way || of_longer_normal || difference.off <= allowed;
+
+    if constexpr (std::is_same_v<E, SpanBegin>) {
+      finding.free = !alone && names_either(e, difference.fields, witness);
+      finding.rounding = finding.free;
+      if (finding.free) return;
+    }
+    finding.tie = witness.decides && witness.gap == 0;
     finding.comes_from = reads.from_different;
+    // Where the depth of a compare is as it should be, the verdict follows from what is stored there.
+    if (!alone && numbers_near && finding.comes_from == no_difference) finding.comes_from = reads.stored_different;
     if (alone && finding.comes_from == no_difference)
       for (const std::int32_t scope : scopes_)
         if (scope != no_difference && !findings_[static_cast<std::size_t>(scope)].rounding) finding.comes_from = scope;
@@ -202,20 +222,31 @@ class Follow {
     if (alone && from == no_difference)
       for (const std::int32_t scope : scopes_)
         if (scope != no_difference && findings_[static_cast<std::size_t>(scope)].decides) from = scope;
-    bool either_way = false;  // where two edges meet, either may be the left one
-    if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
-    // Of a plane whose normal has another length; of opposite signs they would be off by more than the larger one.
-    const bool of_longer_normal =
-        only_as_long_as_normal<E>(difference.fields) && reads.from_rounding != no_difference && difference.off < 1;
-    const double margin = formulas::off_by_margin(e, at, box_margin_, share_apart);
-    const double allowed =
-        std::max({written_off(e, difference.fields), witness.may_be_off_here(), double{reads.operands_off}, margin});
-    const bool numbers_near = either_way || of_longer_normal || difference.off <= allowed;
     const bool decided = exact_fields<E>(difference.fields);
     const bool any_rounding = either_way || from != no_difference || (difference.fields & ~exact_bits<E>()) != 0;
     finding.decides = alone || decided;
-    finding.rounding = alone ? from != no_difference : numbers_near && (!decided || any_rounding);
+    const bool may_turn = !witness.decides || witness.gap <= 2 * may_move(e, allowed);
+    finding.rounding = alone ? from != no_difference : numbers_near && may_turn && (!decided || any_rounding);
     if (finding.rounding) finding.comes_from = from, finding.off = of_longer_normal ? 0 : difference.off;
+  }
+
+  /// Does a span only name another edge where two of them meet the scan line at one x?
+  bool names_either(const SpanBegin& e, std::uint16_t fields, const Witness<SpanBegin>& witness) const {
+    const auto shared = [&](std::int32_t edge, double x) {
+      bool there = false, another = false;
+      for (const ActiveEdge& active : at_.method().active)
+        if (witness.equal(active.x, x)) (active.edge == edge ? there : another) = true;
+      return there && another;
+    };
+    bool either = e.left_edge != e.right_edge;
+    for_each_index<SpanBegin>([&]<std::size_t I>() {
+      constexpr std::string_view name = field_at<SpanBegin, I>.name;
+      if ((fields >> I & 1) == 0) return;
+      either = either && (name == "left_edge"    ? shared(e.left_edge, e.x_left)
+                          : name == "right_edge" ? shared(e.right_edge, e.x_right)
+                                                 : false);
+    });
+    return either;
   }
 
   /// Steps by which a pair of pieces is tested.
@@ -250,11 +281,30 @@ class Follow {
     const Precision& precision = report_.precision;
     double share = precision.relative;
     for_each_index<E>([&]<std::size_t I>() {
-      if constexpr (std::is_same_v<FieldValue<E, I>, double>)
+      if constexpr (std::is_same_v<FieldValue<E, I>, double>) {
+        const double size = std::abs(e.*field_at<E, I>.member);
         if ((fields >> I & 1) != 0 && precision.absolute > 0)
-          share = std::max(share, precision.relative + 2 * precision.absolute / std::abs(e.*field_at<E, I>.member));
+          share = std::max(share, precision.relative + 2 * precision.absolute / size);
+        if (const double bound = depth_bound(e); bound > 0 && (fields >> I & 1) != 0)
+          share = std::max(share, bound / size);
+      }
     });
     return share;
+  }
+  /// What theory allows the depth of a pixel; 0 of other steps, and where it is not known.
+  template <class E>
+  double depth_bound(const E& e) const {
+    if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> ||
+                  std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>)
+      return report_.precision.allowed_depth(e.x, e.y);
+    else return 0;
+  }
+  /// By how much rounding may move a depth that is compared, of which it may be off by such a share.
+  template <class E>
+  double may_move(const E& e, double share) const {
+    if constexpr (std::is_same_v<E, DepthCompare>)
+      return std::max(depth_bound(e), share * std::max(std::abs(e.z), std::abs(at_.stored(e.x, e.y))));
+    else return std::numeric_limits<double>::infinity();
   }
 
   /// Are these fields, as far as they are numbers, values of a plane that are as long as its normal?

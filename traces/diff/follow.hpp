@@ -21,6 +21,9 @@ struct Finding {
   bool rounding = false;  ///< it, or what it comes from, is no more than rounding allows
   bool decides = false;   ///< what it says is no number, so that other steps may follow
   float off = 0;          ///< by rounding: how far its numbers are off, as a share of the larger one, at most
+  bool told = false;      ///< each number that differs has a formula here
+  bool tie = false;       ///< a verdict about two depths that are equal, to the last bit
+  bool free = false;      ///< which of two edges at one x is named: either is right
   /// An edge that ends is moved to where it ends, before it is taken out; a span without pixels.
   bool idle = false;
   /// What follows it belongs to it, or should, and is in both runs: then it may not be missing.

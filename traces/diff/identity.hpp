@@ -39,6 +39,10 @@ constexpr std::size_t things_among_results() {
   return count;
 }
 
+/// Does a step of this kind say which polygon the next ones are about? It is taken note of where only one run has it.
+template <class E>
+inline constexpr bool says_whose_turn = std::is_same_v<E, PieceDraw>;
+
 /// Follows one run and says of each step what it is about.
 class Identity {
  public:

@@ -42,7 +42,7 @@ std::optional<Keyed> Run::read() {
     const Steps::Next next = steps.next();
     if (next == Steps::Next::end) return std::nullopt;
     if (next != Steps::Next::step) steps.open(1);
-    if (pass_repeated()) continue;
+    if (pass_turn() || pass_repeated()) continue;
     Keyed read = with_kind(steps.kind(), [this]<class E>() {
       const E event = steps.event<E>();
       begun.again(event);
@@ -51,6 +51,13 @@ std::optional<Keyed> Run::read() {
     steps.skip();
     return read;
   }
+}
+
+bool Run::pass_turn() {
+  if (both[steps.kind()]) return false;
+  with_kind(steps.kind(), [this]<class E>() { identity.take_note_of(steps.event<E>()); });
+  steps.skip();
+  return true;
 }
 
 bool Run::pass_repeated() {
@@ -207,6 +214,8 @@ bool InStep::along() {
     if (next_a != Next::step) a_.steps.open(1);
     if (next_b != Next::step) b_.steps.open(1);
   }
+  if (!a_.both[a_.steps.kind()] || !b_.both[b_.steps.kind()]) part();
+  if (a_.pass_turn() || b_.pass_turn()) return true;
   if (!one_identity_ && (a_.pass_repeated() || b_.pass_repeated())) return true;
   if (a_.steps.kind() != b_.steps.kind()) return false;
   return with_kind(a_.steps.kind(), [this]<class E>() { return step_along<E>(); });

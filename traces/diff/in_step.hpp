@@ -31,18 +31,21 @@ class Begun {
 /// One of the two runs: what was read of it, what it calls things by then.
 struct Run {
   const Trace& trace;
+  const Both& both;
   Steps steps;
   Identity identity;
   Begun begun;
   Waiting waiting;        ///< steps that the other run has not done yet
   std::int64_t last = 0;  ///< the last step that was read by itself
 
-  Run(const Trace& trace_, const Both& both)
-      : trace(trace_), steps(trace_, both), identity(trace_, both[kind_of<EdgeTableInsert>]) {}
+  Run(const Trace& trace_, const Both& both_)
+      : trace(trace_), both(both_), steps(trace_, both_), identity(trace_, both_[kind_of<EdgeTableInsert>]) {}
   /// The next step; none at the end.
   std::optional<Keyed> read();
   /// Passes over a polygon that is begun again, if that comes next.
   bool pass_repeated();
+  /// Passes over a step that the other run has none of, and that says whose turn it is.
+  bool pass_turn();
 };
 
 /// Steps a and b are the same, and so are those after them, so many in all.

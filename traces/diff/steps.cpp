@@ -1,5 +1,6 @@
 #include "traces/diff/steps.hpp"
 
+#include "traces/diff/identity.hpp"
 #include "traces/file/visit.hpp"
 
 namespace zstep::diff {
@@ -21,7 +22,7 @@ struct Keep {
 
   template <class E>
   bool operator()(std::int64_t position, std::uint8_t line, const E& event) {
-    if (both[kind_of<E>]) steps.put(static_cast<std::uint32_t>(position - base), kind_of<E>, line, event);
+    if (both[kind_of<E>] || says_whose_turn<E>) steps.put(static_cast<std::uint32_t>(position - base), kind_of<E>, line, event);
     return true;
   }
   bool operator()(std::int64_t position, const codec::FragmentRun& run) {

@@ -71,11 +71,11 @@ void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
 }
 
 /// Before another pixel's turn comes: the one that was nearer has been written. Glass is mixed in and writes no depth.
+/// Nothing of the pixel that comes next follows from that one.
 template <class Out>
 void derive_last_win(const Situation& at, Out& out) {
   const auto& last = at.method().fragment;
   if (!last || !last->nearer || !*last->nearer || !at.has_step<DepthWrite>() || at.has_step<ColorBlend>()) return;
-  out.reads(Place{Place::In::fragment, 0});
   const double stored = at.stored(last->x, last->y);
   out.rule(Rule::win_is_written, stored == last->z || out.equal(stored, last->z) || stored != last->stored);
 }

@@ -169,7 +169,8 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
   found.difference = diff::compare(reference, run, nullptr, diff::Way::fast, held);
   Ends& ends = found.ends = {picture_of(reference), picture_of(run), {}};
   ends.apart =
-      diff::compare_pictures(ends.reference, reference.scene(), ends.run, run.scene(), found.difference.precision);
+      diff::compare_pictures(diff::buffers_of(reference, ends.reference), diff::buffers_of(run, ends.run),
+                             found.difference.precision);
   const Counter counter(reference, run, found.difference, marks, aside);
   for (const Part& part : parts) {
     if (part.level != Level::buffers) {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <random>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -11,12 +14,16 @@
 #include "algorithms/scene/load.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/sparse.hpp"
+#include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
+#include "tests/zoo/runs.hpp"
 #include "traces/diff/buffers.hpp"
+#include "traces/diff/seen.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/trace_impl.hpp"
+#include "traces/replay/replay.hpp"
 
 using namespace zstep;
 
@@ -273,6 +280,188 @@ TEST_CASE("diff: of many differences the first are followed, and the others are 
   }
 }
 
+/// A run as it was, but for what `change` does to its steps; false leaves a step out.
+template <class Change>
+Trace changed_run(const Trace& right, Change&& change) {
+  TraceRecorder recorder(right.header(), right.scene());
+  right.each(0, right.size(), [&](std::int64_t step, const RecordedEvent& read) {
+    RecordedEvent made = read;
+    if (change(step, made.event)) record_any(recorder, made.step, made.event);
+    return true;
+  });
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "changed");
+}
+/// Two triangles by a program that has no spans.
+Trace without_spans(const char* style = "rows edge_functions weights float64", const char* ties = "first") {
+  zoo::Task task;
+  task.width = 14, task.height = 12;
+  task.points = {{1, 1, 0.75}, {12, 1, 0.5}, {1, 10, 0.25}, {2, 2, 0.25}, {11, 2, 0.5}, {2, 9, 0.75}};
+  task.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}};
+  task.style = style;
+  std::string head = test::head("z-buffer", test::scene_of(task), {});
+  const std::string first = "\"ties\":\"first\"";
+  head.replace(head.find(first), first.size(), std::string("\"ties\":\"") + ties + "\"");
+  return test::trace_of(head + zoo::variants(task));
+}
+
+TEST_CASE("diff: that one pixel is compared after another makes it no consequence of it") {
+  const Trace right = without_spans();
+  REQUIRE(!right.has(kind_of<SpanBegin>));
+  // Every depth is wrong for itself; what is written follows from it.
+  std::int64_t compares = 0, writes = 0;
+  const Trace lower = changed_run(right, [&](std::int64_t, Event& event) {
+    if (auto* compare = get_if<DepthCompare>(&event)) compare->z -= 0.001, ++compares;
+    if (auto* write = get_if<DepthWrite>(&event)) write->z -= 0.001, ++writes;
+    return true;
+  });
+  const diff::DiffReport all = diff::compare(right, lower);
+  REQUIRE(all.causes.size() == 1);
+  CHECK(all.causes[0].first.kind == kind_of<DepthCompare>);
+  CHECK(all.causes[0].again == compares - 1);
+  CHECK(all.causes[0].symptoms == writes);
+
+  // Two faults that have nothing to do with each other: a pixel that is left out, and depths of the later polygon.
+  std::int32_t polygon = no_polygon;
+  std::optional<std::pair<std::int32_t, std::int32_t>> left_out;
+  std::int64_t wrong = 0;
+  const Trace both = changed_run(right, [&](std::int64_t, Event& event) {
+    if (const auto* begin = get_if<PolygonBegin>(&event)) polygon = begin->polygon;
+    if (auto* compare = get_if<DepthCompare>(&event)) {
+      if (!left_out) left_out = {compare->x, compare->y};
+      if (polygon == 1) compare->z += 0.5, wrong += 1;
+    }
+    if (auto* write = get_if<DepthWrite>(&event); write && polygon == 1) write->z += 0.5;
+    const auto here = [&]<class E>(const E& e) {
+      if constexpr (requires { e.x, e.y; }) return polygon == 0 && left_out && left_out->first == static_cast<std::int32_t>(e.x) && left_out->second == static_cast<std::int32_t>(e.y);
+      else return false;
+    };
+    return !visit_event(here, event);
+  });
+  const diff::DiffReport two = diff::compare(right, both);
+  std::int64_t of_depths = 0, missing = 0;
+  for (const diff::Cause& cause : two.causes) {
+    if (cause.first.kind != kind_of<DepthCompare>) continue;
+    if (cause.first.only_a()) missing += 1 + cause.again;
+    else of_depths += 1 + cause.again;
+  }
+  CHECK(missing == 1);
+  CHECK(of_depths == wrong);
+}
+
+TEST_CASE("diff: a verdict follows from the depth that was stored wrongly at its own pixel") {
+  const Trace right = without_spans();
+  // The depth of one pixel of the first polygon is stored nearer than it is, so that the second one loses there.
+  std::optional<std::pair<std::int32_t, std::int32_t>> at;
+  std::int32_t polygon = no_polygon;
+  right.each(0, right.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (const auto* begin = get_if<PolygonBegin>(&recorded.event)) polygon = begin->polygon;
+    if (const auto* write = get_if<DepthWrite>(&recorded.event); write && polygon == 1 && !at) at = {write->x, write->y};
+    return true;
+  });
+  REQUIRE(at);
+  polygon = no_polygon;
+  const Trace wrong = changed_run(right, [&](std::int64_t, Event& event) {
+    if (const auto* begin = get_if<PolygonBegin>(&event)) polygon = begin->polygon;
+    const auto here = [&](const auto& e) { return e.x == at->first && e.y == at->second; };
+    if (auto* write = get_if<DepthWrite>(&event); write && here(*write)) {
+      if (polygon == 1) return false;
+      write->z = 0;
+    }
+    if (auto* compare = get_if<DepthCompare>(&event); compare && here(*compare) && polygon == 1) compare->nearer = false;
+    if (const auto* write = get_if<PixelWrite>(&event); write && here(*write) && polygon == 1) return false;
+    return true;
+  });
+  const diff::DiffReport report = diff::compare(right, wrong);
+  REQUIRE(report.causes.size() == 1);
+  CHECK(report.causes[0].first.kind == kind_of<DepthWrite>);
+  CHECK(report.causes[0].symptoms == 3);  // the compare, and the two steps that are missing after it
+}
+
+TEST_CASE("diff: equal depths of which another one wins are a cause, and no rounding") {
+  const auto run = [](const char* ties, bool last) {
+    const Trace right = without_spans("rows edge_functions weights float64", ties);
+    std::int32_t polygon = no_polygon;
+    // All at one depth: each pixel of the second polygon is a tie.
+    return changed_run(right, [&](std::int64_t, Event& event) {
+      if (const auto* begin = get_if<PolygonBegin>(&event)) polygon = begin->polygon;
+      if (auto* compare = get_if<DepthCompare>(&event)) {
+        compare->z = 0.5 * (1 + (last ? 1e-16 : 0));
+        compare->nearer = polygon == 0 || last;
+      }
+      if (auto* write = get_if<DepthWrite>(&event)) write->z = 0.5 * (1 + (last ? 1e-16 : 0));
+      return last || polygon == 0 || !(holds<DepthWrite>(event) || holds<PixelWrite>(event));
+    });
+  };
+  const Trace first = run("first", false), last = run("last", true);
+  const diff::DiffReport report = diff::compare(first, last);
+  CHECK(report.differences() > 0);
+  const auto tie = std::find_if(report.causes.begin(), report.causes.end(), [](const auto& cause) { return cause.tie; });
+  REQUIRE(tie != report.causes.end());
+  CHECK(tie->part == diff::Part::different);
+  CHECK(tie->pixels > 10);
+}
+
+TEST_CASE("diff: what both methods record of a polygon is the same, though only one says which one it draws") {
+  const Scene scene = look_at_scene(
+      load_scene(test::in_checkout("tests/data/horizontal-edge.toml")).scene, {});
+  const Trace one = test::recorded_by("z-buffer", scene), other = test::recorded_by("painter", scene);
+  for (const auto& [a, b] : {std::pair(&one, &other), {&other, &one}}) {
+    const diff::DiffReport report = diff::compare(*a, *b);
+    CHECK(report.causes.empty());
+    CHECK(report.kinds[kind_of<EdgeTableSkip>].same == 2);
+    CHECK(report.kinds[kind_of<EdgeTableSkip>].only_a + report.kinds[kind_of<EdgeTableSkip>].only_b == 0);
+  }
+  Replay end_one(one), end_other(other);
+  end_one.go_to(one.size()), end_other.go_to(other.size());
+  const auto groups = diff::seen_apart(one, end_one.state().picture, other, end_other.state().picture);
+  REQUIRE(groups.size() == 1);
+  const diff::SeenApart& group = groups[0];
+  CHECK(group.pixels == 4);
+  CHECK(group.polygon_a == 0);
+  CHECK(group.polygon_b == 1);
+  // In A the farther one loses; in B it is painted over the nearer one.
+  CHECK(group.b_in_a.step == 0);
+  CHECK(group.b_in_a.z > group.a_in_a.z);
+  CHECK(group.b_in_b.step > group.a_in_b.step);
+  CHECK(group.a_in_b.step > 0);
+  CHECK(group.b_in_b.z > group.a_in_b.z);
+  CHECK(get<PixelPaint>(other.event(group.b_in_b.step).event).x == group.x);
+}
+
+TEST_CASE("diff: a kind of step is compared, or said not to be") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/foley.jsonl"));
+  const Trace never = changed_run(right, [](std::int64_t, const Event& event) { return !holds<EdgeRetire>(event); });
+  const diff::DiffReport report = diff::compare(never, right);
+  CHECK(!report.alignment.compared[kind_of<EdgeRetire>]);
+  for (const diff::Cause& cause : report.causes) CHECK(report.alignment.compared[cause.first.kind]);
+  CHECK(report.causes.empty());
+}
+
+TEST_CASE("diff: of two edges at one x either may stand to the left, and of others only the right one") {
+  // Two edges begin in a vertex at a pixel's centre.
+  const Scene scene = test::screen_scene(16, 14, {{{5, 1, 0.5}, {12, 10, 0.25}, {2, 10, 0.75}}});
+  const Trace right = test::recorded_by("z-buffer", scene);
+  const auto exchanged = [&](bool at_vertex) {
+    bool done = false;
+    return changed_run(right, [&](std::int64_t, Event& event) {
+      auto* span = get_if<SpanBegin>(&event);
+      if (!span || done || (span->x_left == span->x_right) != at_vertex) return true;
+      done = true;
+      std::swap(span->left_edge, span->right_edge);
+      return true;
+    });
+  };
+  const diff::DiffReport either = diff::compare(right, exchanged(true));
+  CHECK(either.alignment.differences.size() == 1);
+  CHECK(either.causes.empty());
+  CHECK(either.kinds[kind_of<SpanBegin>].rounding == 0);
+  const diff::DiffReport wrong = diff::compare(right, exchanged(false));
+  REQUIRE(!wrong.causes.empty());
+  CHECK(wrong.causes[0].first.kind == kind_of<SpanBegin>);
+  CHECK(wrong.causes[0].part == diff::Part::different);
+}
+
 TEST_CASE("diff: pictures part where a depth or a colour does, and rounding is told apart") {
   Scene scene;
   scene.polygons.resize(2);
@@ -284,7 +473,7 @@ TEST_CASE("diff: pictures part where a depth or a colour does, and rounding is t
   b.depth = {1, 1 + 1e-12, 2.5, no_depth, 4, 3};
   a.polygon = {0, 0, 0, no_polygon, no_polygon, 1};
   b.polygon = {0, 0, 1, no_polygon, 0, 1};
-  const diff::BufferDifference found = diff::compare_pictures(a, scene, b, scene, precision);
+  const diff::BufferDifference found = diff::compare_pictures({a, scene}, {b, scene}, precision);
   CHECK(found.pixels == 6);
   CHECK(found.colors == 2);
   CHECK(found.depths == 2);
@@ -294,6 +483,49 @@ TEST_CASE("diff: pictures part where a depth or a colour does, and rounding is t
   CHECK(found.apart[0] == 0);
   CHECK(found.apart[2] == 1);
   CHECK(found.apart[4] == 1);
+}
+
+TEST_CASE("diff: a depth that is no finite number is never as good as one, and what was not drawn is no depth") {
+  Scene scene;
+  scene.polygons.resize(1);
+  const Precision precision{1e-9, 0, true, ""};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Picture a(3, 2), b(3, 2);
+  // Nothing is drawn at the last two pixels; A was cleared to −∞, and B to 0.
+  a.polygon = b.polygon = {0, 0, 0, 0, no_polygon, no_polygon};
+  a.depth = {1, 2, nan, 4, -no_depth, -no_depth};
+  b.depth = {nan, no_depth, 3, 4, 0, 0};
+  const diff::BufferDifference found =
+      diff::compare_pictures({a, scene, -no_depth, true}, {b, scene, 0, true}, precision);
+  CHECK(found.colors == 0);
+  CHECK(found.depths == 3);
+  CHECK(found.not_finite == 3);
+  CHECK(found.farthest == 0);
+  CHECK(found.apart[0] == 1);
+  CHECK(found.apart[3] == 0);
+  CHECK(found.apart[4] == 0);
+
+  // All depths of a run are NaN: it has depths, and they are wrong.
+  const Trace right = without_spans();
+  const Trace no_number = changed_run(right, [&](std::int64_t, Event& event) {
+    if (auto* write = get_if<DepthWrite>(&event)) write->z = nan;
+    return true;
+  });
+  Replay end_right(right), end_wrong(no_number);
+  end_right.go_to(right.size()), end_wrong.go_to(no_number.size());
+  const diff::BufferDifference of_runs =
+      diff::compare_pictures(diff::buffers_of(right, end_right.state().picture),
+                             diff::buffers_of(no_number, end_wrong.state().picture), precision);
+  CHECK(of_runs.depths_compared);
+  CHECK(of_runs.not_finite > 50);
+
+  // A table of depths: NaN and infinities count as not drawn only where the run has nothing, either.
+  const std::vector<double> ours{1, 2, 3, no_depth, no_depth, no_depth};
+  const auto table = [&](std::vector<double> theirs) { return diff::compare_depths(ours, theirs, precision).depths; };
+  CHECK(table({1, 2, 3, no_depth, nan, -no_depth}) == 0);
+  CHECK(table({1, 2, 3, -1, -1, -1}) == 0);  // cleared to another depth
+  CHECK(table({1, nan, no_depth, -1, -1, -1}) == 2);
+  CHECK(table({1, 2, 3, -1, -1, 7}) == 1);  // drawn where the run has nothing
 }
 
 }  // namespace

@@ -48,6 +48,13 @@ TEST_CASE("diff: why a step is a cause, and what follows from it") {
   CHECK(why(7, 7, Part::different, true, true) == "both compute it wrongly from their own operands");
   CHECK(why(7, 7, Part::different, false, false) == "its operands are the same in both runs, its result is not");
 
+  diff::Cause told;
+  told.first.a = told.first.b = 7, told.unexplained = true;
+  CHECK(why_cause(told) == "the results differ, and what they follow from is not recorded in both runs");
+  told.tie = true;
+  CHECK(why_cause(told) ==
+        "a tie: in both runs z is equal to what is stored, and only one of them takes the later polygon");
+
   diff::Cause cause;
   CHECK(what_follows(cause) == "");
   cause.again = 1, cause.symptoms = 2, cause.pixels = 1;

@@ -1,0 +1,31 @@
+// Which polygon is seen where two runs end with different pictures, and what each of them did there: of methods that have
+// few steps in common, this is what there is to tell.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "traces/file/trace.hpp"
+
+namespace zstep::diff {
+
+/// What one run did with a polygon at a pixel. A step of 0: it never came to it there.
+struct DrawnAt {
+  std::int64_t step = 0;   ///< by which it was last put there
+  std::int64_t found = 0;  ///< or, where it was not, was last compared
+  double z = 0;            ///< then
+};
+
+/// Pixels at which A shows one polygon at its end, and B another one or nothing.
+struct SeenApart {
+  std::int32_t polygon_a = no_polygon, polygon_b = no_polygon;
+  std::int64_t pixels = 0;
+  std::int32_t x = 0, y = 0;  ///< the first of them
+  DrawnAt a_in_a, b_in_a;     ///< what A did there with the polygon that A shows, and with the one that B shows
+  DrawnAt a_in_b, b_in_b;     ///< and B
+};
+
+/// By pairs of polygons, those at most pixels first. Both pictures are those at the ends, of one size.
+std::vector<SeenApart> seen_apart(const Trace& a, const Picture& end_a, const Trace& b, const Picture& end_b);
+
+}  // namespace zstep::diff
