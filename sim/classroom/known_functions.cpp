@@ -155,6 +155,12 @@ const KnownFunction functions[] = {
     OF_VERTEX("z_p", projected, plane.z, "z_p(vertex): the depth that is interpolated"),
     OF_VERTEX("x_s", on_raster, raster.x, "x_s(vertex): on the raster"),
     OF_VERTEX("y_s", on_raster, raster.y, "y_s(vertex)"),
+    {"triple_product", 3, Type::number,
+     [](const Moment& m, Args a) {
+       const auto view = [&](std::size_t i) { return way(m, a[i], VertexStages::viewed).view; };
+       return Quantity::of(glm::dot(view(0), glm::cross(view(1), view(2))));
+     },
+     "triple_product(u, v, w): V_u · (V_v × V_w) of three vertices in viewing coordinates"},
     OF_EDGE(vertex_0, "vertex_0(edge): its vertex on the first row's side"),
     OF_EDGE(vertex_1, "vertex_1(edge): its other vertex"),
     OF_EDGE(first_row, "first_row(edge): the first scan line it meets"),

@@ -128,14 +128,24 @@ polygon = [
 ]
 )";
 
+/// A concave polygon with its notch at the second vertex.
+const std::string one_notch = R"(points = [[0, -1, -1], [0, 0, -0.5], [0, 1, -1], [0, 0, 1]]
+raster = { width = 16, height = 16 }
+camera = { rho = 8, theta = 0, phi = 90 }
+polygon = [{ name = "N", corners = [0, 1, 2, 3] }]
+)";
+
 TEST_CASE("what lessons say about other runs than their own is so") {
   const Edits first_hides_all{
       {"[[37, 15.1, 71.9], [40.6, 24.6, 69.2], [45.7, 27.1, 77.2]]", "[[-60, -5, 1], [100, -5, 1], [20, 110, 1]]"}};
   const std::vector<Run> runs{
       {"viewing: nearer, a vertex of A leaves the window and A is cut to four vertices", "pyramid.toml", "z-buffer",
        "[camera]\nrho = 40", "{y_p(2) = -35} {count(outline where polygon == 0) = 4}"},
-      {"back-faces: without culling the same picture takes more compares", "wall.toml", "z-buffer",
-       "[conventions]\ncull = false", "{count(compare) = 361} {frame(12, 12) = A}"},
+      {"back-faces: without culling the same picture takes more compares", "dart.toml", "z-buffer",
+       "[conventions]\ncull = false", "{count(compare) = 370} {frame(12, 12) = A}"},
+      {"back-faces: three consecutive vertices can say the opposite of the sum over the fan", one_notch, "z-buffer", "",
+       "{triple_product(0, 1, 2) = -8} {triple_product(0, 2, 3) = 32} {count(facing where determinant == 24 and facing "
+       "== front) = 1}"},
       {"z-buffer: W last, compares stay and no write is replaced", "wall.toml", "z-buffer", "",
        "{count(compare) = 224} {count(compare where not nearer) = 16} {count(compare where nearer and stored < "
        "infinity) = 0} {frame(12, 12) = A}",
