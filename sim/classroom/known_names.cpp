@@ -25,6 +25,13 @@ const Fragment& fragment_at(const Moment& moment) {
   if (!fragment) lacking(moment, "pixel at work", "interpolate_z");
   return *fragment;
 }
+/// That of the ray at work, if there is one, else that of the fragment.
+glm::ivec2 pixel_at(const Moment& moment) {
+  const RayWork& rays = moment.state().machine.rays;
+  for (const RayRow& row : rays.tree)
+    if (rays.ray == row.entry.ray) return {row.entry.x, row.entry.y};
+  return {fragment_at(moment).x, fragment_at(moment).y};
+}
 const FacingTest& facing_at(const Moment& moment) {
   const auto& facing = moment.state().machine.facing;
   if (!facing) lacking(moment, "facing test", "facing");
@@ -94,8 +101,8 @@ const KnownName names[] = {
      "how many vertices the polygon has as it is drawn"},
     {"stored", Type::number, stored, "the depth buffer's number at the pixel, before this fragment"},
     {"stored_polygon", Type::polygon, stored_polygon, "the polygon seen at the pixel, before this fragment"},
-    {"x", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).x); }, "column of the pixel at work"},
-    {"y", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).y); }, "row of the pixel at work"},
+    {"x", Type::number, [](const Moment& m) { return Quantity::of(pixel_at(m).x); }, "column of the pixel at work"},
+    {"y", Type::number, [](const Moment& m) { return Quantity::of(pixel_at(m).y); }, "row of the pixel at work"},
     {"z", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).z); },
      "the polygon's depth at that pixel"},
     {"nearer", Type::truth,
