@@ -4,6 +4,7 @@
 #include "sim/classroom/lesson.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 #include "tests/where.hpp"
 
@@ -25,6 +26,24 @@ TEST_CASE("Shift+T shows T_1 to T_4 one after the other, each another picture, a
   CHECK(viewing_step(app.ui()) == 0);
   app.session().message.clear();
   CHECK(test::picture(app) == pictures.front());
+}
+
+TEST_CASE("the scene and the first lesson turn the axes by the same angle") {
+  Lesson lesson = find_lesson("viewing");
+  const Trace trace = run_lesson(lesson);
+  App app(trace, &lesson, {}, 1280, 720);
+  const std::array<std::string, 5> angles{"", "", "\u221253.13\u00b0", "126.87\u00b0", ""};
+  for (int stop = 0; stop < static_cast<int>(lesson.stops.size()); ++stop) {
+    app.session().to_stop(stop);
+    const std::string& angle = angles[static_cast<std::size_t>(viewing_step(app.ui()))];
+    if (angle.empty()) continue;
+    test::picture(app);
+    int said = 0;
+    for (const std::string& word : test::letters_of(app.ui().fonts).words)
+      if (const std::size_t at = word.find(angle); at != std::string::npos)
+        said += !word.substr(0, at).ends_with("\u2212");
+    CHECK_MESSAGE(said == 2, angle);
+  }
 }
 
 TEST_CASE("a scene on the screen has no such steps, and the window says so") {

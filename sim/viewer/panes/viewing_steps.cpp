@@ -26,7 +26,7 @@ struct Told {
   const char* does;
   Entries symbols;
 };
-/// What each does, {} the angle that it turns by, and how it is written.
+/// What each does to the axes, {} the angle that it turns them by, and how it is written.
 const Told& told(int step) {
   static const std::array<Told, 4> all{
       Told{"T\u2081 moves the origin to the eye e. The axes stay parallel to the world's.",
@@ -34,27 +34,28 @@ const Told& told(int step) {
             {"0", "1", "0", "\u2212e_y"},
             {"0", "0", "1", "\u2212e_z"},
             {"0", "0", "0", "1"}}},
-      Told{"T\u2082 turns about z by 90\u00b0 \u2212 \u03b8 = {}\u00b0. Then x lies level, across the line of sight.",
+      Told{"T\u2082 turns the axes about z by \u03b8 \u2212 90\u00b0 = {}\u00b0. Then x lies level, across the line of "
+           "sight.",
            {{"sin \u03b8", "\u2212cos \u03b8", "0", "0"},
             {"cos \u03b8", "sin \u03b8", "0", "0"},
             {"0", "0", "1", "0"},
             {"0", "0", "0", "1"}}},
-      Told{
-          "T\u2083 turns about x by \u03c6 \u2212 180\u00b0 = {}\u00b0. Then z lies along the line of sight, away from "
-          "the eye.",
-          {{"1", "0", "0", "0"},
-           {"0", "\u2212cos \u03c6", "sin \u03c6", "0"},
-           {"0", "\u2212sin \u03c6", "\u2212cos \u03c6", "0"},
-           {"0", "0", "0", "1"}}},
-      Told{"T\u2084 changes the sign of x. Then x_v points to the right of the picture, and the axes are left-handed.",
+      Told{"T\u2083 turns the axes about x by 180\u00b0 \u2212 \u03c6 = {}\u00b0. Then z lies along the line of sight, "
+           "away "
+           "from the eye.",
+           {{"1", "0", "0", "0"},
+            {"0", "\u2212cos \u03c6", "sin \u03c6", "0"},
+            {"0", "\u2212sin \u03c6", "\u2212cos \u03c6", "0"},
+            {"0", "0", "0", "1"}}},
+      Told{"T\u2084 reverses the x axis. Then x_v points to the right of the picture, and the axes are left-handed.",
            {{"\u22121", "0", "0", "0"}, {"0", "1", "0", "0"}, {"0", "0", "1", "0"}, {"0", "0", "0", "1"}}}};
   return all[static_cast<std::size_t>(step - 1)];
 }
 
-/// By how many degrees it turns points.
+/// By how many degrees it turns the axes: as far as the matrix turns points, the other way round.
 double turned(const glm::dmat4& t, int step) {
   const glm::dvec2 to = step == 2 ? glm::dvec2(t[0][0], t[0][1]) : glm::dvec2(t[1][1], t[1][2]);
-  return glm::degrees(portable::atan2(to.y, to.x)) + 0.0;
+  return 0.0 - glm::degrees(portable::atan2(to.y, to.x));
 }
 
 /// How coordinates are called after so many of the four: x_w, x_1, …, x_v.
