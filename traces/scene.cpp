@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "traces/formulas/fixed_depths.hpp"
 #include "traces/formulas/from_raster.hpp"
 
 namespace zstep {
@@ -61,7 +62,10 @@ double view_depth_error(const Camera& camera, const Conventions& conventions, do
   return -off * (1 / F - 1 / f) / range * z * exact;
 }
 
-double depth_range(const Scene& scene, Conventions::Depth depth) {
+namespace {
+
+/// The depths that a run can have, the least one first.
+std::pair<double, double> ends_of_depths(const Scene& scene, Conventions::Depth depth) {
   Conventions conventions;
   conventions.depth = depth;
   double from = 0, to = 0;
@@ -73,13 +77,25 @@ double depth_range(const Scene& scene, Conventions::Depth depth) {
     from = buffer_depth(scene.camera, conventions, scene.camera.near);
     to = buffer_depth(scene.camera, conventions, scene.camera.far);
   }
-  const double range = std::abs(to - from);
+  return std::minmax(from, to);
+}
+
+}  // namespace
+
+double depth_range(const Scene& scene, Conventions::Depth depth) {
+  const auto [least, greatest] = ends_of_depths(scene, depth);
+  const double range = greatest - least;
   return std::isfinite(range) && range > 0 ? range : 1;
 }
 
 double depth_unit(const Scene& scene, const Conventions& conventions) {
-  const int bits = bits_of(conventions.number_format);
-  return bits == 0 ? 0 : std::ldexp(depth_range(scene, conventions.depth), -bits);
+  const double greatest = formulas::greatest_number(conventions.number_format);
+  return greatest == 0 ? 0 : depth_range(scene, conventions.depth) / greatest;
+}
+
+double formulas::least_depth(const Scene& scene, Conventions::Depth depth) {
+  const double least = ends_of_depths(scene, depth).first;
+  return std::isfinite(least) ? least : 0;
 }
 
 const Placement* placement_of(const Scene& scene, std::int32_t point) {

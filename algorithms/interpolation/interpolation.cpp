@@ -10,6 +10,7 @@
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "traces/error.hpp"
 #include "traces/formulas/attributes.hpp"
+#include "traces/formulas/fixed_depths.hpp"
 #include "traces/formulas/planes.hpp"
 #include "traces/record/all_recorders.hpp"
 
@@ -288,12 +289,14 @@ template <class Use>
 auto in_numbers(const Scene& scene, const Conventions& conventions, Use&& use) {
   if (conventions.number_format == NumberFormat::float64) return use(NumbersOf<double>{});
   if (conventions.number_format == NumberFormat::float32) return use(NumbersOf<float>{});
-  const double unit = depth_unit(scene, conventions);
   Conventions interpolated = conventions;  // of `corrected`: 1/z_v
   if (conventions.depth == Conventions::Depth::corrected) interpolated.depth = Conventions::Depth::reciprocal;
-  const double unit_along = depth_unit(scene, interpolated);
-  if (conventions.rounding == Conventions::Rounding::nearest) return use(NumbersOf<FixedNearest>{unit_along, unit});
-  return use(NumbersOf<FixedDown>{unit_along, unit});
+  const auto fixed = [&]<class T>(T) {
+    return NumbersOf<T>{depth_unit(scene, interpolated), depth_unit(scene, conventions),
+                        formulas::least_depth(scene, interpolated.depth), formulas::least_depth(scene, conventions.depth)};
+  };
+  if (conventions.rounding == Conventions::Rounding::nearest) return use(fixed(FixedNearest{}));
+  return use(fixed(FixedDown{}));
 }
 
 }  // namespace

@@ -50,8 +50,9 @@ struct FixedProduct {
   friend FixedProduct operator-(FixedProduct a, FixedProduct b) { return {a.units - b.units, a.unit}; }
 };
 
-/// A fixed-point number: so many units, of a size that goes with it. Positions count 1/65536 of a pixel, depths what
-/// depth_unit() says; slopes count the unit of what they are added to.
+/// A fixed-point number: so many units, of a size that goes with it, counted from an origin. Positions count 1/65536 of a
+/// pixel, depths what depth_unit() says, from the least depth that there can be; of a difference the origin is 0, and
+/// slopes count the unit of what they are added to.
 template <Conventions::Rounding rounding>
 class Fixed {
  public:
@@ -60,16 +61,20 @@ class Fixed {
   Fixed() = default;
   template <std::same_as<std::int32_t> Whole>
   Fixed(Whole pixels) : units_(pixels * static_cast<std::int64_t>(positions)) {}  // NOLINT: a pixel is one
-  static Fixed of(double value, double unit) {
-    const double units = value / unit;
-    const bool nearest = rounding == Conventions::Rounding::nearest;
-    return {detail::limited_units(std::floor(nearest ? units + 0.5 : units)), unit};
+  static Fixed of(double value, double unit, double origin = 0) {
+    const double units = (value - origin) / unit;
+    if constexpr (rounding == Conventions::Rounding::nearest)
+      return {detail::limited_units(std::floor(units + 0.5)), unit, origin};
+    // What is a whole number of units but for the last bits of these doubles loses none of them.
+    const double last_bits = (std::abs(units) + std::abs(origin / unit)) * 0x1p-51;
+    return {detail::limited_units(std::floor(units + last_bits)), unit, origin};
   }
-  operator double() const { return static_cast<double>(units_) * unit_; }  // NOLINT: events hold doubles
+  operator double() const { return origin_ + static_cast<double>(units_) * unit_; }  // NOLINT: events hold doubles
 
   Fixed& operator+=(Fixed other) { return *this = *this + other; }
-  friend Fixed operator+(Fixed a, Fixed b) { return {a.units_ + b.units_, a.unit_}; }
-  friend Fixed operator-(Fixed a, Fixed b) { return {a.units_ - b.units_, a.unit_}; }
+  friend Fixed operator+(Fixed a, Fixed b) { return {a.units_ + b.units_, a.unit_, a.origin_ + b.origin_}; }
+  friend Fixed operator-(Fixed a, Fixed b) { return {a.units_ - b.units_, a.unit_, a.origin_ - b.origin_}; }
+  /// Of differences: what is counted from an origin has no product.
   friend FixedProduct<rounding> operator*(Fixed a, Fixed b) {
     return {static_cast<detail::Wide>(a.units_) * b.units_, a.unit_ * b.unit_};
   }
@@ -82,17 +87,18 @@ class Fixed {
     return a + divided(b.units, static_cast<detail::Wide>(positions), a.unit_);
   }
   double unit() const { return unit_; }
+  double units() const { return static_cast<double>(units_); }
 
   static Fixed divided(detail::Wide above, detail::Wide below, double unit) {
-    if (below == 0) return {0, unit};
-    return {detail::limited_units(detail::quotient(above, below, rounding)), unit};
+    if (below == 0) return {0, unit, 0};
+    return {detail::limited_units(detail::quotient(above, below, rounding)), unit, 0};
   }
 
  private:
-  Fixed(std::int64_t units, double unit) : units_(units), unit_(unit) {}
+  Fixed(std::int64_t units, double unit, double origin) : units_(units), unit_(unit), origin_(origin) {}
 
   std::int64_t units_ = 0;
-  double unit_ = 1 / positions;
+  double unit_ = 1 / positions, origin_ = 0;
 };
 template <Conventions::Rounding rounding>
 Fixed<rounding> operator/(FixedProduct<rounding> a, FixedProduct<rounding> b) {
@@ -117,7 +123,7 @@ template <Conventions::Rounding rounding>
 RoundingOf rounding_of_result(const Fixed<rounding>& result) {
   // What is out of range stays at its end, however far off that is. With what it is added to, it is beyond half of it.
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (std::abs(static_cast<double>(result)) >= detail::most_units / 2 * result.unit())
+  if (std::abs(result.units()) >= detail::most_units / 2)
     return {infinity, infinity, infinity};
   const double off = rounding == Conventions::Rounding::nearest ? result.unit() / 2 : result.unit();
   return {0, 0, off};
@@ -183,11 +189,12 @@ namespace zstep::scan_conversion {
 /// `reciprocal` is what makes z_v of 1/z_v at a pixel.
 template <Conventions::Rounding rounding>
 struct NumbersOf<Fixed<rounding>> {
-  double depth_unit = 1, reciprocal_unit = 1;  ///< of what is interpolated, and of its reciprocal
+  double depth_unit = 1, reciprocal_unit = 1;      ///< of what is interpolated, and of its reciprocal
+  double depth_origin = 0, reciprocal_origin = 0;  ///< what they are counted from
   Fixed<rounding> position(double x) const { return Fixed<rounding>::of(x, 1 / Fixed<rounding>::positions); }
-  Fixed<rounding> depth(double z) const { return Fixed<rounding>::of(z, depth_unit); }
+  Fixed<rounding> depth(double z) const { return Fixed<rounding>::of(z, depth_unit, depth_origin); }
   Fixed<rounding> reciprocal(Fixed<rounding> w) const {
-    return Fixed<rounding>::of(1 / static_cast<double>(w), reciprocal_unit);
+    return Fixed<rounding>::of(1 / static_cast<double>(w), reciprocal_unit, reciprocal_origin);
   }
 };
 template <class T>

@@ -93,7 +93,7 @@ std::string buffer_text(const Trace& trace) {
   const Conventions& conventions = trace.header().conventions;
   const double unit = depth_unit(trace.scene(), conventions);
   if (unit == 0) return "one ulp is the last bit of the depth buffer at that depth";
-  return fmt::format("one ulp is the last bit of the depth buffer: {:.3g}, 1/2^{} of its range", unit,
+  return fmt::format("one ulp is the last bit of the depth buffer: {:.3g}, 1/(2^{} - 1) of its range", unit,
                      bits_of(conventions.number_format));
 }
 

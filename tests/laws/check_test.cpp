@@ -224,5 +224,31 @@ TEST_CASE("check: where the header does not say in which numbers a run computes,
   }
 }
 
+TEST_CASE("check: a program that counts 2^N units from 0 for the range of depths computes in fixed point, too") {
+  const Scene scene = load_scene(test::in_checkout("lessons/scenes/ramp.toml")).scene;
+  Conventions conventions;
+  conventions.number_format = NumberFormat::fixed16;
+  Header header = header_for(method("z-buffer"), Conventions{});
+  header.undeclared |= std::uint8_t{1} << static_cast<unsigned>(Convention::number_format);
+  Scene wider = scene;
+  wider.point_lines.clear();
+  wider.points.emplace_back(0, 0, 65536);  // of no polygon: the depths count ones, as they did
+  TraceRecorder recorder(header, wider);
+  method("z-buffer").record(scene, conventions, recorder);
+  recorder.finish();
+  CHECK(check(Trace::from_bytes(recorder.take_bytes(), "wider")).precision.text == "fixed16, as the numbers look");
+}
+
+TEST_CASE("check: short fractions, which fixed point has as well, do not make fixed point of float64") {
+  for (const int parts : {5, 15, 17, 51, 255}) {  // all of them divide 2^16 - 1
+    Scene scene;
+    scene.camera.kind = Camera::Kind::screen, scene.raster = {64, 16, false};
+    scene.points = {{0, 1, 0}, {parts, 1, 1}, {parts, 9, 1}, {0, 9, 0}};
+    scene.corners = {0, 1, 2, 3}, scene.polygons.resize(1), scene.facets = {{0, 0, 4}};
+    CAPTURE(parts);
+    CHECK(check(recorded(method("z-buffer"), scene, Conventions{}, true)).precision.format == NumberFormat::float64);
+  }
+}
+
 }  // namespace
 }  // namespace zstep

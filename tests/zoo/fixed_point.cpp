@@ -1,5 +1,5 @@
-// A Z-buffer in whole numbers, as for a machine without floating point: x in 65536ths of a pixel, depths in units of
-// 2^-bits of the scene's range of depths. Only what is printed is a fraction again.
+// A Z-buffer in whole numbers, as for a machine without floating point: x in 65536ths of a pixel, depths as whole
+// numbers from 0 for the scene's least depth to 2^bits - 1 for its greatest. Only what is printed is a fraction again.
 #include <algorithm>
 #include <cstdint>
 
@@ -21,7 +21,7 @@ struct FixedPoint {
   const Task& task;
   Output out{};
   bool adds = task.style.find("adds") != std::string::npos, down = task.style.find("down") != std::string::npos;
-  double unit = 1;
+  double unit = 1, origin = 0;
   std::vector<Whole> depth{};
   static constexpr Whole pixel = 65536, empty = Whole{1} << 40;
 
@@ -32,10 +32,11 @@ struct FixedPoint {
     return twice >= 0 ? twice / below : -((-twice + below - 1) / below);
   }
   Whole whole(double number, double of) const {
-    return static_cast<Whole>(std::floor(number / of + (down ? 0 : 0.5)));
+    return static_cast<Whole>(std::floor(number / of + (down ? 1e-6 : 0.5)));
   }
   static double x_of(Whole x) { return static_cast<double>(x) / pixel; }
-  double z_of(Whole z) const { return static_cast<double>(z) * unit; }
+  double z_of(Whole z) const { return origin + slope_of(z); }
+  double slope_of(Whole dz) const { return static_cast<double>(dz) * unit; }
   static int line_from(Whole y) { return static_cast<int>(y >= 0 ? (y + pixel - 1) / pixel : -(-y / pixel)); }
 
   void move_to(WholeEdge& edge, int y) const {
@@ -61,7 +62,7 @@ struct FixedPoint {
       move_to(edge, first);
       out.print("insert_edge", "edge", edge.number, "polygon", polygon.number, "vertex_0", from, "vertex_1", to,
                 "first_row", first, "end_row", end, "x_edge", x_of(edge.x), "dx_dy", x_of(edge.x_slope), "z_edge",
-                z_of(edge.z), "dz_dy", z_of(edge.z_slope));
+                z_of(edge.z), "dz_dy", slope_of(edge.z_slope));
       edges.push_back(edge);
     }
     return edges;
@@ -69,7 +70,7 @@ struct FixedPoint {
   struct WholePoint {
     Whole x, y, z;
   };
-  WholePoint whole_point(Point p) const { return {whole(p.x, x_of(1)), whole(p.y, x_of(1)), whole(p.z, unit)}; }
+  WholePoint whole_point(Point p) const { return {whole(p.x, x_of(1)), whole(p.y, x_of(1)), whole(p.z - origin, unit)}; }
 
   void draw(const Polygon& polygon) {
     out.print("polygon", "polygon", polygon.number, "facet", polygon.number);
@@ -93,7 +94,7 @@ struct FixedPoint {
     const Whole across = right.x - left.x, slope = scaled(right.z - left.z, pixel, across);
     out.print("span", "left_edge", left.number, "right_edge", right.number, "y", y, "first", first, "last", last,
               "x_left", x_of(left.x), "z_left", z_of(left.z), "x_right", x_of(right.x), "z_right", z_of(right.z),
-              "dz_dx", z_of(slope));
+              "dz_dx", slope_of(slope));
     Whole z = 0;
     for (int x = first; x <= last; ++x) {
       const bool anew = !adds || x == first;
@@ -117,7 +118,7 @@ std::string fixed_point(const Task& task) {
   const auto [nearest, farthest] = std::minmax_element(task.points.begin(), task.points.end(),
                                                        [](Point a, Point b) { return a.z < b.z; });
   const double range = farthest->z - nearest->z;
-  program.unit = std::ldexp(range > 0 ? range : 1, -std::stoi(task.style));
+  program.unit = (range > 0 ? range : 1) / (std::ldexp(1, std::stoi(task.style)) - 1), program.origin = nearest->z;
   program.depth.assign(static_cast<std::size_t>(task.width * task.height), FixedPoint::empty);
   program.out.print("clear", "z", INFINITY);
   for (const Polygon& polygon : task.polygons) program.draw(polygon);

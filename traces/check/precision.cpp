@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "traces/events/slots.hpp"
+#include "traces/formulas/fixed_depths.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
 
@@ -74,18 +76,27 @@ struct Seen {
 
 bool is_float32(double value) { return static_cast<double>(static_cast<float>(value)) == value; }
 
-/// Are some numbers whole multiples of a unit? Those do not tell that are multiples of 64 units, as short ones are of a
-/// small unit, or that float32 would have as well: it counts in such units from 2^23 of them on.
+/// How a program may count in fixed point: `steps` units make 1 of what a number is a part of (a range of depths, a pixel).
+struct Grid {
+  double origin, unit;
+  std::int64_t steps;
+};
+
+/// Are some numbers whole numbers of units? Those do not tell that short ones are as well, having 64 and more of the
+/// steps' factors in common with them (1/2 of 65536 steps, 1/15 of 65535), or that float32 would have: it counts in such
+/// units from 2^23 of them on.
 struct Multiples {
   std::size_t telling = 0, multiples = 0;
 
-  Multiples(const std::vector<double>& values, double unit) {
+  void add(const std::vector<double>& values, const Grid& grid) {
     for (const double value : values) {
       constexpr double near = 1e-5;
-      constexpr int coarse = 64;
-      const double units = value / unit, whole = std::round(units);
+      constexpr std::int64_t coarse = 64;
+      const double units = (value - grid.origin) / grid.unit, whole = std::round(units);
       const bool multiple = std::abs(units - whole) <= near;
-      if (multiple && (std::fmod(whole, coarse) == 0 || (std::abs(whole) >= 0x1p23 && is_float32(value)))) continue;
+      if (multiple && std::abs(whole) < 0x1p62 && std::gcd(static_cast<std::int64_t>(whole), grid.steps) >= coarse)
+        continue;
+      if (multiple && std::abs(whole) >= 0x1p23 && is_float32(value)) continue;
       ++telling, multiples += multiple;
     }
   }
@@ -95,7 +106,7 @@ struct Multiples {
 
 /// The numbers that a program interpolates: depths and positions, and slopes of both.
 struct Interpolated {
-  std::vector<double> depths, positions;
+  std::vector<double> depths, depth_slopes, positions;
 
   explicit Interpolated(const Trace& trace) {
     constexpr std::size_t enough = 2000;
@@ -108,21 +119,24 @@ struct Interpolated {
       const auto along = [&](double z) {
         if (same) add(depths, z);
       };
+      const auto slope = [&](double dz) {
+        if (same) add(depth_slopes, dz);
+      };
       if (const auto* found = get_if<DepthInterpolate>(&recorded.event)) add(depths, found->z);
       else if (const auto* compared = get_if<DepthCompare>(&recorded.event)) add(depths, compared->z);
       else if (const auto* edge = get_if<EdgeTableInsert>(&recorded.event))
-        add(positions, edge->x_edge), add(positions, edge->dx_dy), along(edge->z_edge), along(edge->dz_dy);
+        add(positions, edge->x_edge), add(positions, edge->dx_dy), along(edge->z_edge), slope(edge->dz_dy);
       else if (const auto* moved = get_if<EdgeStep>(&recorded.event))
         add(positions, moved->x_edge), along(moved->z_edge);
-      else if (const auto* span = get_if<SpanBegin>(&recorded.event)) along(span->dz_dx);
-      else if (const auto* plane = get_if<PlaneSlopes>(&recorded.event)) along(plane->dz_dx), along(plane->dz_dy);
+      else if (const auto* span = get_if<SpanBegin>(&recorded.event)) slope(span->dz_dx);
+      else if (const auto* plane = get_if<PlaneSlopes>(&recorded.event)) slope(plane->dz_dx), slope(plane->dz_dy);
       return depths.size() < enough;
     });
   }
   /// Numbers of float32 have 24 bits; not all of them have fewer, as short ones of float64 have.
   bool look_like_float32() const {
     std::size_t narrow = 0, some_long = 0;
-    for (const auto* of : {&depths, &positions})
+    for (const auto* of : {&depths, &depth_slopes, &positions})
       for (const double value : *of) {
         constexpr int some = 20;
         int exponent = 0;
@@ -135,15 +149,23 @@ struct Interpolated {
 };
 
 /// What a program interpolates in, where other numbers of its trace are computed in float64, as those of vertices are.
-/// Fixed-point numbers are whole multiples of a unit: the largest one of which nearly all are that tell.
+/// Fixed-point numbers are whole numbers of a unit: the largest one of which nearly all are that tell. Some programs count
+/// 2ᴺ − 1 units from the least depth to the greatest, others 2ᴺ from 0 for the same length.
 std::optional<NumberFormat> format_of_depths(const Trace& trace, const HeldTo& held) {
   const Interpolated numbers(trace);
-  const Multiples positions(numbers.positions, 1 / fixed_positions_a_pixel);
-  const auto in_units = [&](NumberFormat format) {
-    Conventions conventions = trace.header().conventions;
-    conventions.number_format = format;
-    const Multiples depths(numbers.depths, depth_unit(trace.scene(), conventions));
+  Multiples positions;
+  positions.add(numbers.positions, {0, 1 / fixed_positions_a_pixel, static_cast<std::int64_t>(fixed_positions_a_pixel)});
+  const Conventions::Depth depth = trace.header().conventions.depth;
+  const double least = formulas::least_depth(trace.scene(), depth), range = depth_range(trace.scene(), depth);
+  const auto counted_by = [&](const Grid& grid) {
+    Multiples depths;
+    depths.add(numbers.depths, grid), depths.add(numbers.depth_slopes, {0, grid.unit, grid.steps});
     return (depths.tell() || positions.tell()) && depths.nearly_all() && positions.nearly_all();
+  };
+  const auto in_units = [&](NumberFormat format) {
+    const auto most = static_cast<std::int64_t>(formulas::greatest_number(format));
+    return counted_by({least, range / static_cast<double>(most), most}) ||
+           counted_by({0, range / static_cast<double>(most + 1), most + 1});
   };
   using enum NumberFormat;
   for (const NumberFormat format : {fixed16, fixed18, fixed20, fixed24, fixed32})

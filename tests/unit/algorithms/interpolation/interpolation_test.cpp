@@ -236,7 +236,7 @@ TEST_CASE("perspective: of a wall from z_v = 10 to 40 the error of z_v is the cl
     }
 }
 
-TEST_CASE("resolution: a unit of b bits is (F - f) z_v^2/(f F)/2^b of z_v, at 16 to 32 bits and any near and far") {
+TEST_CASE("resolution: a unit of b bits is (F - f) z_v^2/(f F)/(2^b - 1) of z_v, at 16 to 32 bits and any near and far") {
   for (const double near : {0.01, 0.1, 1.0})
     for (const double far : {10.0, 1000.0})
       for (const NumberFormat format : {NumberFormat::fixed16, NumberFormat::fixed18, NumberFormat::fixed20,
@@ -245,12 +245,43 @@ TEST_CASE("resolution: a unit of b bits is (F - f) z_v^2/(f F)/2^b of z_v, at 16
         scene.camera.near = near, scene.camera.far = far;
         Conventions c;
         c.depth = Depth::reversed, c.number_format = format;
-        const double z = std::sqrt(near * far), unit = std::ldexp(1.0, -bits_of(format));
+        const double z = std::sqrt(near * far), unit = 1 / (std::ldexp(1.0, bits_of(format)) - 1);
+        CHECK(depth_unit(scene, c) == doctest::Approx(unit).epsilon(1e-14));
         const double depth = buffer_depth(scene.camera, c, z);
         const double next = view_depth(scene.camera, c, depth - unit);
         CHECK(std::abs(view_depth_error(scene.camera, c, depth - unit, -unit)) ==
               doctest::Approx(next - z).epsilon(1e-6));
         CHECK((next - z) == doctest::Approx((far - near) * z * next / (near * far) * unit).epsilon(1e-6));
+      }
+}
+
+TEST_CASE("fixed point: N bits hold 2^N numbers, 0 for the least depth and 2^N - 1 for the greatest") {
+  const Scene ramp = load_scene(test::in_checkout("lessons/scenes/ramp.toml")).scene;  // z from 0 to 65535
+  for (const NumberFormat format : {NumberFormat::fixed16, NumberFormat::fixed18, NumberFormat::fixed20,
+                                    NumberFormat::fixed24, NumberFormat::fixed32})
+    for (const auto rounding : {Conventions::Rounding::nearest, Conventions::Rounding::down})
+      for (const Scene& scene : {ramp, small("pyramid-behind"), small("foley"), small("cyclic", true)}) {
+        Conventions c;
+        c.number_format = format, c.rounding = rounding;
+        CAPTURE(name_of(c));
+        CAPTURE(scene.name);
+        CollectRecorder record;
+        interpolation::run(scene, c, record);
+        const double most = std::ldexp(1.0, bits_of(format)) - 1, unit = depth_unit(scene, c);
+        const double origin = scene.camera.kind == Camera::Kind::screen ? 0 : -1;
+        CHECK(unit * most == doctest::Approx(depth_range(scene, c.depth)).epsilon(1e-14));
+        double least = most, greatest = 0, off = 0;
+        for (const DepthInterpolate& depth : record.all<DepthInterpolate>()) {
+          const double units = (depth.z - origin) / unit;
+          off = std::max(off, std::abs(units - std::round(units)));
+          least = std::min(least, std::round(units)), greatest = std::max(greatest, std::round(units));
+        }
+        CHECK(off < 1e-5);
+        CHECK(least >= 0);
+        CHECK(greatest <= most);
+        if (scene.name != ramp.name) continue;  // of others no pixel is as near or as far as can be
+        CHECK(least == 0);
+        CHECK(greatest == most);
       }
 }
 

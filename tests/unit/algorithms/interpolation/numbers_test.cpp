@@ -48,6 +48,33 @@ TEST_CASE("fixed point: numbers out of range stay at its end") {
   CHECK(static_cast<double>(FixedNearest::divided(1, 0, 1)) == 0);
 }
 
+template <class Fixed>
+void hold_ends(double least, double size, double most) {
+  const double unit = size / most;
+  CHECK(Fixed::of(least, unit, least).units() == 0);
+  CHECK(Fixed::of(least + size, unit, least).units() == most);
+  for (const double units : {1.0, 3.0, std::floor(most / 3), most - 1})  // what is held is held again
+    CHECK(Fixed::of(least + units * unit, unit, least).units() == units);
+  CHECK(static_cast<double>(Fixed::of(least, unit, least)) == least);
+  CHECK(static_cast<double>(Fixed::of(least + size, unit, least)) == doctest::Approx(least + size).epsilon(1e-15));
+  const auto half = Fixed::of(least + size / 2, unit, least), first = Fixed::of(least, unit, least);
+  CHECK(static_cast<double>(half - first) == (half.units() - first.units()) * unit);  // no origin left
+}
+
+TEST_CASE("fixed point: the least depth is 0, the greatest 2^N - 1, nearest or cut off") {
+  std::mt19937_64 random(65535);
+  std::uniform_real_distribution<double> least(-100, 100), exponent(-3, 12);
+  for (const int bits : {16, 18, 20, 24, 32})
+    for (int k = 0; k < 200; ++k) {
+      const double from = k == 0 ? -1 : least(random), size = k == 0 ? 2 : std::exp2(exponent(random));
+      CAPTURE(bits);
+      CAPTURE(from);
+      CAPTURE(size);
+      hold_ends<FixedNearest>(from, size, std::ldexp(1.0, bits) - 1);
+      hold_ends<FixedDown>(from, size, std::ldexp(1.0, bits) - 1);
+    }
+}
+
 /// The largest error, as a share of its bound, of many random spans; `adds`: by increments.
 template <class T>
 double worst_share(bool adds, int spans, const scan_conversion::NumbersOf<T>& numbers) {
@@ -92,8 +119,8 @@ void hold(const std::string& format, double share) {
 
 TEST_CASE("bounds: of random spans in each format none is farther off than its bound, and some are a quarter as far") {
   const int spans = how_many(250'000);
-  const scan_conversion::NumbersOf<FixedNearest> fixed16{std::ldexp(2.0, -16), 1}, fixed32{std::ldexp(2.0, -32), 1};
-  const scan_conversion::NumbersOf<FixedDown> cut16{std::ldexp(2.0, -16), 1};
+  const scan_conversion::NumbersOf<FixedNearest> fixed16{2 / (std::ldexp(1.0, 16) - 1), 1, -1}, fixed32{2 / (std::ldexp(1.0, 32) - 1), 1, -1};
+  const scan_conversion::NumbersOf<FixedDown> cut16{2 / (std::ldexp(1.0, 16) - 1), 1, -1};
   for (const bool adds : {false, true}) {
     CAPTURE(adds);
     hold("float64", worst_share<double>(adds, spans, {}));
@@ -164,8 +191,8 @@ double worst_share_of_planes(bool adds, int planes, const scan_conversion::Numbe
 
 TEST_CASE("bounds: of random planes in each format none is farther off than its bound, and some are a quarter as far") {
   const int planes = how_many(20'000);
-  const scan_conversion::NumbersOf<FixedNearest> fixed16{std::ldexp(2.0, -16), 1}, fixed32{std::ldexp(2.0, -32), 1};
-  const scan_conversion::NumbersOf<FixedDown> cut16{std::ldexp(2.0, -16), 1};
+  const scan_conversion::NumbersOf<FixedNearest> fixed16{2 / (std::ldexp(1.0, 16) - 1), 1, -1}, fixed32{2 / (std::ldexp(1.0, 32) - 1), 1, -1};
+  const scan_conversion::NumbersOf<FixedDown> cut16{2 / (std::ldexp(1.0, 16) - 1), 1, -1};
   for (const bool adds : {false, true}) {
     CAPTURE(adds);
     hold("float64", worst_share_of_planes<double>(adds, planes, {}));
