@@ -2,6 +2,7 @@
 // far goes through a range.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "sim/cli/words.hpp"
 #include "sim/cost/measure.hpp"
 #include "sim/cost/modes.hpp"
+#include "sim/cost/threshold.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
@@ -198,23 +200,42 @@ Sweep sweep_of(const std::string& text) {
   return sweep;
 }
 
-/// Where the wrong pixels begin: by formula, where the depth buffer cannot tell the nearest two polygons apart.
+/// Where it begins, and whether it goes on from there: "at near = 0.749".
+std::string beginning_text(const Sweep& sweep, const compare::Threshold& begins) {
+  using enum compare::Threshold::Kind;
+  if (begins.kind == none) return "nowhere in this range";
+  const std::string at = fmt::format("at {} = {:.3g}", sweep.name, begins.at);
+  return begins.kind == everywhere ? at + ", an end of this range, or beyond it" : at;
+}
+
+/// Where wrong pixels begin, looked for between the samples; and by formula, where the depth buffer cannot tell the
+/// nearest two polygons apart. `errors_at` measures a mode where the plane is at some distance.
 void print_beginnings(const Sweep& sweep, const std::vector<double>& values,
-                      const std::vector<std::vector<ModeRow>>& runs) {
+                      const std::vector<std::vector<ModeRow>>& runs,
+                      const std::function<ModeErrors(double, const Mode&)>& errors_at) {
   const bool near = sweep.name == "near";  // a smaller near plane makes it worse, a larger far plane does
+  const auto wrong_pixels = [](const ModeErrors& e) { return static_cast<std::int64_t>(e.wrong_pixels); };
+  const auto too_coarse = [](const ModeErrors& e) {
+    return static_cast<std::int64_t>(e.least_gap && e.unit_at_gap > *e.least_gap);
+  };
   for (std::size_t mode = 0; mode < runs.front().size(); ++mode) {
-    std::optional<double> measured, predicted;
-    for (std::size_t step = 0; step < values.size(); ++step) {
-      const std::size_t k = near ? values.size() - 1 - step : step;
-      const ModeErrors& e = runs[k][mode].errors;
-      if (!measured && e.wrong_pixels > 0) measured = values[k];
-      if (!predicted && e.least_gap && e.unit_at_gap > *e.least_gap) predicted = values[k];
-    }
-    const auto text = [&](const std::optional<double>& at) {
-      return at ? fmt::format("at {} = {:.3g}", sweep.name, *at) : std::string("nowhere");
+    const auto begins = [&](const auto& count) {
+      std::vector<compare::Sample> samples;
+      for (std::size_t k = 0; k < values.size(); ++k) samples.push_back({values[k], count(runs[k][mode].errors)});
+      if (near) std::reverse(samples.begin(), samples.end());
+      return compare::threshold_of(std::move(samples), [&](double at) {
+        return count(errors_at(at, runs.front()[mode].mode));
+      });
     };
+    const compare::Threshold measured = begins(wrong_pixels);
     fmt::print("{}: wrong pixels begin {}; a unit of the depth buffer exceeds the smallest gap {}\n",
-               runs.front()[mode].mode.text, text(measured), text(predicted));
+               runs.front()[mode].mode.text, beginning_text(sweep, measured),
+               beginning_text(sweep, begins(too_coarse)));
+    if (const auto& fall = measured.fall)
+      fmt::print(
+          "  That is a threshold of these samples only: the number of wrong pixels does not grow steadily ({} at {} =\n"
+          "  {:.3g}, {} at {:.3g}), and other samples may find some elsewhere.\n",
+          grouped(fall->from.wrong), sweep.name, fall->from.at, grouped(fall->to.wrong), fall->to.at);
   }
 }
 
@@ -282,6 +303,13 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
     if (runs.back().empty()) throw InputError("--modes", "none of these can be drawn", "give others");
     allow_modes("--sweep", runs.back().size(), 3);  // and the smallest gap
   }
+  const auto errors_at = [&](double value, const Mode& mode) {
+    watch.show(fmt::format("{} = {:.3g}: {} (Ctrl-C stops)", sweep.name, value, mode.text));
+    (sweep.name == "near" ? run_options.view.near : run_options.view.far) = value;
+    const ModeErrors errors = compare::errors_of_mode(prepare_for_modes(run_options, false).scene, mode);
+    watch.clear_line();
+    return errors;
+  };
   watch.clear_line();
   using enum Table::Align;
   std::vector<Table::Align> columns{right};
@@ -301,7 +329,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
   fmt::print(
       "{}, {}x{} pixels: the largest error of z_v, and how many pixels do not show the nearest polygon\n\n{}\n",
       scene.name, scene.raster.width, scene.raster.height, table.text(0));
-  print_beginnings(sweep, values, runs);
+  print_beginnings(sweep, values, runs, errors_at);
   write_comparison(options, csv_of(scene.name, sweep.name, values, runs),
                    [&] { return chart_of(sweep, scene, values, runs); });
   return exit_code::done;

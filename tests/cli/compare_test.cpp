@@ -6,6 +6,7 @@
 
 #include "sim/image/png.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep::test;
 
@@ -98,6 +99,25 @@ TEST_CASE("compare-methods: a clipping plane is moved, and the errors are drawn"
   CHECK(has(outcome.out, "fixed16: wrong pixels begin "));
   CHECK(times(text_of(folder / "s.csv"), "\n") == 1 + 2 * 17);
   if (has(outcome.out, "wrote s.png")) CHECK(zstep::read_png(folder / "s.png").width == 1280);
+}
+
+TEST_CASE("compare-methods: where wrong pixels begin is looked for between samples, and is not said to be more than it is") {
+  const Folder folder;
+  const std::string poster = "compare-methods " + in_checkout("lessons/scenes/poster.toml").string() +
+                             " --modes number-format=fixed16 --sweep near=";
+  const auto begins = [&](const std::string& range) {
+    const std::string out = run(folder, poster + range).out;
+    CAPTURE(out);
+    const std::string before = "wrong pixels begin at near = ";
+    REQUIRE(has(out, before));
+    CHECK(has(out, "threshold of these samples only"));
+    return std::stod(out.substr(out.find(before) + before.size()));
+  };
+  const double one = begins("0.01..10"), other = begins("0.1..2");
+  CHECK(one > 0.5);  // 0.487 and 0.75 are samples
+  CHECK(one < 0.74);
+  CHECK(other > 0.9);
+  CHECK(other < 1.1);
 }
 
 TEST_CASE("compare-methods: which depths the buffers of ways can hold is drawn, as SVG too") {
