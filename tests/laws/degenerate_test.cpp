@@ -223,6 +223,32 @@ TEST_SUITE("degenerate input") {
     }
   }
 
+  TEST_CASE("loading: in screen coordinates a polygon without area is not said to be left out, and the coverage decides") {
+    const auto file = scene::read_scene(
+        "coordinates = \"screen\"\nraster = { width = 12, height = 8 }\n[[polygon]]\npoints = [[1, 1, 1], [5, 3, 2], "
+        "[9, 5, 3]]\n",
+        "s", "s", [](const std::string&) { return scene::PolygonSoup{}; });
+    REQUIRE(file.notes.size() == 1);
+    CHECK(file.notes[0].find("not drawn") == std::string::npos);
+    CHECK(file.notes[0].find("where the coverage counts them") != std::string::npos);
+    const auto pixels = [&](const char* id, Conventions::Coverage coverage) {
+      Conventions conventions = conventions_for(method(id));
+      conventions.coverage = coverage;
+      NullRecorder nothing;
+      const Picture picture = method(id).render(file.scene, conventions, nothing);
+      return std::count_if(picture.polygon.begin(), picture.polygon.end(), [](auto p) { return p != no_polygon; });
+    };
+    using enum Conventions::Coverage;
+    CHECK(pixels("z-buffer", top_left) == 0);
+    CHECK(pixels("z-buffer", inclusive) == 5);
+    CHECK(pixels("z-buffer", round) > 0);
+    CHECK(pixels("z-buffer", ceil_floor) > 0);
+    for (const char* id : {"scan-line", "depth-sort", "painter", "bsp", "warnock", "ray-casting", "transparency"}) {
+      CAPTURE(id);
+      CHECK(pixels(id, top_left) == 0);
+    }
+  }
+
   TEST_CASE("recording changes no picture, and a replay rebuilds it") {
     for (const Method& m : methods()) {
       if (m.needs == Needs::surface) continue;
