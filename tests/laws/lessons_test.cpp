@@ -122,26 +122,38 @@ TEST_CASE("every question has one right answer, and a reply to each") {
   }
 }
 
+/// How many characters an answer has as it is shown: filled, without marks of Markdown.
+std::size_t shown_length(const Answer& answer) {
+  const std::string shown = plain_text(parse_markdown(answer.text));
+  return static_cast<std::size_t>(std::count_if(shown.begin(), shown.end(), [](char c) {
+    return (static_cast<unsigned char>(c) >> 6) != 2;  // what follows in UTF-8 is of the same character
+  }));
+}
+
 TEST_CASE("neither place nor length gives the right answer away") {
-  int questions = 0, longest = 0;
+  int questions = 0, shortest = 0, longest = 0;
   std::map<std::size_t, int> places;
   for (const Lesson& lesson : course().told) {
     for (const Stop& stop : lesson.stops) {
       if (!stop.question) continue;
+      std::size_t place = 0, right = 0, least_wrong = std::string::npos, most_wrong = 0;
       const std::vector<Answer>& answers = stop.question->answers;
-      std::size_t most = 0;
-      for (const Answer& answer : answers) most = std::max(most, answer.text.size());
-      const auto right =
-          std::find_if(answers.begin(), answers.end(), [](const Answer& answer) { return answer.right; });
-      REQUIRE(right != answers.end());
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        const std::size_t length = shown_length(answers[i]);
+        if (answers[i].right) place = i, right = length;
+        else least_wrong = std::min(least_wrong, length), most_wrong = std::max(most_wrong, length);
+      }
       ++questions;
-      ++places[static_cast<std::size_t>(right - answers.begin())];
-      longest += right->text.size() == most;
+      ++places[place];
+      shortest += right < least_wrong, longest += right > most_wrong;
     }
   }
-  for (const auto& at : places)
-    CHECK_MESSAGE(at.second <= 0.45 * questions, at.second << " at place " << at.first + 1);
-  CHECK(longest <= 0.45 * questions);
+  // Of three answers each is a third of all that is to be guessed; an eighth more is chance.
+  const auto few_enough = [&](int of) { return 8 * of <= 3 * questions; };
+  CHECK_MESSAGE(few_enough(shortest), shortest << " of " << questions << " right answers are the shortest");
+  CHECK_MESSAGE(few_enough(longest), longest << " of " << questions << " right answers are the longest");
+  for (const auto& [place, times] : places)
+    CHECK_MESSAGE(few_enough(times), times << " of " << questions << " right answers at place " << place + 1);
 }
 
 TEST_CASE("a question is asked before the step that answers it") {
