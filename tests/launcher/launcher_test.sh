@@ -323,6 +323,42 @@ case_the_table_has_what_cmake_looks_for() {
   for name in $listed; do expect "$name is used" "$wanted" "^$name$"; done
 }
 
+# What is no library: programs, and what a compiler brings. A row is there as long as something calls for it: each line is
+# NEED HOW FILE and what stands in that file then.
+case_the_table_has_what_scripts_call() {
+  local need how file pattern rows called=""
+  as_pattern() { sed 's/[+?.]/\\&/g' <<<"$1"; }
+  rows=$(zstep packages)
+  while read -r need how file pattern; do
+    expect "what needs $how still stands in $file" "$(cat "$source_dir/$file")" "$pattern"
+    expect "the row of $how" "$rows" "^$(as_pattern "$need") +$(as_pattern "$how") "
+    called+="$need $how"$'\n'
+  done <<'CALLS'
+test? program:ccache CMakeLists.txt find_program\(CCACHE ccache\)
+test? program:bwrap sim/homework/sandbox_process.hpp "/usr/bin/bwrap"
+test? program:python3 tests/zoo/runs.cpp python3 -c
+test? program:Xvfb tests/viewer/CMakeLists.txt xvfb-run
+test? program:xauth tests/viewer/CMakeLists.txt xvfb-run
+test? program:xdotool tests/viewer/hands/real.sh ^xdotool
+web program:em++ sim/web/build.sh emcmake cmake
+web program:make sim/web/dependencies.sh && make sqlite3.c
+web program:tclsh sim/web/dependencies.sh && make sqlite3.c
+web program:patch sim/web/dependencies.sh apt-get .* source
+web program:dpkg-source sim/web/dependencies.sh apt-get .* source
+web program:xz sim/web/dependencies.sh tar xf .*orig.tar
+web program:fonttools sim/web/fonts.py from fontTools import
+beside program:mmdebstrap sim/web/build.sh ^ *mmdebstrap
+beside program:bwrap sim/web/build.sh ^ *bwrap
+check program:clang++ CMakePresets.json "clang\+\+"
+check runtime:clang CMakeLists.txt -fsanitize=address
+CALLS
+  # And there is none for which nothing does.
+  while read -r need how _; do
+    case $need/$how in build*) continue ;; *program:* | *runtime:*) ;; *) continue ;; esac
+    expect "something calls for $need $how" "$called" "^$(as_pattern "$need $how")$"
+  done <<<"$rows"
+}
+
 # The stand-in for CMake puts the program where the real one does: ZSTEP_PROGRAM, when ctest runs this, is the real one.
 case_the_program_is_where_the_launcher_looks() {
   [ -n "${ZSTEP_PROGRAM-}" ] || { tell "only ctest knows the real program"; return; }
