@@ -1,7 +1,13 @@
-// Errors that are not the input's fault: what the machine does not have, and what was not done to its end.
+// More of errors: several in one file; and what is not the input's fault: what the machine does not have, and what was
+// not done to its end.
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep {
 
@@ -16,6 +22,18 @@ class Exhausted : public InputError {
 class Incomplete : public InputError {
  public:
   using InputError::InputError;
+};
+
+/// Several mistakes of one file: each a line of what(), as it may be shown.
+class InputErrors : public InputError {
+ public:
+  explicit InputErrors(std::vector<std::string> lines) : InputError(printable_each(std::move(lines))) {}
+
+ private:
+  static std::vector<std::string> printable_each(std::vector<std::string> lines) {
+    for (std::string& line : lines) line = printable(line);
+    return lines;
+  }
 };
 
 }  // namespace zstep

@@ -1,6 +1,5 @@
 // A lesson's file: a TOML head between +++ lines, then stops, each a `## ` heading with its anchor.
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@
 #include "sim/classroom/lesson_head.hpp"
 #include "sim/classroom/marking.hpp"
 #include "traces/error.hpp"
+#include "traces/file/input.hpp"
 #include "traces/file/output.hpp"
 #include "traces/text.hpp"
 
@@ -161,18 +161,8 @@ class Reader {
 };
 
 std::string read_file(const std::filesystem::path& path) {
-  std::error_code error;
-  std::ifstream in;
-  if (std::filesystem::is_regular_file(path, error))
-    in.open(path, std::ios::binary);  // opening a pipe could wait for ever
-  if (!in.is_open())
-    throw InputError(path.string(), "the lesson cannot be read",
-                     "name a Markdown file, or a lesson that `zstep list` shows");
-  std::string text(largest_file + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > largest_file)
-    throw InputError(path.string(), "the file is larger than any lesson", "lessons have at most 1 MiB");
+  std::string text = read_whole(path, largest_file, "name a Markdown file, or a lesson that `zstep list` shows",
+                                "no lesson is so large");
   note_input(path);
   return text;
 }

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/cli/budget.hpp"
-#include "traces/error.hpp"
+#include "traces/outcome.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {
@@ -32,6 +32,8 @@ int write_answer(const homework::GradingLimits& limits, const std::function<Answ
   } catch (const std::bad_alloc&) {
     memory_budget_met();  // or there is none to end with
     return exit_code::exhausted;
+  } catch (const InputErrors& error) {
+    complain_lines(error.what());
   } catch (const std::exception& error) {
     complain(error.what());
   }
@@ -83,7 +85,7 @@ Answer answer_apart(const homework::GradingLimits& limits, const std::function<A
   if (const int code = child->code();
       code == exit_code::done || code == exit_code::finding || code == exit_code::bad_input) {
     watch.clear_line();
-    if (!child->said().empty()) complain(child->said());
+    if (!child->said().empty()) complain_lines(child->said());
     return {text_in(file.get()), code};
   }
   const std::string why = why_not(*child, limits);

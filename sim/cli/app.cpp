@@ -1,10 +1,13 @@
 #include "sim/cli/app.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -155,21 +158,36 @@ std::function<int()> parse(std::vector<std::string> words, Commands commands) {
   return [kept, action] { return action(); };
 }
 
-int run(const std::vector<std::string>& words, Commands commands) {
-#if ZSTEP_HAS_VIEWER
-  note_input(viewer::settings_path());
-#endif
+namespace {
+
+/// What the machine refused is no mistake in zstep: a folder that is gone, a disk that is full, no more processes.
+int refused_by_system(const std::system_error& error) {
+  constexpr std::array lacking{std::errc::no_space_on_device,  std::errc::file_too_large,
+                               std::errc::not_enough_memory,   std::errc::resource_unavailable_try_again,
+                               std::errc::too_many_files_open, std::errc::too_many_files_open_in_system};
+  const bool lacks = std::find(lacking.begin(), lacking.end(), error.code()) != lacking.end();
+  const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+  const std::string where = of_file != nullptr && !of_file->path1().empty() ? of_file->path1().string() : "the system";
+  complain(fmt::format("{}: {}; {}", where, of_file != nullptr ? error.code().message() : error.what(),
+                       lacks                ? "make room on the disk, or close other programs"
+                       : of_file != nullptr ? "see that it is there, and that you may read and write it"
+                                            : "try it again"));
+  return lacks ? exit_code::exhausted : exit_code::bad_input;
+}
+
+int run_command(const std::vector<std::string>& words, Commands commands) {
   try {
     const int code = parse(words, commands)();
-    if (code != exit_code::done) return code;
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) stdout_failed();
-    return is_incomplete() ? exit_code::incomplete : code;
+    return code == exit_code::done && is_incomplete() ? exit_code::incomplete : code;
   } catch (const Exhausted& error) {
     complain(error.what());
     return exit_code::exhausted;
   } catch (const Incomplete& error) {
     complain(error.what());
     return exit_code::incomplete;
+  } catch (const InputErrors& error) {
+    complain_lines(error.what());
+    return exit_code::bad_input;
   } catch (const InputError& error) {
     complain(error.what());
     return exit_code::bad_input;
@@ -180,14 +198,22 @@ int run(const std::vector<std::string>& words, Commands commands) {
     const std::string met = memory_budget_met();
     complain(met.empty() ? "zstep: there is not enough memory; try a smaller --size" : met);
     return met.empty() ? exit_code::exhausted : exit_code::incomplete;
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) return exit_code::done;  // of which after_printing() says more
+    return refused_by_system(error);
   } catch (const std::exception& error) {
-    if (std::ferror(stdout) != 0) {
-      complain("standard output: cannot be written; make room on the disk");
-      return exit_code::exhausted;
-    }
     complain(fmt::format("zstep: this is a mistake in zstep itself, please report it: {}", error.what()));
   }
   return exit_code::mistake;
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& words, Commands commands) {
+#if ZSTEP_HAS_VIEWER
+  note_input(viewer::settings_path());
+#endif
+  return after_printing(run_command(words, commands));
 }
 
 }  // namespace zstep::cli

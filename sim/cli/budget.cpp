@@ -42,7 +42,7 @@ double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_
   ::flockfile(stdout);  // between two lines, as each is printed in one piece; none follows
   Unfinished::remove_all();
   complain(line);
-  std::_Exit(exit_code::incomplete);
+  std::_Exit(after_printing(exit_code::incomplete));
 }
 
 /// Looks at the clock beside the work, so that nothing that takes long must do so itself.

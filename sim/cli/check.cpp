@@ -83,7 +83,7 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
                step_and_subject(trace, cause.first.line, checked.texts[i].subject),
                what_is_wrong(cause.first, checked.texts[i]));
     if (const std::string more = what_follows(cause); !more.empty()) fmt::print("   {}\n", more);
-    fmt::print("   zstep view {} --at {}\n", shell_word(options.trace), cause.first.step);
+    fmt::print("   zstep view {} --at {}\n", printable(shell_word(options.trace)), cause.first.step);
   }
   if (shown < report.causes.size())
     fmt::print("… and {} more: --all prints them\n", grouped(static_cast<std::int64_t>(report.causes.size() - shown)));

@@ -95,7 +95,8 @@ int diff_with_picture(const DiffOptions& options) {
     if (found.first) {
       const auto x = *found.first % raster.width, row = *found.first / raster.width;
       const auto y = raster.y_up ? raster.height - 1 - row : row;
-      fmt::print("The first from the top is ({}, {}):\n  zstep explain {} {} {}\n", x, y, shell_word(options.a), x, y);
+      fmt::print("The first from the top is ({}, {}):\n  zstep explain {} {} {}\n", x, y,
+                 printable(shell_word(options.a)), x, y);
     }
   }
   return found.colors + found.depths == 0 ? exit_code::done : exit_code::finding;

@@ -35,7 +35,7 @@ CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, F
   side.step = step;
   if (step == 0) return side;
   side.where = place_of_step(path, lines, step);
-  side.command = fmt::format("zstep view {} --at {}", shell_word(path), step);
+  side.command = fmt::format("zstep view {} --at {}", printable(shell_word(path)), step);
   replay.go_to(step - 1);
   const formulas::Situation at = formulas::situation_of(trace, replay.state());
   const Event event = trace.event(step).event;

@@ -135,8 +135,8 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
     if (&wrong - errors.decisions.data() >= 3 && !options.all) break;
     fmt::print("pixel ({}, {}), {}: {} against {}; exactly {} against {}\n  zstep view {} --at {}\n", wrong.x, wrong.y,
                polygon_label(trace.scene(), wrong.polygon), fmt::format("{}", wrong.z), fmt::format("{}", wrong.stored),
-               fmt::format("{}", wrong.z_exact), fmt::format("{}", wrong.stored_exact), shell_word(options.trace),
-               wrong.step);
+               fmt::format("{}", wrong.z_exact), fmt::format("{}", wrong.stored_exact),
+               printable(shell_word(options.trace)), wrong.step);
   }
   if (!errors.decisions.empty()) fmt::print("\n");
   std::vector<ErrorOf> rows = errors.polygons;

@@ -22,6 +22,7 @@
 #include "traces/diff/diff.hpp"
 #include "traces/error.hpp"
 #include "traces/file/output.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -44,9 +45,9 @@ const homework::Task& task_called(const homework::Homework& given, const std::st
 
 std::string report(const homework::Assessment& all, const GradeOptions& options, double seconds,
                    const std::string& steps_page = "") {
-  const std::string command =
+  const std::string command = printable(
       fmt::format("zstep grade --homework {} {}", shell_word(options.folder), shell_word(options.submission)) +
-      (options.student.empty() ? "" : " --student " + shell_word(options.student));
+      (options.student.empty() ? "" : " --student " + shell_word(options.student)));
   switch (format_of(options)) {
     case 0:
       return homework::report_text(all, command);

@@ -36,14 +36,15 @@ const std::vector<std::string>& words_for(const HomeworkOptions& options, std::s
 
 int make_new(const HomeworkOptions& options) {
   const auto& words = words_for(options, 2, "type zstep homework new METHOD FOLDER");
-  for (const std::string& file : homework::new_homework(words[0], words[1])) fmt::print("{}/{}\n", words[1], file);
+  for (const std::string& file : homework::new_homework(words[0], words[1]))
+    fmt::print("{}\n", printable(words[1] + "/" + file));
   return exit_code::done;
 }
 
 int refresh(const HomeworkOptions& options) {
   const auto& words = words_for(options, 1, "type zstep homework refresh FOLDER");
   const auto written = homework::refresh_homework(words[0]);
-  for (const std::string& file : written) fmt::print("{}/{}\n", words[0], file);
+  for (const std::string& file : written) fmt::print("{}\n", printable(words[0] + "/" + file));
   if (written.empty()) fmt::print("All is as it must be.\n");
   return exit_code::done;
 }
@@ -76,9 +77,8 @@ int run_them(const HomeworkOptions& options) {
     throw InputError(words[0], "has scenes of each student's own", "say whose program it is: --student NAME");
   Watch watch;
   bool begun = false;
-  const auto runs = homework::run_programs(
-      given, options.program, words[1], options.out,
-      [&](const homework::Task& task) {
+  const auto runs =
+      homework::run_programs(given, options.program, words[1], options.out, [&](const homework::Task& task) {
         if (const std::string open = homework::not_protected(); !begun && !open.empty())
           fmt::print(stderr, "zstep: {}\n", open);
         begun = true;
@@ -89,7 +89,7 @@ int run_them(const HomeworkOptions& options) {
   for (const homework::ProgramRun& run : runs) {
     const bool ended_well = run.ended.how == homework::Ended::How::well;
     well = well && ended_well;
-    fmt::print("{}: the program {}\n", run.file.string(), homework::text_of(run.ended, given.limits));
+    fmt::print("{}: the program {}\n", printable(run.file.string()), homework::text_of(run.ended, given.limits));
     if (!ended_well) fmt::print("{}", printable_lines(run.ended.errors));
   }
   return well ? exit_code::done : exit_code::finding;

@@ -10,6 +10,7 @@
 #include "sim/homework/seeds.hpp"
 #include "sim/homework/student_folders.hpp"
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::cli {
 
@@ -49,21 +50,21 @@ int seed_homework(const std::string& folder, const std::string& names, const std
     if (!key) fs::remove(key_path, error);
     throw;
   }
-  if (!key) fmt::print("{}: made; keep it, and give it to nobody\n", key_path.string());
+  if (!key) fmt::print("{}: made; keep it, and give it to nobody\n", printable(key_path.string()));
   fs::create_directories(out, error);
   if (error) throw InputError(out, "cannot be made: " + error.message(), "check the folder it lies in");
   Watch watch;
   for (const std::string& student : students) {
     const fs::path own = fs::path(out) / student;
     if (fs::exists(own, error)) {
-      fmt::print("{}: is there already, and stays as it is\n", own.string());
+      fmt::print("{}: is there already, and stays as it is\n", printable(own.string()));
       continue;
     }
     watch.show(fmt::format("making: {} (Ctrl-C stops)", student));
     const homework::Homework made = homework::make_student_folder(folder, student, out);
     watch.clear_line();
     for (const homework::Task& task : made.tasks)
-      if (task.made && !task.hidden) fmt::print("{}: {}\n", own.string(), made_text(task));
+      if (task.made && !task.hidden) fmt::print("{}: {}\n", printable(own.string()), made_text(task));
   }
   return exit_code::done;
 }

@@ -1,5 +1,6 @@
 // zstep import: JSON Lines, as students' programs write them, into a trace.
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,9 +18,10 @@ struct ImportOptions {
 };
 
 int import_trace(const ImportOptions& options) {
-  const std::string from = options.from == "-" ? "/dev/stdin" : options.from;
-  check_outputs({}, {from}, {options.to});
-  if (const auto cut = import_jsonl(from, options.to)) complain_incomplete(*cut);
+  const bool standard_input = options.from == "-" || options.from == "/dev/stdin";
+  check_outputs({}, {standard_input ? "/dev/stdin" : options.from}, {options.to});
+  InputFile from = standard_input ? InputFile::standard_input() : InputFile(options.from);
+  if (const auto cut = import_jsonl(std::move(from), options.to)) complain_incomplete(*cut);
   say_written(options.to, counted(Trace::open(options.to).size(), "step", "steps"));
   return exit_code::done;
 }

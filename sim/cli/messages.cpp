@@ -1,5 +1,6 @@
 #include "sim/cli/messages.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -8,6 +9,13 @@
 #include <vector>
 
 #include <fmt/format.h>
+
+#if __has_include(<poll.h>)
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+#define ZSTEP_HAS_DESCRIPTORS
+#endif
 
 #include "traces/outcome.hpp"
 #include "traces/text.hpp"
@@ -43,7 +51,15 @@ std::string as_typed(std::string text) {
 
 void complain(std::string_view line) {
   std::fflush(stdout);
-  std::fputs((printable_lines(as_typed(std::string(line))) + "\n").c_str(), stderr);
+  std::fputs((printable(as_typed(std::string(line))) + "\n").c_str(), stderr);
+}
+
+void complain_lines(std::string_view lines) {
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    complain(lines.substr(0, end));
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+  }
 }
 
 void complain_incomplete(std::string_view line) {
@@ -57,6 +73,24 @@ void say_written(std::string_view path, std::string_view what) {
   fmt::print("wrote {}: {}\n", printable(path), printable(what));
 }
 
-void stdout_failed() { throw Exhausted("standard output", "cannot be written", "make room on the disk"); }
+void hold_standard_streams() {
+#ifdef ZSTEP_HAS_DESCRIPTORS
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) break;
+#endif
+}
+
+int after_printing(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  std::string_view mend = "make room on the disk";
+#ifdef ZSTEP_HAS_DESCRIPTORS
+  const int flags = fcntl(STDOUT_FILENO, F_GETFL);
+  if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) mend = "it is closed: redirect it to a file or to a program";
+  pollfd reader{STDOUT_FILENO, POLLOUT, 0};
+  if (poll(&reader, 1, 0) > 0 && (reader.revents & POLLERR) != 0) mend = "its reader has ended";
+#endif
+  complain(fmt::format("standard output: cannot be written; {}", mend));
+  return code == exit_code::mistake ? code : exit_code::exhausted;
+}
 
 }  // namespace zstep::cli

@@ -23,15 +23,22 @@ inline constexpr int interrupted = 130;
 std::string as_typed(std::string text);
 void set_commands(std::vector<std::string> names);  ///< those that as_typed() knows
 
-/// A message on standard error, a line or several, with nothing in it that acts. That nobody can read it stops nothing.
+/// A message on standard error: one line, with nothing in it that acts, whatever it quotes. That nobody can read it
+/// stops nothing.
 void complain(std::string_view line);
+/// Several of them; what they quote must have been made printable() before they were put together.
+void complain_lines(std::string_view lines);
 /// The same for what is missing: a command that is done ends with exit_code::incomplete from now on.
 void complain_incomplete(std::string_view line);
 bool is_incomplete();
 
 /// "wrote PATH: what", on standard output.
 void say_written(std::string_view path, std::string_view what);
-/// Throws what a standard output that takes no more means.
-[[noreturn]] void stdout_failed();
+/// Where no standard input, output or error is given (`>&-`), the next files to be opened would be taken for them. From
+/// now on they are there, and refuse.
+void hold_standard_streams();
+/// The exit code of a command that ends with `code` once all that it printed is written: exit_code::exhausted, and a
+/// line that says why, where that cannot be.
+int after_printing(int code);
 
 }  // namespace zstep::cli

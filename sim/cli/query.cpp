@@ -163,9 +163,6 @@ int ask(const QueryOptions& options) {
   if (options.csv) answer = std::make_unique<Csv>();
   else if (options.json) answer = std::make_unique<Json>();
   else answer = std::make_unique<Lines>();
-  const auto written = [] {
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) stdout_failed();
-  };
   try {
     database.run(
         options.sql, limits, [&](const std::vector<std::string>& names) { answer->columns(names); },
@@ -175,13 +172,11 @@ int ask(const QueryOptions& options) {
         });
   } catch (const query::Stopped&) {
     answer->end(false);
-    written();
     if (watch.interrupted()) throw Interrupted{0};
     throw Incomplete("query", "was not done in time; what is printed is a part",
                      "ask for fewer steps, or give --seconds more");
   }
   answer->end(true);
-  written();
   return exit_code::done;
 }
 

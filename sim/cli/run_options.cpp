@@ -222,9 +222,11 @@ Run prepare_within_budget(const RunOptions& options) {
     const std::uintmax_t bytes = fs::file_size(path, none);
     return none ? 0 : bytes;
   };
-  if (size_of(options.scene) == 0) return begin_budget(std::nullopt), prepare(options);
+  // A formula is a small file that can ask for much work: all its cells for each ray, say.
+  const std::uintmax_t bytes = names_formula(options.scene) ? options.scene.size() : size_of(options.scene);
+  if (bytes == 0) return begin_budget(std::nullopt), prepare(options);
   const std::int64_t pixels = std::int64_t{options.view.width.value_or(0)} * options.view.height.value_or(0);
-  begin_budget(size_of(options.scene) + static_cast<std::uintmax_t>(pixels));
+  begin_budget(bytes + static_cast<std::uintmax_t>(pixels));
   Run run = prepare(options);
   std::uintmax_t meshes = 0;
   for (const auto& placement : run.scene.placements)

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/image/file.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
@@ -70,14 +69,13 @@ std::vector<std::int64_t> film_steps(std::int64_t first, std::int64_t last, std:
   return steps;
 }
 
-Video::Video(const fs::path& path, int width, int height, double frames_a_second) : path_(path) {
-  check_writable(path);
+Video::Video(const fs::path& path, int width, int height, double frames_a_second) : place_(path) {
   if (!have_ffmpeg())
     throw InputError(path.string(), "films are made by ffmpeg, which is not installed",
                      "install ffmpeg, or write a contact sheet: zstep export run.ztrace --sheet 12 -o sheet.png");
   // ffmpeg knows a film by its extension, so that it stays the last one.
   std::random_device device;
-  part_ = path;
+  part_ = place_.path();
   part_.replace_extension(fmt::format("{:08x}.part{}", device(), path.extension().string()));
   const bool gif = path.extension() == ".gif";
   // A GIF has 256 colours of its own; other films want even sizes.
@@ -104,7 +102,7 @@ Video::~Video() {
 }
 
 void Video::failed() const {
-  throw InputError(path_.string(), "ffmpeg could not make it",
+  throw InputError(place_.path().string(), "ffmpeg could not make it",
                    "what it wrote to the terminal tells why; another extension may do");
 }
 
@@ -117,9 +115,7 @@ void Video::finish() {
   pipe_ = nullptr;
   std::error_code error;
   if (close_pipe(pipe) != 0 || !fs::is_regular_file(part_, error)) failed();
-  fs::rename(part_, path_, error);
-  if (error)
-    throw InputError(path_.string(), "cannot be written: " + error.message(), "choose a place that can be written to");
+  place_.take(part_.filename().string());
 }
 
 }  // namespace zstep

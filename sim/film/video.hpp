@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/image/png.hpp"
+#include "traces/file/output.hpp"
 
 namespace zstep {
 
@@ -37,7 +38,8 @@ class Video {
 
  private:
   [[noreturn]] void failed() const;
-  std::filesystem::path path_, part_;
+  OutputPlace place_;
+  std::filesystem::path part_;
   std::FILE* pipe_ = nullptr;
   void (*before_)(int) = nullptr;  ///< what a broken pipe did until now
 };

@@ -1,12 +1,14 @@
 #include "sim/homework/run_programs.hpp"
 
-#include <fstream>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "sim/homework/new_homework.hpp"
+#include "sim/image/file.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
+#include "traces/file/input.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::homework {
@@ -30,7 +32,7 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
 void write_note(const fs::path& run, const std::string& text) {
   std::error_code ignored;
   if (text.empty()) fs::remove(note_beside(run), ignored);
-  else std::ofstream(note_beside(run), std::ios::binary) << text;
+  else write_file(note_beside(run), std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 void check_folders(const Homework& homework, const fs::path& program, const fs::path& runs) {
@@ -79,8 +81,13 @@ std::vector<ProgramRun> run_programs(const Homework& homework, const std::string
       all.push_back({&task, ended, file});
     }
   } catch (const InputError& error) {
-    for (std::size_t left = all.size(); left < homework.tasks.size(); ++left)
-      write_note(file_of(homework.tasks[left]), fmt::format("The program was not run: {}\n", error.what()));
+    for (std::size_t left = all.size(); left < homework.tasks.size(); ++left) {
+      try {
+        write_note(file_of(homework.tasks[left]), fmt::format("The program was not run: {}\n", error.what()));
+      } catch (const InputError&) {
+        // What is thrown says why nothing can be written, too.
+      }
+    }
     throw;
   }
   return all;
@@ -90,10 +97,9 @@ std::string how_it_ended(const fs::path& run, bool hidden) {
   std::error_code ignored;
   const fs::path note = note_beside(run);
   if (!fs::is_regular_file(fs::symlink_status(note, ignored))) return "";
-  std::ifstream in(note, std::ios::binary);
+  InputFile in(note);
   std::string text(most_noted, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  text.resize(in.read(text.data(), text.size()));
   if (hidden) text.resize(std::min(text.size(), text.find('\n')));
   while (text.ends_with('\n')) text.pop_back();
   return printable_lines(text);

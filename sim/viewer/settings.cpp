@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <span>
 #include <string_view>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "sim/image/file.hpp"
 #include "sim/places/bookmarks.hpp"
+#include "traces/error.hpp"
+#include "traces/file/input.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -111,34 +114,35 @@ Settings read_settings(std::istream& from) {
 
 bool is_own_file(std::string_view line) { return line.starts_with(file_line); }
 
-Settings load_settings(const std::filesystem::path& path) {
-  std::ifstream file(path);
+Settings load_settings(const std::filesystem::path& path) try {
+  InputStream file{InputFile(path)};
   return read_settings(file);
+} catch (const InputError&) {
+  return {};  // there are none yet
 }
 
 bool save_settings(const std::filesystem::path& path, const Settings& s) {
   if (path.empty()) return false;
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
-  const std::filesystem::path fresh = path.string() + ".new";
-  {
-    std::ofstream file(fresh);
-    file << fmt::format("dark = {:d}\npresenter = {:d}\nreduced_motion = {:d}\ntext_scale = {}\n", s.dark, s.presenter,
-                        s.reduced_motion, s.text_scale)
-         << fmt::format("width = {}\nheight = {}\nspeed = {}\n", s.width, s.height, s.speed)
-         << fmt::format("drawer_width = {}\ndrawer_height = {}\n", s.layout.drawer_width, s.layout.drawer_height)
-         << fmt::format("left = {}\nright = {}\ncode = {}\nstage = {}\nframe = {}\ntable = {}\nboth = {}\nwords = {}\n",
-                        s.layout.left, s.layout.right, s.layout.code, s.layout.stage, s.layout.frame, s.layout.table,
-                        s.layout.both, s.layout.words);
-    for (const auto& [id, weight] : s.layout.structures) file << fmt::format("structure {} = {}\n", id, weight);
-    for (const auto& [key, position] : s.places) file << fmt::format("place {} = {}\n", key, position);
-    for (const auto& [id, stops] : s.lessons) file << fmt::format("lesson {} = {}\n", id, stops);
-    for (const std::string& own : s.files) file << file_line << own << '\n';
-    file.flush();
-    if (!file) return false;
+  std::string text =
+      fmt::format("dark = {:d}\npresenter = {:d}\nreduced_motion = {:d}\ntext_scale = {}\n", s.dark, s.presenter,
+                  s.reduced_motion, s.text_scale) +
+      fmt::format("width = {}\nheight = {}\nspeed = {}\n", s.width, s.height, s.speed) +
+      fmt::format("drawer_width = {}\ndrawer_height = {}\n", s.layout.drawer_width, s.layout.drawer_height) +
+      fmt::format("left = {}\nright = {}\ncode = {}\nstage = {}\nframe = {}\ntable = {}\nboth = {}\nwords = {}\n",
+                  s.layout.left, s.layout.right, s.layout.code, s.layout.stage, s.layout.frame, s.layout.table,
+                  s.layout.both, s.layout.words);
+  for (const auto& [id, weight] : s.layout.structures) text += fmt::format("structure {} = {}\n", id, weight);
+  for (const auto& [key, position] : s.places) text += fmt::format("place {} = {}\n", key, position);
+  for (const auto& [id, stops] : s.lessons) text += fmt::format("lesson {} = {}\n", id, stops);
+  for (const std::string& own : s.files) text += fmt::format("{}{}\n", file_line, own);
+  try {
+    rewrite_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  } catch (const InputError&) {
+    return false;
   }
-  std::filesystem::rename(fresh, path, error);
-  return !error;
+  return true;
 }
 
 }  // namespace zstep::viewer

@@ -9,12 +9,12 @@
 namespace zstep {
 
 FileLines::FileLines(const std::string& path, bool header) : objects_(header ? 0 : 1) {
-  if (std::filesystem::path(path).extension() == ".jsonl") in_.open(path);
+  if (std::filesystem::path(path).extension() == ".jsonl") in_.emplace(InputFile(path));
 }
 
 std::int64_t FileLines::of(std::int64_t step) {
   std::string text;
-  while (in_ && objects_ < step + 1 && std::getline(in_, text)) {
+  while (in_ && objects_ < step + 1 && std::getline(*in_, text)) {
     ++line_;
     for (const char c : text) look_at(c);
   }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
+#include <optional>
 #include <string>
+
+#include "traces/file/input.hpp"
 
 namespace zstep {
 
@@ -17,7 +19,7 @@ class FileLines {
  private:
   void look_at(char c);
 
-  std::ifstream in_;
+  std::optional<InputStream> in_;    ///< none of a file of another kind
   std::int64_t line_ = 0, objects_;  ///< objects: the header, there or not, is one
   int depth_ = 0;
   bool in_text_ = false, escaped_ = false;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/cli/hostile_homework.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace zstep::test;
@@ -116,6 +117,135 @@ TEST_CASE("a pipe or a device is read and written, or refused at once") {
   check_ends(folder, "cat pipe > got.png & sleep 0.1; timeout 20 \"$zstep\" render pyramid --save pipe && wait", 0);
   CHECK(text_of(folder / "got.png").substr(1, 3) == "PNG");
   check_ends(folder, "\"$zstep\" render pyramid --save /dev/null", 0);
+}
+
+TEST_CASE("a pipe in the place of any file that is read is refused at once, in one line") {
+  const Folder folder;
+  REQUIRE(run(folder, "record pyramid --size 16x16 -o run.ztrace").code == 0);
+  REQUIRE(shell(folder,
+                "mkfifo a.jsonl a.npy a.pfm a.png a.md a.toml a.off names run.ztrace.journal run.ztrace.marks "
+                "&& mkdir hw zstep && mkfifo hw/homework.toml zstep/viewer.ini")
+              .code == 0);
+  for (const std::string command :
+       {"info a.jsonl", "check a.jsonl", "dump a.jsonl", "diff run.ztrace a.jsonl", "import a.jsonl -o b.ztrace",
+        "view a.jsonl --screenshot b.png", "diff run.ztrace a.npy", "diff run.ztrace a.pfm", "diff run.ztrace a.png",
+        "lesson ./a.md --screenshot b.png", "render a.toml", "render a.off",
+        "view run.ztrace --at 5 --screenshot b.png"}) {
+    CAPTURE(command);
+    const Outcome outcome = shell(folder, "timeout 20 \"$zstep\" " + command + " < /dev/null");
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(times(outcome.err, "\n") == 1);
+  }
+  // What stands beside a trace, or is zstep's own, is left alone.
+  check_ends(folder, "timeout 20 \"$zstep\" info run.ztrace", 0);
+  check_ends(folder, "XDG_CONFIG_HOME=. timeout 20 \"$zstep\" view pyramid --screenshot b.png", 0);
+  CHECK(std::filesystem::is_fifo(folder / "run.ztrace.journal"));
+}
+
+TEST_CASE("what the machine refuses is one line about the machine, and no mistake in zstep") {
+  const Folder folder;
+  hostile_homework(folder);
+  std::filesystem::create_directory(folder / "program");
+  write_text(folder / "program/program.sh", "true");
+  const auto one_line = [&](const std::string& line, const std::string& part) {
+    CAPTURE(line);
+    const Outcome outcome = shell(folder, line);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(has(outcome.err, part));
+    CHECK_FALSE(has(outcome.err, "mistake in zstep"));
+    CHECK(times(outcome.err, "\n") <= 2);  // with a note of what does not protect
+  };
+  for (const std::string walls : {"", "limits"})
+    one_line("TMPDIR=/nowhere/at/all ZSTEP_SANDBOX=" + walls + " \"$zstep\" homework run hw program -o runs",
+             "/nowhere/at/all: no folder can be made there");
+  one_line("TMPDIR=/nowhere/at/all \"$zstep\" homework try hw", "/nowhere/at/all: no folder can be made there");
+  if (!std::filesystem::exists("/proc/self/mem")) return;
+  for (const std::string name : {"a.jsonl", "a.ztrace", "a.toml", "a.off", "a.npy", "a.png", "a.md"})
+    std::filesystem::create_symlink("/proc/self/mem", folder / name);
+  REQUIRE(run(folder, "record pyramid --size 16x16 -o run.ztrace").code == 0);
+  for (const std::string command :
+       {"info a.jsonl", "check a.jsonl", "import a.jsonl -o b.ztrace", "import - -o b.ztrace < a.jsonl",
+        "render a.toml", "render a.off", "diff run.ztrace a.npy", "diff run.ztrace a.png",
+        "lesson ./a.md --screenshot b.png"})
+    one_line("\"$zstep\" " + command, "cannot be read");
+  check_ends(folder, "\"$zstep\" info a.ztrace", 2);
+}
+
+TEST_CASE("an answer that could not be written is noticed, whatever else the exit code would say") {
+  if (!std::filesystem::exists("/dev/full")) return;
+  const Folder folder;
+  REQUIRE(run(folder, "record pyramid --size 16x16 -o first.ztrace").code == 0);
+  REQUIRE(run(folder, "record cube --size 16x16 -o other.ztrace").code == 0);
+  REQUIRE(
+      shell(folder,
+            "\"$zstep\" dump first.ztrace --jsonl > right.jsonl && "
+            "sed '/\"depth_compare\"\\|\"compare\"/s/true/false/' right.jsonl > run.jsonl; head -c 1900 first.ztrace "
+            "> cut.ztrace")
+          .code == 0);
+  hostile_homework(folder);
+  for (const auto& [command, code] : std::vector<std::pair<std::string, int>>{
+           {"check run.jsonl", 1},
+           {"check run.jsonl --json", 1},
+           {"diff first.ztrace other.ztrace", 1},
+           {"diff first.ztrace other.ztrace --json", 1},
+           {"grade --homework hw overlap.right --scene triangle", 1},
+           {"info cut.ztrace", 3},
+           {"homework try hw", 1},
+       }) {
+    CAPTURE(command);
+    CHECK(run(folder, command).code == code);
+    const Outcome full = shell(folder, "\"$zstep\" " + command + " > /dev/full");
+    CAPTURE(full.err);
+    CHECK(full.code == 4);
+    CHECK(has(full.err, "standard output: cannot be written; make room on the disk\n"));
+  }
+  for (const std::string command : {"diff first.ztrace other.ztrace --html /dev/full",
+                                    "grade --homework hw overlap.right --scene triangle -o /dev/full"})
+    check_ends(folder, "\"$zstep\" " + command, 4);
+}
+
+TEST_CASE("a standard output that is closed is noticed, and no file is taken for it") {
+  const Folder folder;
+  const Outcome outcome = shell(folder, "\"$zstep\" record pyramid --size 16x16 -o run.ztrace >&-");
+  CHECK(outcome.code == 4);
+  CHECK(outcome.err == "standard output: cannot be written; it is closed: redirect it to a file or to a program\n");
+  REQUIRE(run(folder, "record pyramid --size 16x16 -o same.ztrace").code == 0);
+  CHECK(text_of(folder / "run.ztrace") == text_of(folder / "same.ztrace"));
+  check_ends(folder, "\"$zstep\" record pyramid --size 16x16 -o run.ztrace >&- 2>&- <&-", 4);
+  CHECK(text_of(folder / "run.ztrace") == text_of(folder / "same.ztrace"));
+}
+
+TEST_CASE("what a full disk leaves is told as it is: no trace, the one before, or one that can be opened") {
+  const Folder folder;
+  REQUIRE(run(folder, "record pyramid --size 16x16 -o run.ztrace").code == 0);
+  REQUIRE(run(folder, "record teapot --size 400x300 -o long.ztrace").code == 0);
+  REQUIRE(shell(folder, "\"$zstep\" dump long.ztrace --jsonl > long.jsonl").code == 0);
+  const std::string before = text_of(folder / "run.ztrace");
+  const auto without_room = [&](const std::string& command, int kibibytes) {  // for any file
+    Outcome outcome = shell(folder, "trap '' XFSZ; ulimit -f " + std::to_string(kibibytes) + "; \"$zstep\" " + command);
+    CAPTURE(command);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 4);
+    CHECK(times(outcome.err, "\n") == times(outcome.err, "note: ") + 1);
+    return outcome.err;
+  };
+  CHECK(has(without_room("import long.jsonl -o new.ztrace", 64),
+            "new.ztrace: there was no room for all of the trace; "
+            "no trace is left"));
+  CHECK_FALSE(std::filesystem::exists(folder / "new.ztrace"));
+  CHECK(has(without_room("import long.jsonl -o run.ztrace", 64), "what had this name before still has it"));
+  CHECK(text_of(folder / "run.ztrace") == before);
+  CHECK(has(without_room("record teapot --size 400x300 -o run.ztrace", 1), "what had this name before still has it"));
+  CHECK(text_of(folder / "run.ztrace") == before);
+  CHECK(has(without_room("record teapot --size 400x300 -o run.ztrace", 128), "what was written so far can be opened"));
+  check_ends(folder, "\"$zstep\" info run.ztrace", 3);
+  CHECK_FALSE(has(run(folder, "record pyramid -o /dev/full").err, "can be opened"));
+  for (const std::string& name : folder.names()) {
+    CAPTURE(name);
+    CHECK_FALSE((has(name, ".part") || has(name, ".begun")));
+  }
 }
 
 TEST_CASE("the exit code says how a command ended") {

@@ -206,7 +206,7 @@ TEST_CASE("seed: what cannot be made says so in one line, and leaves nothing beh
   refused("homework seed hw -o students", "type zstep homework seed FOLDER --for NAMES.txt -o STUDENTS");
   refused("homework seed hw --for names.txt", "type zstep homework seed");
   refused("homework seed hw --for names.txt -o hw/students", "lies in the folder of the homework");
-  refused("homework seed hw --for none.txt -o students", "none.txt: cannot be opened");
+  refused("homework seed hw --for none.txt -o students", "none.txt: there is no such file");
   for (const auto& [names, message] :
        {std::pair{std::string("ana\n../bo\n"), "names.txt:2: '../bo' begins with '.'"},
         std::pair{std::string("a/b\n"), "names.txt:1: 'a/b' has a sign"},

@@ -148,6 +148,50 @@ TEST_CASE("angles may be negative") {
   CHECK(text_of(folder / "pyramid.png") == text_of(folder / "b.png"));
 }
 
+TEST_CASE("whatever an argument holds, a complaint is one line") {
+  const Folder folder, other;
+  REQUIRE(run(other, "record delhi -o run.ztrace").code == 0);
+  const std::string trace = "'" + (other / "run.ztrace").string() + "' ";
+  for (const std::string& arguments : std::vector<std::string>{"find " + trace + "'z <\n'",
+                                                               "find " + trace + "'z <\r3 +'",
+                                                               "find " + trace + "'frame(1,\n99999)'",
+                                                               "render delhi --change 'theta =\nx'",
+                                                               "render delhi --change 'no\nthing = 3'",
+                                                               "query " + trace + "'select \n nothing from nowhere'",
+                                                               "query " + trace + "'drop\ntable x'",
+                                                               "why-not " + trace + "'A\nB'",
+                                                               "history " + trace + "'3\n' 3",
+                                                               "explain " + trace + "'3\n4'",
+                                                               "render 'no\nscene'",
+                                                               "render 'no\nscene.toml'",
+                                                               "info 'a\nb.ztrace'",
+                                                               "render 'y = sin(\nx'",
+                                                               "render delhi --size '3\n4'",
+                                                               "render delhi --algorithm 'z\nb'",
+                                                               "render delhi --option 'a\n=b'",
+                                                               "render delhi --save 'none\n/a.png'",
+                                                               "'re\nnder'",
+                                                               "render delhi '--si\nze'",
+                                                               "lesson 'z\nb'",
+                                                               "grade --homework 'h\nw' x",
+                                                               "list 'a\nb'",
+                                                               "check 'a\nb.jsonl'",
+                                                               "import 'a\nb.jsonl' -o c.ztrace"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = run(folder, arguments);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(times(outcome.err, "\n") == 1);
+    CHECK_FALSE(has(outcome.err, "\r"));
+    CHECK_FALSE(has(outcome.out, "\r"));
+  }
+  // Several mistakes of one file are a line each, whatever its name.
+  write_text(other / "a\nb.jsonl", "{\"zstep\": 1}\n{\n[\n");
+  const Outcome outcome = run(other, "info 'a\nb.jsonl'");
+  CHECK(outcome.code == 2);
+  CHECK(times(outcome.err, "\n") == times(outcome.err, "a\\nb.jsonl:"));
+}
+
 TEST_CASE("outputs that cannot be written are refused before the work, and nothing is left behind") {
   const Folder folder;
   check_complaint(folder, "render pyramid --save none/a.png", {"none/a.png: there is no folder none"});

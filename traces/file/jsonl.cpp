@@ -1,7 +1,6 @@
 #include "traces/file/jsonl.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 
 #include <fmt/format.h>
@@ -9,6 +8,8 @@
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/file/header_json.hpp"
+#include "traces/file/output.hpp"
+#include "traces/outcome.hpp"
 #include "traces/text.hpp"
 
 namespace zstep {
@@ -71,25 +72,18 @@ void write_jsonl(const Trace& trace, std::ostream& out) {
   if (!trace.whole()) out << fmt::format("{{\"{}\":true}}\n", cut_off_key);
 }
 
-namespace {
-
-std::ifstream opened(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path))
-    throw InputError(path.string(), "cannot be opened", "check the name and that you may read it");
-  return in;
-}
-
-}  // namespace
-
-std::optional<std::string> import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to) {
-  std::ifstream in = opened(from);
-  const std::filesystem::path partial = to.string() + ".part";
+std::optional<std::string> import_jsonl(InputFile from, const std::filesystem::path& to) {
+  const std::string name = from.name();
+  InputStream in(std::move(from));
+  const OutputPlace place(to, Inputs::kept, Links::replaced);
+  if (place.is_device()) throw InputError(to.string(), "is no ordinary file", "write the trace to a file");
+  const std::string part = place.path().filename().string() + ".part";
+  const std::filesystem::path partial = place.beside(part);
   Scene kept;
   std::optional<TraceRecorder> recorder;
   std::optional<std::string> cut;
   try {
-    cut = read_jsonl(in, from.string(), [&](const Header& header, Scene scene) -> TraceRecorder& {
+    cut = read_jsonl(in, name, [&](const Header& header, Scene scene) -> TraceRecorder& {
       kept = std::move(scene);
       return recorder.emplace(partial, header, kept);
     });
@@ -98,18 +92,24 @@ std::optional<std::string> import_jsonl(const std::filesystem::path& from, const
     // What only a block as a whole tells is found when its events are read, so read them before anyone relies on them.
     const Trace trace = Trace::open(partial);
     trace.each(0, trace.size(), [](std::int64_t, const RecordedEvent&) { return true; });
+    place.take(part);
   } catch (...) {
     recorder.reset();
     std::error_code ignored;
     std::filesystem::remove(partial, ignored);
-    throw;
+    // What the recorder says of its file is of one that is gone now.
+    try {
+      throw;
+    } catch (const Exhausted&) {
+      throw Exhausted(to.string(), "there was no room for all of the trace",
+                      "no trace is left, and what had this name before still has it; make room there");
+    }
   }
-  std::filesystem::rename(partial, to);
   return cut;
 }
 
 Trace open_jsonl(const std::filesystem::path& path, std::string* impossible, GivenRun* given) {
-  std::ifstream in = opened(path);
+  InputStream in{InputFile(path)};
   Scene kept;
   std::optional<TraceRecorder> recorder;
   const auto cut = read_jsonl(in, path.string(), [&](const Header& header, Scene scene) -> TraceRecorder& {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "traces/file/input.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/trace_recorder.hpp"
 
@@ -45,7 +46,7 @@ std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
 
 /// JSONL file to trace file. Nothing is left behind when it fails. Returns what read_jsonl() does; such a trace has no
 /// end, as that of a recording that was killed.
-std::optional<std::string> import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to);
+std::optional<std::string> import_jsonl(InputFile from, const std::filesystem::path& to);
 /// JSONL file to a trace in memory. Of a file that was cut off the trace warns. `impossible`, `given`: as in
 /// read_jsonl().
 Trace open_jsonl(const std::filesystem::path& path, std::string* impossible = nullptr, GivenRun* given = nullptr);

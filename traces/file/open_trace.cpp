@@ -1,12 +1,12 @@
 // Opening a trace: signature, header, scene, and the index, rebuilt where it is missing.
 #include <algorithm>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include "traces/codec/block_encoder.hpp"
 #include "traces/error.hpp"
 #include "traces/file/header_json.hpp"
+#include "traces/file/input.hpp"
 #include "traces/file/scene_bytes.hpp"
 #include "traces/file/trace_impl.hpp"
 #include "traces/record/journal.hpp"
@@ -22,30 +22,18 @@ constexpr std::uint64_t index_limit = std::uint64_t{256} << 20;
 
 class FileSource : public ByteSource {
  public:
-  explicit FileSource(const std::filesystem::path& path) {
-    // A pipe could be waited for for ever, and has no end to begin at.
-    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
-      throw InputError(path.string(), "is not a file that can be read at any place",
-                       "name a .ztrace file; of a pipe, make one first");
-    file_.open(path, std::ios::binary);
-    if (!file_) throw InputError(path.string(), "cannot be opened", "check the name and that you may read it");
-    file_.seekg(0, std::ios::end);
-    size_ = static_cast<std::uint64_t>(file_.tellg());
-  }
-  std::uint64_t size() const override { return size_; }
+  explicit FileSource(const std::filesystem::path& path) : file_(path) {}
+  std::uint64_t size() const override { return file_.size(); }
   Bytes read(std::uint64_t offset, std::uint64_t size) const override {
-    if (offset > size_ || size > size_ - offset) throw MalformedBytes("it ends too early");
+    if (offset > file_.size() || size > file_.size() - offset) throw MalformedBytes("it ends too early");
     Bytes bytes(static_cast<std::size_t>(size));
-    file_.clear();
-    file_.seekg(static_cast<std::streamoff>(offset));
-    file_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (static_cast<std::uint64_t>(file_.gcount()) != size) throw MalformedBytes("it ends too early");
+    file_.seek(offset);
+    if (file_.read(bytes.data(), bytes.size()) != bytes.size()) throw MalformedBytes("it ends too early");
     return bytes;
   }
 
  private:
-  mutable std::ifstream file_;
-  std::uint64_t size_ = 0;
+  mutable InputFile file_;
 };
 
 class MemorySource : public ByteSource {

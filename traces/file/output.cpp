@@ -9,9 +9,10 @@
 
 #include <fmt/format.h>
 
-#if __has_include(<sys/file.h>)
+#if __has_include(<sys/file.h>) && !defined(__EMSCRIPTEN__)
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #define ZSTEP_LOCKS_FILES
 #endif
@@ -24,12 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Inputs {
+struct NotedInputs {
   std::mutex mutex;
   std::vector<fs::path> paths;
 };
-Inputs& inputs() {
-  static Inputs all;
+NotedInputs& inputs() {
+  static NotedInputs all;
   return all;
 }
 
@@ -38,28 +39,24 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-#ifdef ZSTEP_LOCKS_FILES
-/// A file that is open as long as this lives.
-struct Descriptor {
-  int number;
-  ~Descriptor() {
-    if (number >= 0) close(number);
-  }
-  int release() { return std::exchange(number, -1); }
-};
-
-bool is_recorded(const fs::path& path) {
-  if (!is_file(path)) return false;
-  const Descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
-  return file.number >= 0 && flock(file.number, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+std::vector<fs::path> noted_inputs() {
+  const std::lock_guard lock(inputs().mutex);
+  return inputs().paths;
 }
-#else
-bool is_recorded(const fs::path&) { return false; }
-#endif
 
-[[noreturn]] void refuse_recorded(const fs::path& path) {
-  throw InputError(path.string(), "another zstep is recording to it",
-                   "wait until it has ended, or write to another file");
+/// Where a link leads; the path itself where it is none, or leads to what has no name (/dev/stdout to a pipe).
+fs::path where_it_leads(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path end = fs::weakly_canonical(path, error);
+  return error || end.empty() ? path : end;
+}
+
+[[noreturn]] void refuse_recorded(const std::string& path) {
+  throw InputError(path, "another zstep is recording to it", "wait until it has ended, or write to another file");
+}
+[[noreturn]] void refuse_input(const std::string& path) {
+  throw InputError(path, "would overwrite the input", "write to another file");
 }
 
 }  // namespace
@@ -72,52 +69,177 @@ void note_input(const fs::path& path) {
   inputs().paths.push_back(whole);
 }
 
-void check_replaceable(const fs::path& path) {
-  {
-    const std::lock_guard lock(inputs().mutex);
-    std::error_code error;
-    for (const fs::path& input : inputs().paths)
-      if (fs::equivalent(path, input, error) && !error)
-        throw InputError(path.string(), "would overwrite the input", "write to another file");
-  }
-  if (is_recorded(path)) refuse_recorded(path);
-}
-
-fs::path where_it_leads(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
-}
-
-OpenFile open_output(const fs::path& path) {
-  errno = 0;
 #ifdef ZSTEP_LOCKS_FILES
-  std::error_code ignored;
-  if (fs::is_fifo(path, ignored)) {
-    Descriptor pipe{open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC)};
-    if (pipe.number < 0 && errno == ENXIO)
-      throw InputError(path.string(), "is a pipe that nobody reads", "start its reader first");
-    if (pipe.number < 0) return nullptr;
-    fcntl(pipe.number, F_SETFL, fcntl(pipe.number, F_GETFL) & ~O_NONBLOCK);
-    return OpenFile(fdopen(pipe.release(), "wb"));
+
+namespace {
+
+/// A file that is open as long as this lives.
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) close(number);
   }
-#endif
-  return OpenFile(std::fopen(path.string().c_str(), "wb"));
+  int release() { return std::exchange(number, -1); }
+};
+
+bool is_one_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
+
+bool is_noted(const struct stat& file) {
+  struct stat input {};
+  for (const fs::path& path : noted_inputs())
+    if (stat(path.c_str(), &input) == 0 && is_one_file(file, input)) return true;
+  return false;
 }
 
-OpenFile open_own_output(const fs::path& path) {
-#ifdef ZSTEP_LOCKS_FILES
-  if (!is_file(path) && fs::exists(path)) return open_output(path);
-  errno = 0;
-  Descriptor file{open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)};
-  if (file.number < 0) return nullptr;
-  // Emptied once it is ours, not before.
-  if (flock(file.number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse_recorded(path);
-  if (ftruncate(file.number, 0) != 0) return nullptr;
-  return OpenFile(fdopen(file.release(), "wb"));
+#ifdef O_PATH
+constexpr int as_folder = O_PATH | O_DIRECTORY | O_CLOEXEC;
 #else
-  return open_output(path);
+constexpr int as_folder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
 #endif
+
+}  // namespace
+
+/// What has the name now, links not followed.
+struct OutputPlace::Found {
+  bool there = false;
+  struct stat status {};
+};
+
+OutputPlace::Found OutputPlace::look() const {
+  Found found;
+  found.there = fstatat(folder_, name_.c_str(), &found.status, AT_SYMLINK_NOFOLLOW) == 0;
+  return found;
 }
+
+OutputPlace::OutputPlace(const fs::path& path, Inputs inputs, Links links)
+    : path_(links == Links::followed ? where_it_leads(path) : path),
+      shown_(path.string()),
+      name_(path_.filename().string()),
+      inputs_(inputs) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path_, ignored);
+  if (path.filename().empty() || fs::is_directory(status)) throw InputError(shown_, "is a folder", "name a file in it");
+  device_ = fs::exists(status) && !fs::is_regular_file(status);
+  if (device_) return;
+  const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+  Descriptor held{open(folder.c_str(), as_folder)};
+  if (held.number < 0 && (errno == ENOENT || errno == ENOTDIR))
+    throw InputError(shown_, fmt::format("there is no folder {}", folder.string()),
+                     "make it first, or write to another place");
+  if (held.number < 0) output_failed(shown_, errno);
+  // Renaming over a file asks only the folder; a file that its owner protected stays as it is.
+  if (const Descriptor old{openat(held.number, name_.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
+      old.number < 0 && errno != ENOENT && errno != ELOOP)
+    output_failed(shown_, errno);
+  folder_ = held.release();
+  try {
+    // A link to an input would be replaced and the input not, but that is hardly what was meant.
+    struct stat led {};
+    if (inputs_ == Inputs::kept && fstatat(folder_, name_.c_str(), &led, 0) == 0 && is_noted(led)) refuse_input(shown_);
+    check_replaceable();
+  } catch (...) {
+    close(folder_);
+    throw;
+  }
+}
+
+OutputPlace::~OutputPlace() {
+  if (folder_ >= 0) close(folder_);
+}
+
+void OutputPlace::check_replaceable() const {
+  const Found found = look();
+  if (!found.there) return;
+  if (inputs_ == Inputs::kept && is_noted(found.status)) refuse_input(shown_);
+  if (!S_ISREG(found.status.st_mode)) return;
+  const Descriptor file{openat(folder_, name_.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
+  if (file.number >= 0 && flock(file.number, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse_recorded(shown_);
+}
+
+OpenFile OutputPlace::open_device() const {
+  Descriptor file{open(path_.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)};
+  if (file.number < 0 && errno == ENXIO)
+    throw InputError(shown_, "is a pipe that nobody reads", "start its reader first");
+  if (file.number < 0) output_failed(shown_, errno);
+  struct stat status {};
+  if (fstat(file.number, &status) != 0) output_failed(shown_, errno);
+  if (S_ISREG(status.st_mode))
+    throw InputError(shown_, "was made another file by somebody meanwhile", "write to a folder that is yours");
+  fcntl(file.number, F_SETFL, fcntl(file.number, F_GETFL) & ~O_NONBLOCK);
+  return OpenFile(fdopen(file.release(), "wb"));
+}
+
+OpenFile OutputPlace::make(const std::string& name) const {
+  const int file = openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (file < 0) output_failed(shown_, errno);
+  return OpenFile(fdopen(file, "wb"));
+}
+
+OpenFile OutputPlace::make_own(const std::string& name) const {
+  for (;;) {
+    Descriptor file{
+        openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666)};
+    struct stat status {
+    }, named{};
+    const bool opened = file.number >= 0 && fstat(file.number, &status) == 0;
+    if ((opened && (!S_ISREG(status.st_mode) || is_noted(status))) || (!opened && (errno == ELOOP || errno == ENXIO)))
+      throw InputError(beside(name).string(), "is in the way: the trace is made under this name", "move it away");
+    if (!opened) output_failed(shown_, errno);
+    if (flock(file.number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse_recorded(shown_);
+    // Whoever had it may have given it its last name before it was ours.
+    if (fstatat(folder_, name.c_str(), &named, AT_SYMLINK_NOFOLLOW) != 0 || !is_one_file(status, named)) continue;
+    if (ftruncate(file.number, 0) != 0) output_failed(shown_, errno);
+    return OpenFile(fdopen(file.release(), "wb"));
+  }
+}
+
+void OutputPlace::take(const std::string& name) const {
+  check_replaceable();
+  if (renameat(folder_, name.c_str(), folder_, name_.c_str()) != 0) output_failed(shown_, errno);
+}
+
+#else
+
+OutputPlace::OutputPlace(const fs::path& path, Inputs inputs, Links links)
+    : path_(links == Links::followed ? where_it_leads(path) : path),
+      shown_(path.string()),
+      name_(path_.filename().string()),
+      inputs_(inputs) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path_, ignored);
+  if (path.filename().empty() || fs::is_directory(status)) throw InputError(shown_, "is a folder", "name a file in it");
+  device_ = fs::exists(status) && !fs::is_regular_file(status);
+  if (path_.has_parent_path() && !fs::is_directory(path_.parent_path(), ignored))
+    throw InputError(shown_, fmt::format("there is no folder {}", path_.parent_path().string()),
+                     "make it first, or write to another place");
+  if (fs::is_regular_file(status) && !OpenFile(std::fopen(path_.string().c_str(), "r+b"))) output_failed(shown_, errno);
+  check_replaceable();
+}
+OutputPlace::~OutputPlace() = default;
+
+void OutputPlace::check_replaceable() const {
+  std::error_code error;
+  if (inputs_ == Inputs::no_matter) return;
+  for (const fs::path& input : noted_inputs())
+    if (fs::equivalent(path_, input, error) && !error) refuse_input(shown_);
+}
+
+OpenFile OutputPlace::open_device() const { return make(name_); }
+OpenFile OutputPlace::make_own(const std::string& name) const { return make(name); }
+OpenFile OutputPlace::make(const std::string& name) const {
+  OpenFile file(std::fopen(beside(name).string().c_str(), "wb"));
+  if (!file) output_failed(shown_, errno);
+  return file;
+}
+
+void OutputPlace::take(const std::string& name) const {
+  check_replaceable();
+  std::error_code error;
+  fs::rename(beside(name), path_, error);
+  if (error) output_failed(shown_, error.value());
+}
+
+#endif
 
 namespace {
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "traces/error.hpp"
 #include "traces/file/check_events.hpp"
 #include "traces/file/event_json.hpp"
 #include "traces/file/header_json.hpp"
@@ -14,6 +13,7 @@
 #include "traces/file/jsonl_lines.hpp"
 #include "traces/file/quick_line.hpp"
 #include "traces/near_word.hpp"
+#include "traces/outcome.hpp"
 #include "traces/text.hpp"
 
 namespace zstep {
@@ -54,7 +54,7 @@ class Reader {
     if (events_ == 0) give_up_tail();
     if (!faults_.empty()) {
       if (faults_.size() >= most_faults) faults_.push_back(name_ + ": there may be more mistakes; mend these first");
-      throw InputError(faults_);
+      throw InputErrors(faults_);
     }
     if (cut_off_)
       return fmt::format("{}:{}: the recording was cut off before its end; {} steps could be read", name_, *cut_off_,

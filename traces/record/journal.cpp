@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -19,8 +18,10 @@
 #define ZSTEP_MAPS_FILES
 #endif
 
+#include "traces/error.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/chunk.hpp"
+#include "traces/file/input.hpp"
 
 namespace zstep {
 
@@ -57,11 +58,10 @@ std::uint64_t layout_of_events() {
   return checksum_of({'L', 'O', 'G', 'S'}, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-std::optional<Head> head_of(std::istream& in) {
+std::optional<Head> head_of(InputFile& file) {
   Head head;
-  in.seekg(0);
-  in.read(reinterpret_cast<char*>(&head), sizeof head);
-  if (!in || head.signature != journal_signature) return std::nullopt;
+  file.seek(0);
+  if (file.read(&head, sizeof head) != sizeof head || head.signature != journal_signature) return std::nullopt;
   return head;
 }
 
@@ -71,10 +71,14 @@ std::uint8_t* map_new(const std::filesystem::path& path, const Head& head, std::
   rlimit limit{};
   if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur < size)
     return nullptr;  // to ask for more would end the program
-  if (std::ifstream old(path, std::ios::binary); old) {
-    std::error_code error;
-    const bool begun = head_of(old) || std::filesystem::file_size(path, error) == 0;  // by a recording that was killed
-    if (error || !begun) return nullptr;
+  std::error_code error;
+  if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+    try {
+      InputFile old(path);
+      if (!head_of(old) && old.size() > 0) return nullptr;  // not begun by a recording that was killed
+    } catch (const InputError&) {
+      return nullptr;
+    }
     std::filesystem::remove(path, error);
   }
   const int file = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
@@ -136,15 +140,14 @@ void Journal::belongs_to(std::uint64_t head_checksum) {
 }
 
 std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint64_t head_checksum,
-                                   std::uint64_t first) {
+                                   std::uint64_t first) try {
   std::vector<Bytes> found;
-  std::ifstream in(journal_of(trace), std::ios::binary);
-  const std::optional<Head> head = in ? head_of(in) : std::nullopt;
+  InputFile in(journal_of(trace));
+  const std::optional<Head> head = head_of(in);
   if (!head || head->layout != layout_of_events() || head->trace != head_checksum || head->logs > most_logs)
     return found;
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(journal_of(trace), error);
-  if (error || size < memory_page) return found;
+  const std::uint64_t size = in.size();
+  if (size < memory_page) return found;
   if (head->log_size > (size - memory_page) / std::max<std::uint64_t>(head->logs, 1)) return found;
   const auto log_size = static_cast<std::size_t>(head->log_size);
   if (log_size != head->log_size) return found;  // more than there is memory to address
@@ -154,15 +157,16 @@ std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint
         head->block.begin());
     if (number == head->logs) break;
     Bytes log(log_size);
-    in.seekg(static_cast<std::streamoff>(memory_page + std::uint64_t{number} * log_size));
-    in.read(reinterpret_cast<char*>(log.data()), static_cast<std::streamsize>(log.size()));
-    if (!in) break;
+    in.seek(memory_page + std::uint64_t{number} * log_size);
+    if (in.read(log.data(), log.size()) != log.size()) break;
     // Of a recording that goes on: it may have been another block's meanwhile.
     const std::optional<Head> now = head_of(in);
     if (!now || now->block[number] != block) break;
     found.push_back(std::move(log));
   }
   return found;
+} catch (const InputError&) {
+  return {};  // there is none, or it is something else
 }
 
 }  // namespace zstep

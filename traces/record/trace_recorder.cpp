@@ -2,11 +2,16 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "traces/codec/block_encoder.hpp"
 #include "traces/file/chunk.hpp"
@@ -29,53 +34,49 @@ constexpr std::size_t logs_at_work = 9;
 /// as it stands.
 class TraceRecorder::Output {
  public:
-  explicit Output(const std::filesystem::path& path) : path_(where_it_leads(path)) {
-    check_replaceable(path_);
-    std::error_code error;
-    const std::filesystem::file_type type = std::filesystem::status(path_, error).type();
-    const bool is_new = type == std::filesystem::file_type::not_found;
-    if (is_new ||
-        (type == std::filesystem::file_type::regular && OpenFile(std::fopen(path_.string().c_str(), "r+b")))) {
-      begun_ = path_.string() + ".begun";
-      file_ = open_own_output(begun_);
-      check_replaceable(path_);  // another recording may have begun meanwhile
+  explicit Output(const std::filesystem::path& path) : place_(path, Inputs::kept, Links::replaced) {
+    if (place_.is_device()) {
+      file_ = place_.open_device();
+    } else {
+      begun_ = place_.path().filename().string() + ".begun";
+      file_ = place_.make_own(begun_);
     }
-    if (file_ == nullptr) {
-      begun_.clear();
-      file_ = open_own_output(path_);
-    }
-    if (file_ == nullptr) output_failed(path, errno);
     std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // what is written is written whole
   }
   ~Output() {
     std::error_code ignored;
-    if (!begun_.empty()) std::filesystem::remove(begun_, ignored);
+    if (!begun_.empty()) std::filesystem::remove(place_.beside(begun_), ignored);
   }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
   void write(const Bytes& bytes) {
+    errno = 0;
     if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size() && std::fflush(file_.get()) == 0)
       return;
-    throw Exhausted(path_.string(), "the trace could not be written any further (is the disk full?)",
-                    "what was written so far can be opened; free some space or record to another place");
+    failed("cannot be written any further");
   }
   void head_is_written() {
     if (begun_.empty()) return;
-    std::error_code error;
-    std::filesystem::rename(begun_, path_, error);
-    if (error)
-      throw InputError(path_.string(), "cannot be written: " + error.message(),
-                       "name a file in a folder that is yours");
+    place_.take(begun_);
     begun_.clear();
   }
   void close() {
-    if (std::fclose(file_.release()) != 0)
-      throw Exhausted(path_.string(), "the end of the trace could not be written", "is the disk full?");
+    errno = 0;
+    if (std::fclose(file_.release()) != 0) failed("cannot be written to its end");
   }
 
  private:
-  std::filesystem::path path_, begun_;  ///< its name, and the one it has until then
+  [[noreturn]] void failed(std::string_view what) const {
+    const char* left = place_.is_device() ? ""
+                       : begun_.empty()   ? "what was written so far can be opened; "
+                                          : "no trace is left, and what had this name before still has it; ";
+    throw Exhausted(place_.path().string(), fmt::format("{}: {}", what, std::strerror(errno != 0 ? errno : EIO)),
+                    fmt::format("{}make room there, or record to another place", left));
+  }
+
+  OutputPlace place_;
+  std::string begun_;  ///< the name that it has beside its place until then
   OpenFile file_;
 };
 

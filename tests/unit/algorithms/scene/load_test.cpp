@@ -106,14 +106,14 @@ TEST_SUITE("load a scene") {
     const auto error_of = [](const std::string& path) { return input_error([&] { load_scene(path); }); };
     CHECK(contains(error_of(folder.path.string() + "/none.obj"), "none.obj: there is no such file"));
     fs::create_directories(folder.path / "folder.obj");
-    CHECK(contains(error_of((folder.path / "folder.obj").string()), "it is not a file that can be read whole"));
+    CHECK(contains(error_of((folder.path / "folder.obj").string()), "is a folder"));
     CHECK(contains(error_of("mesh.3ds"), "there is no such scene; name a .toml, .obj, .off, .ply or .stl file"));
     CHECK(contains(error_of(folder.write("empty.obj", "v 0 0 0\n")), "the mesh has no polygons"));
     CHECK(contains(error_of(folder.write("empty.toml", "")), "the scene has no polygons"));
     const std::string device = folder.write("device.toml", "[[mesh]]\nfile = \"zero.obj\"\n");
     std::error_code error;
     fs::create_symlink("/dev/zero", folder.path / "zero.obj", error);
-    if (!error) CHECK(contains(error_of(device), "it is not a file that can be read whole"));
+    if (!error) CHECK(contains(error_of(device), "is no ordinary file"));
     // A material file elsewhere is never opened.
     folder.write("secret.mtl", "newmtl a\nKd 1 0 0\n");
     const SceneFile file =

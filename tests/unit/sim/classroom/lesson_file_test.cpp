@@ -207,6 +207,24 @@ TEST_CASE("slips in the stops") {
                  ":10: `{z = 4}` does not hold: it is 5 here"));
 }
 
+TEST_CASE("a task that the lesson's own run does is refused, and a run without what it asks about does not do it") {
+  const std::string stop = head + "## Here {at: compare}\n::: task\nDo it.\n";
+  const auto with = [&](const std::string& done) { return stop + "done: " + done + "\nsolution: size = 40x40\n:::\n"; };
+  // The run compares 49 times.
+  CHECK(contains(run_error(with("count(compare) == 49")), ":10: the lesson's own run does the task already"));
+  CHECK(run_error(with("count(compare) == 48")).empty());
+  CHECK(run_error(with("not (count(compare) == 49)")).empty());
+  // On 8x8 pixels none is at (30, 30); of a larger run it is asked.
+  const LessonFile file(with("depth(30, 30) > 0"));
+  Lesson lesson = load_lesson(file.path);
+  const Trace trace = run_lesson(lesson);
+  REQUIRE(lesson.stops[0].task);
+  Task task = *lesson.stops[0].task;
+  CHECK_FALSE(state_of(task, trace).done);
+  task.done = "depth(3, 3) > 0";
+  CHECK(state_of(task, trace).done);
+}
+
 TEST_CASE("slips in tasks") {
   const std::string stop = head + "## Here {at: compare}\n";  // line 7
   const std::string task = stop + "::: task\nDo it.\n", done = "done: width > 3\n", solved = "solution: size = 40x40\n";
@@ -337,9 +355,9 @@ TEST_CASE("hints are filled from the lesson's own run") {
 }
 
 TEST_CASE("what is no lesson file is told so") {
-  CHECK(contains(complaint([] { load_lesson("/nowhere/at-all.md"); }), "the lesson cannot be read"));
-  CHECK(contains(complaint([] { load_lesson("/tmp"); }), "the lesson cannot be read"));
-  CHECK(contains(load_error(std::string((1 << 20) + 1, 'x')), "larger than any lesson"));
+  CHECK(contains(complaint([] { load_lesson("/nowhere/at-all.md"); }), "there is no such file; name a Markdown file"));
+  CHECK(contains(complaint([] { load_lesson("/tmp"); }), "is a folder"));
+  CHECK(contains(load_error(std::string((1 << 20) + 1, 'x')), "is larger than 1 MiB"));
   CHECK(contains(complaint([] { find_lesson("zbuffer"); }),
                  "there is no lesson of this name (did you mean `z-buffer`?); the lessons are viewing, back-faces"));
 }
