@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/homework/sandbox_files.hpp"
 #include "sim/homework/sandbox_process.hpp"
 #include "sim/homework/sandbox_usage.hpp"
 #include "traces/error.hpp"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_errors = 8192;
-constexpr int milliseconds_between_looks = 50;
+constexpr int milliseconds_between_looks = 50, looks_for_files = 2;
 
 struct SignalText {
   int number;
@@ -78,9 +79,19 @@ Ended ended_as(int status, double seconds, const Limits& limits) {
   return ended;
 }
 
+/// Gone with it: what a user has written where everybody may.
+struct FilesOf {
+  std::optional<unsigned> user;
+  ~FilesOf() {
+    if (user) remove_files_of(*user);
+  }
+};
+
 Ended run_on(const Stage& stage, const std::string& command, bool walls, const fs::path& out, const Limits& limits,
              const std::function<void()>& tick) {
   File file(out);
+  const std::optional<unsigned> user = walls ? std::nullopt : program_user();
+  const FilesOf files{user};
   Process process(stage, command, walls, limits);
   const Clock::time_point begin = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
@@ -104,6 +115,7 @@ Ended run_on(const Stage& stage, const std::string& command, bool walls, const f
     return Ended{how, 0, seconds(), errors};
   };
   double looked = 0;
+  int looks = 0;
   for (;;) {
     const bool open = process.pipes()[0] >= 0 || process.pipes()[1] >= 0;
     std::array<pollfd, 2> ready{{{process.pipes()[0], POLLIN, 0}, {process.pipes()[1], POLLIN, 0}}};
@@ -115,14 +127,19 @@ Ended run_on(const Stage& stage, const std::string& command, bool walls, const f
     if (seconds() - looked < 0.001 * milliseconds_between_looks) continue;
     looked = seconds();
     tick();
-    const Usage usage = usage_below(getpid());
-    if (usage.memory > Limits::bytes(limits.memory)) return stopped(Ended::How::memory);
+    // Of several limits, the one that leads to the others is told: many processes take much memory, and not the other
+    // way round.
+    const Usage usage = usage_below(process.keeper(), Limits::bytes(limits.memory));
     if (usage.processes.size() > static_cast<std::size_t>(limits.processes)) return stopped(Ended::How::processes);
+    if (++looks % looks_for_files == 0 && !walls && writes_too_much(user, stage.scratch(), limits))
+      return stopped(Ended::How::files);
+    if (usage.memory > Limits::bytes(limits.memory)) return stopped(Ended::How::memory);
     if (usage.seconds > limits.seconds) return stopped(Ended::How::processor);
     if (seconds() > limits.clock_seconds()) return stopped(Ended::How::clock);
   }
   process.end();
   read_what_is_there();
+  if (!walls && writes_too_much(user, stage.scratch(), limits)) return stopped(Ended::How::files);
   Ended ended = ended_as(process.status(), process.seconds(), limits);
   ended.seconds = seconds(), ended.errors = errors;
   return ended;
@@ -140,21 +157,17 @@ Walls try_bubblewrap() {
   if (std::none_of(bubblewrap_places.begin(), bubblewrap_places.end(),
                    [](const char* place) { return access(place, X_OK) == 0; }))
     return {false, "bubblewrap (bwrap) is not installed (apt-get install bubblewrap)"};
-  std::string says = "no folder can be made for trying it", pattern = (fs::temp_directory_path() / "zstep-try-XXXXXX");
-  if (mkdtemp(pattern.data()) != nullptr) {
-    const fs::path folder = pattern;
-    try {
-      fs::create_directory(folder / "program");
-      const Stage stage(folder / "program", "try", "", {});
-      const Ended ended = run_on(stage, "echo works", true, folder / "out", {}, [] {});
-      says = ended.errors.empty() ? "it " + text_of(ended, {})
-                                  : printable(ended.errors.substr(0, ended.errors.find('\n')));
-      if (ended.how == Ended::How::well && fs::file_size(folder / "out") > 0) says.clear();
-    } catch (const std::exception& error) {
-      says = error.what();
-    }
-    std::error_code ignored;
-    fs::remove_all(folder, ignored);
+  const TemporaryFolder folder("zstep-try");
+  std::string says;
+  try {
+    fs::create_directory(folder.path() / "program");
+    const Stage stage(folder.path() / "program", "try", "", {});
+    const Ended ended = run_on(stage, "echo works", true, folder.path() / "out", {}, [] {});
+    says =
+        ended.errors.empty() ? "it " + text_of(ended, {}) : printable(ended.errors.substr(0, ended.errors.find('\n')));
+    if (ended.how == Ended::How::well && fs::file_size(folder.path() / "out") > 0) says.clear();
+  } catch (const std::exception& error) {
+    says = error.what();
   }
   if (says.empty()) return {true, ""};
   return {false, fmt::format("bubblewrap (bwrap) is installed and does not work here: “{}” (it must be allowed to make "
@@ -193,6 +206,9 @@ std::string text_of(const Ended& ended, const Limits& limits, bool exact) {
       return fmt::format("was stopped: it took more than {} MiB of memory", limits.memory);
     case Ended::How::processes:
       return fmt::format("was stopped: it started more than {} processes", limits.processes);
+    case Ended::How::files:
+      return fmt::format("was stopped: it wrote more than {} MiB, {} files, or folders {} deep", limits.files,
+                         most_files, deepest_folders);
     case Ended::How::output:
       break;
   }
@@ -204,10 +220,10 @@ bool has_walls() { return walls_here().work; }
 std::string not_protected() {
   if (has_walls()) return "";
   return walls_here().why_not +
-         (runs_as_nobody()
-              ? ": programs run as the user nobody, with limits of time, memory, processes and output. They reach the "
-                "network, read what everybody may read and write where everybody may write. Keep the homework and the "
-                "results from others (chmod -R go= …)."
+         (program_user()
+              ? ": programs run as a user of their own, with limits of time, memory, processes, files and output. They "
+                "reach the network, read what everybody may read, and write where everybody may write; that is removed "
+                "after them. Keep the homework and the results from others (chmod -R go= …)."
               : ": programs run as you, with limits of time, memory and output. They reach the network and all of your "
                 "files, the homework's too. Run none that you do not trust.");
 }

@@ -13,19 +13,19 @@ struct Limits {
   double seconds = 10;  ///< of the processor; by the clock it may take three times as long
   int memory = 1024;    ///< MiB, of all of its processes
   int output = 256;     ///< MiB
-  int files = 64;       ///< MiB of the files that it writes, and of its own folder
+  int files = 64;       ///< MiB of all files that it writes, and of its own folder
   int processes = 64;
 
   double clock_seconds() const { return 3 * seconds; }
   /// The system refuses further processes only here: one with more than `processes` is to be stopped, with that as the
-  /// reason, and outside of walls it counts those of other programs of the user nobody too.
+  /// reason.
   int refused_from() const { return processes + 512; }
   static std::uint64_t bytes(int mebibytes) { return static_cast<std::uint64_t>(mebibytes) << 20; }
 };
 
 /// How a program ended.
 struct Ended {
-  enum class How : std::uint8_t { well, exit_code, signal, processor, clock, memory, processes, output };
+  enum class How : std::uint8_t { well, exit_code, signal, processor, clock, memory, processes, output, files };
   How how = How::well;
   int code = 0;  ///< exit code or signal
   double seconds = 0;

@@ -14,7 +14,7 @@ namespace zstep::homework {
 /// Where bubblewrap is looked for.
 inline constexpr std::array bubblewrap_places{"/usr/bin/bwrap", "/usr/local/bin/bwrap"};
 
-/// Ended with it, whatever has left its group or session.
+/// Ended with it, and with the process that has it, whatever has left its group or session.
 class Process {
  public:
   /// Throws InputError where none can be started.
@@ -30,10 +30,12 @@ class Process {
   bool look();
   void end();
   int status() const { return status_; }  ///< as wait() has it
+  pid_t keeper() const { return keeper_; }  ///< all of the program's processes are below it
   double seconds() const;                 ///< of the processor
 
  private:
-  pid_t process_ = 0;
+  pid_t keeper_ = 0;
+  int lifeline_ = -1;
   std::array<int, 2> pipes_{-1, -1};
   bool ended_ = false;
   int status_ = 0;

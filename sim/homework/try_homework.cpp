@@ -14,6 +14,7 @@
 #include "sim/homework/handout_words.hpp"
 #include "sim/homework/new_homework.hpp"
 #include "sim/homework/run_programs.hpp"
+#include "sim/homework/temporary_folder.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
@@ -37,23 +38,6 @@ std::string bytes_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
-
-/// A folder that is gone afterwards.
-struct Scratch {
-  fs::path path;
-  Scratch() {
-    std::string pattern = (fs::temp_directory_path() / "zstep-homework-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-      throw InputError(pattern, "no folder can be made there", "set TMPDIR to a folder that can be written to");
-    path = pattern;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-};
 
 class Trial {
  public:
@@ -194,9 +178,9 @@ class Trial {
 
   void try_program(const fs::path& source, const std::string& command, bool is_solution) {
     const std::string name = in_folder(source);
-    const Scratch scratch;
+    const TemporaryFolder scratch("zstep-homework");
     std::string failed;
-    const auto runs = run_programs(homework_, command, source.parent_path(), scratch.path / "runs",
+    const auto runs = run_programs(homework_, command, source.parent_path(), scratch.path() / "runs",
                                    [&](const Task& task) { on_work_(name + " on " + task.name); });
     for (const ProgramRun& run : runs) {
       if (run.ended.how == Ended::How::well) continue;
@@ -205,7 +189,7 @@ class Trial {
                                errors.empty() ? "" : ":\n" + errors),
                    "mend the program");
     }
-    const Assessment all = assess(homework_, scratch.path / "runs");
+    const Assessment all = assess(homework_, scratch.path() / "runs");
     const double most = homework_.points();
     const std::string points = fmt::format("{} of {} points", number(all.points(), 2, true), number(most, 2, true));
     for (const Graded& graded : all.tasks) {
