@@ -76,7 +76,10 @@ void say_written(std::string_view path, std::string_view what) {
 void hold_standard_streams() {
 #ifdef ZSTEP_HAS_DESCRIPTORS
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) break;
+    if (fcntl(stream, F_GETFD) < 0) {
+      const int refuses = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+      if (::open("/dev/null", refuses) != stream) break;
+    }
 #endif
 }
 
