@@ -248,6 +248,15 @@ TEST_CASE("what a full disk leaves is told as it is: no trace, the one before, o
   }
 }
 
+TEST_CASE("a formula that asks for much work has the limits of a file, and what was recorded by then can be opened") {
+  const Folder folder;
+  const Outcome outcome =
+      run(folder, "record 'y = sin(x) * cos(z)' --algorithm ray-casting --size 480x360 -o run.ztrace");
+  CHECK(outcome.code == 3);
+  CHECK(has(outcome.err, "as time was up; the file holds them and can be opened"));
+  check_ends(folder, "\"$zstep\" info run.ztrace", 0);
+}
+
 TEST_CASE("the exit code says how a command ended") {
   const Folder folder;
   REQUIRE(run(folder, "record pyramid --size 16x16 -o run.ztrace").code == 0);
