@@ -254,7 +254,7 @@ TEST_CASE("a formula that asks for much work has the limits of a file, and what 
       run(folder, "record 'y = sin(x) * cos(z)' --algorithm ray-casting --size 480x360 -o run.ztrace");
   CHECK(outcome.code == 3);
   CHECK(has(outcome.err, "as time was up; the file holds them and can be opened"));
-  check_ends(folder, "\"$zstep\" info run.ztrace", 0);
+  check_ends(folder, "\"$zstep\" dump run.ztrace --from 1 --to 3", 0);
 }
 
 TEST_CASE("the exit code says how a command ended") {
