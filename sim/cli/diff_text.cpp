@@ -138,35 +138,34 @@ std::string pictures_text(const diff::BufferDifference& found) {
 
 namespace {
 
-/// "long", "the background".
+/// "polygon long", "the background".
 std::string seen_label(const Scene& scene, std::int32_t polygon) {
-  return polygon == no_polygon ? "the background" : polygon_label(scene, polygon);
+  return polygon == no_polygon ? "the background" : "polygon " + polygon_label(scene, polygon);
 }
 
 /// How one run comes to show `shown` at a pixel and not `other`, in one sentence.
 std::string how_seen(const char* run, const Trace& trace, std::int32_t shown, const diff::DrawnAt& of_shown,
                      std::int32_t other, const diff::DrawnAt& of_other) {
   const std::string name = seen_label(trace.scene(), shown), rest = seen_label(trace.scene(), other);
-  const bool compares = trace.has(kind_of<DepthCompare>);
   const auto [z, z_other] = tell_apart(of_shown.z, of_other.z);
   const bool known = std::isfinite(of_shown.z) && std::isfinite(of_other.z);
   const double behind = trace.header().comparison.behind(of_shown.z, of_other.z);
-  const std::string_view stands = behind > 0 ? "though it is farther" : behind < 0 ? "and is nearer" : "at the same depth";
-  if (of_shown.step != 0 && of_other.step != 0 && of_shown.step > of_other.step)
-    return fmt::format("{} draws {} (step {}) over {} (step {}){}.", run, name, grouped(of_shown.step), rest,
-                       grouped(of_other.step), known ? fmt::format(", {}: z = {} over {}", stands, z, z_other) : "");
-  if (of_shown.step != 0 && of_other.step != 0)
-    return fmt::format("{} draws {} (step {}) before {} (step {}).", run, name, grouped(of_shown.step), rest,
-                       grouped(of_other.step));
+  const std::string_view stands = behind > 0   ? "which is nearer"
+                                  : behind < 0 ? "which is farther"
+                                               : "which is as deep";
+  const std::string draws = fmt::format("Run {} draws {} (step {})", run, name, grouped(of_shown.step));
+  if (of_shown.step != 0 && of_other.step != 0) {
+    const std::string both = fmt::format("{} {} {} (step {})", draws, of_shown.step > of_other.step ? "over" : "before",
+                                         rest, grouped(of_other.step));
+    return both + (known ? fmt::format(", {}: z = {} against {}.", stands, z, z_other) : ".");
+  }
   if (of_shown.step != 0 && of_other.found != 0)
-    return fmt::format("{} draws {} (step {}), z = {}; {} (step {}) loses with z = {}.", run, name,
-                       grouped(of_shown.step), z, rest, grouped(of_other.found), z_other);
-  if (of_shown.step != 0 && other != no_polygon)
-    return fmt::format("{} draws {} (step {}), and never comes to {} there.", run, name, grouped(of_shown.step), rest);
-  if (of_shown.step != 0) return fmt::format("{} draws {} there (step {}).", run, name, grouped(of_shown.step));
-  if (of_other.found != 0 && compares)
-    return fmt::format("{} compares {} there (step {}), and it is not drawn.", run, rest, grouped(of_other.found));
-  return fmt::format("{} never comes to {} there.", run, rest);
+    return fmt::format("{}, z = {}; {} (step {}) loses with z = {}.", draws, z, rest, grouped(of_other.found), z_other);
+  if (of_shown.step != 0)
+    return draws + (other == no_polygon ? " there." : fmt::format(", and never comes to {} there.", rest));
+  if (of_other.found != 0)
+    return fmt::format("Run {} compares {} there (step {}), and does not draw it.", run, rest, grouped(of_other.found));
+  return fmt::format("Run {} never comes to {} there.", run, rest);
 }
 
 }  // namespace
@@ -175,7 +174,7 @@ std::vector<std::string> seen_text(const Trace& a, const Picture& end_a, const T
   std::vector<std::string> sentences;
   for (const diff::SeenApart& group : diff::seen_apart(a, end_a, b, end_b))
     sentences.push_back(fmt::format(
-        "{} {} in A, {} in B; the first is ({}, {}). {} {}", counted(group.pixels, "pixel shows", "pixels show"),
+        "{} {} in run A, {} in run B; the first is ({}, {}). {} {}", counted(group.pixels, "pixel shows", "pixels show"),
         seen_label(a.scene(), group.polygon_a), seen_label(b.scene(), group.polygon_b), group.x, group.y,
         how_seen("A", a, group.polygon_a, group.a_in_a, group.polygon_b, group.b_in_a),
         how_seen("B", b, group.polygon_b, group.b_in_b, group.polygon_a, group.a_in_b)));

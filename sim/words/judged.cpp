@@ -89,14 +89,19 @@ std::string why_cause(const diff::Cause& cause) {
     why.pop_back();
     return fmt::format("it comes too early in B: step {} must come first. {}", grouped(order->before), why);
   }
+  if (cause.elsewhere != 0)
+    return fmt::format("{} has this step at another place, step {}", cause.first.only_a() ? "B" : "A",
+                       grouped(cause.elsewhere));
   if (cause.first.only_a()) return "A has this step, B does not";
   if (cause.first.only_b()) return "B has this step, A does not";
-  if (cause.tie) return "a tie: in both runs z is equal to what is stored, and only one of them takes the later polygon";
+  if (cause.part == diff::Part::rounding && cause.unexplained)
+    return "only rounding: the results are no farther apart than the number formats allow";
   if (cause.part == diff::Part::rounding)
     return "only rounding: its operands are the same, or differ by rounding";
   if (cause.wrong_a && cause.wrong_b) return "both compute it wrongly from their own operands";
   if (cause.wrong_b) return "B computes it wrongly from its own operands";
   if (cause.wrong_a) return "A computes it wrongly from its own operands";
+  if (cause.tie) return "a tie: in both runs z is equal to what is stored, and only one of them takes the later polygon";
   if (cause.unexplained) return "the results differ, and what they follow from is not recorded in both runs";
   return "its operands are the same in both runs, its result is not";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "traces/diff/causes.hpp"
+#include "traces/diff/moved.hpp"
 #include "traces/diff/order.hpp"
 
 namespace zstep::diff {
@@ -58,6 +59,7 @@ DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(doub
   go_through(true, 0.9);
   if (told_to_end) report.alignment.complete = false;
   find_causes(report, in_a, in_b);
+  join_moved(a, b, report);
   find_wrong_order(b, report);
   return report;
 }

@@ -35,6 +35,7 @@ struct Cause {
   std::int64_t again = 0;                 ///< later differences of the same sort, with a reason of their own
   std::int64_t symptoms = 0;              ///< differences that follow from it
   std::int64_t pixels = 0;                ///< of these, pixels that were written otherwise
+  std::int64_t elsewhere = 0;             ///< of a step of one run: the other run's, which has it at another place
   std::optional<TooEarly> too_early = std::nullopt;  ///< nothing but its place in the order is wrong
 };
 

@@ -438,6 +438,36 @@ TEST_CASE("diff: a kind of step is compared, or said not to be") {
   CHECK(report.causes.empty());
 }
 
+TEST_CASE("diff: a step that each run has where the other one does not is one cause, and no two") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/foley.jsonl"));
+  // The first edge that ends is retired one scan line later.
+  std::optional<EdgeRetire> late;
+  int moved = 0;
+  TraceRecorder recorder(right.header(), right.scene());
+  right.each(0, right.size(), [&](std::int64_t, const RecordedEvent& read) {
+    const auto* retire = get_if<EdgeRetire>(&read.event);
+    if (retire && moved == 0) {
+      late = *retire, ++moved;
+      return true;
+    }
+    record_any(recorder, read.step, read.event);
+    if (holds<ScanLineBegin>(read.event) && late) {
+      const StepInfo* step = find_step(right.header().page, "retire_edge");
+      record_any(recorder, step->id, *late);
+      late.reset();
+    }
+    return true;
+  });
+  recorder.finish();
+  const Trace wrong = Trace::from_bytes(recorder.take_bytes(), "late");
+  REQUIRE(moved == 1);
+  const diff::DiffReport report = diff::compare(right, wrong);
+  REQUIRE(report.causes.size() == 1);
+  CHECK(report.causes[0].first.only_a());
+  REQUIRE(report.causes[0].elsewhere > 0);
+  CHECK(holds<EdgeRetire>(wrong.event(report.causes[0].elsewhere).event));
+}
+
 TEST_CASE("diff: of two edges at one x either may stand to the left, and of others only the right one") {
   // Two edges begin in a vertex at a pixel's centre.
   const Scene scene = test::screen_scene(16, 14, {{{5, 1, 0.5}, {12, 10, 0.25}, {2, 10, 0.75}}});

@@ -48,10 +48,15 @@ TEST_CASE("diff: why a step is a cause, and what follows from it") {
   CHECK(why(7, 7, Part::different, true, true) == "both compute it wrongly from their own operands");
   CHECK(why(7, 7, Part::different, false, false) == "its operands are the same in both runs, its result is not");
 
+  diff::Cause moved;
+  moved.first.a = 7, moved.elsewhere = 1234;
+  CHECK(why_cause(moved) == "B has this step at another place, step 1\u00a0234");
   diff::Cause told;
   told.first.a = told.first.b = 7, told.unexplained = true;
   CHECK(why_cause(told) == "the results differ, and what they follow from is not recorded in both runs");
-  told.tie = true;
+  told.part = Part::rounding;
+  CHECK(why_cause(told) == "only rounding: the results are no farther apart than the number formats allow");
+  told.part = Part::different, told.tie = true;
   CHECK(why_cause(told) ==
         "a tie: in both runs z is equal to what is stored, and only one of them takes the later polygon");
 
