@@ -88,6 +88,43 @@ TEST_CASE("diff: against depths and pictures of other programs") {
   CHECK(has(damaged.err, "short.pfm: has not the 4096 bytes of 32x32 numbers"));
 }
 
+TEST_CASE("diff: one sentence does not contradict another") {
+  const Folder folder;
+  REQUIRE(run(folder, "record foley -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "dump a.ztrace --jsonl > a.jsonl").code == 0);
+  // What is not compared is no cause.
+  REQUIRE(run(folder, "dump a.ztrace --jsonl | grep -v '\"step\":\"retire_edge\"' > b.jsonl").code == 0);
+  const Outcome retired = run(folder, "diff b.jsonl a.ztrace");
+  CHECK(retired.code == 0);
+  CHECK(has(retired.out, "A never records edge_retire: not compared"));
+  CHECK(has(retired.out, "All steps that both have are the same, to the last bit."));
+  // Which convention differs is said, and only that.
+  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed 's/\"ties\":\"first\"/\"ties\":\"last\"/' > c.jsonl").code == 0);
+  const Outcome ties = run(folder, "diff a.ztrace c.jsonl");
+  CHECK(has(ties.out, "the headers differ: A keeps the first of equal depths, B takes the last of equal depths"));
+  CHECK_FALSE(has(ties.out, "is nearer"));
+  // Depths that are no numbers, and what was never drawn.
+  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed '/write_depth/s/\"z\":[-0-9.e]*/\"z\":\"nan\"/' > d.jsonl").code == 0);
+  const Outcome numbers = run(folder, "diff a.ztrace d.jsonl");
+  CHECK(numbers.code == 1);
+  CHECK(has(numbers.out, "66 have a depth that is no finite number in one of the two."));
+  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed '/\"step\":\"clear\"/s/\"z\":\"inf\"/\"z\":7/' > e.jsonl").code == 0);
+  const Outcome cleared = run(folder, "diff a.ztrace e.jsonl");
+  CHECK(has(cleared.out, "The pictures are the same, all 224 pixels. Where nothing is drawn the depth is \u221e in A, 7 in B."));
+}
+
+TEST_CASE("diff: between two methods what each did at the pixels that differ is told") {
+  const Folder folder;
+  REQUIRE(run(folder, "record cyclic -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "record cyclic --algorithm painter -o b.ztrace").code == 0);
+  const Outcome outcome = run(folder, "diff a.ztrace b.ztrace");
+  CHECK(outcome.code == 1);
+  CHECK(has(outcome.out, "10 pixels show polygon B in run A, polygon A in run B; the first is (20, 19)."));
+  CHECK(has(outcome.out, "Run B draws polygon A (step 485) over polygon B (step 372), which is nearer: z = 0.4379 against "));
+  CHECK(has(run(folder, "diff a.ztrace b.ztrace --html page.html").out, "wrote page.html"));
+  CHECK(has(text_of(folder / "page.html"), "10 pixels show polygon B in run A"));
+}
+
 TEST_CASE("two runs in one window: view --against, and diff --view where they first part") {
   const Folder folder;
   REQUIRE(run(folder, "record foley -o a.ztrace").code == 0);
