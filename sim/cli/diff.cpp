@@ -80,9 +80,8 @@ int runs(const DiffOptions& options) {
       {}};
   DiffText text = diff_text(a, b, options, report, pictures.difference);
   // Of two methods few steps are the same; and what no cause explains is to be told all the same.
-  const bool no_cause = std::none_of(report.causes.begin(), report.causes.end(), [](const diff::Cause& cause) {
-    return cause.part == diff::Part::different;
-  });
+  const bool no_cause = std::none_of(report.causes.begin(), report.causes.end(),
+                                     [](const diff::Cause& cause) { return cause.part == diff::Part::different; });
   if (pictures.difference.colors > 0 && (no_cause || a.header().algorithm != b.header().algorithm))
     text.seen = seen_text(a, picture_a, b, picture_b);
   for (const std::string& impossible : {impossible_a, impossible_b})

@@ -44,7 +44,8 @@ struct DiffText {
   std::vector<std::string> notes;  ///< what the runs do not share
   std::vector<CauseText> causes;
   std::string pictures;  ///< one sentence
-  std::vector<std::string> seen = {};  ///< where causes do not tell it: which polygons are seen otherwise, and how that came
+  /// Where causes do not tell it: which polygons are seen otherwise, and how that came.
+  std::vector<std::string> seen = {};
 };
 
 /// All of it in words.

@@ -78,9 +78,9 @@ int diff_with_picture(const DiffOptions& options) {
       turned->of_pixel = top_row_first<double>(turned->of_pixel, raster.width, raster.height, true, same);
       precision.depths = std::move(turned);
     }
-    pictures.difference = diff::compare_depths(
-        top_row_first<double>(picture.depth, raster.width, raster.height, raster.y_up, same), depths, precision,
-        diff::buffers_of(a, picture).empty);
+    pictures.difference =
+        diff::compare_depths(top_row_first<double>(picture.depth, raster.width, raster.height, raster.y_up, same),
+                             depths, precision, diff::buffers_of(a, picture).empty);
   }
   pictures.map = map_of(pictures.difference.apart, raster.width, raster.height, false);
   diff::DiffReport report;

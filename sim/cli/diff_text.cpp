@@ -49,7 +49,8 @@ std::string kind_name(std::size_t kind) { return std::string(text_of_kind(kind).
 /// "A keeps the first of equal depths, B takes the last".
 std::string ties_text(const Comparison& a, const Comparison& b) {
   const auto of = [](const Comparison& comparison) {
-    return comparison.ties == Comparison::Ties::first ? "keeps the first of equal depths" : "takes the last of equal depths";
+    return comparison.ties == Comparison::Ties::first ? "keeps the first of equal depths"
+                                                      : "takes the last of equal depths";
   };
   return fmt::format("A {}, B {}", of(a), of(b));
 }
@@ -111,17 +112,16 @@ void print_table(const DiffReport& report) {
 }  // namespace
 
 std::string pictures_text(const diff::BufferDifference& found) {
-  const std::string empty =
-      found.empty_a == found.empty_b
-          ? ""
-          : fmt::format(" Where nothing is drawn the depth is {} in A, {} in B.", number(found.empty_a), number(found.empty_b));
+  const std::string empty = found.empty_a == found.empty_b
+                                ? ""
+                                : fmt::format(" Where nothing is drawn the depth is {} in A, {} in B.",
+                                              number(found.empty_a), number(found.empty_b));
   const std::string unknown =
       found.depths_compared ? empty : " Only colours are compared: one of the two has no depths.";
   if (found.colors == 0 && found.depths == 0)
-    return (found.depths_rounded == 0
-                ? fmt::format("The pictures are the same, all {} pixels.", grouped(found.pixels))
-                : fmt::format("The pictures are the same; {} of {} depths differ by rounding.",
-                              grouped(found.depths_rounded), grouped(found.pixels))) +
+    return (found.depths_rounded == 0 ? fmt::format("The pictures are the same, all {} pixels.", grouped(found.pixels))
+                                      : fmt::format("The pictures are the same; {} of {} depths differ by rounding.",
+                                                    grouped(found.depths_rounded), grouped(found.pixels))) +
            unknown;
   std::vector<std::string> parts;
   const auto add = [&](std::int64_t count, const std::string& what) {
@@ -133,7 +133,8 @@ std::string pictures_text(const diff::BufferDifference& found) {
   add(found.only_a, "a depth in A alone");
   add(found.only_b, "a depth in B alone");
   add(found.not_finite, "a depth that is no finite number in one of the two");
-  return fmt::format("The pictures differ: of {} pixels {}.{}", grouped(found.pixels), enumerate(parts, "and"), unknown);
+  return fmt::format("The pictures differ: of {} pixels {}.{}", grouped(found.pixels), enumerate(parts, "and"),
+                     unknown);
 }
 
 namespace {
@@ -150,9 +151,7 @@ std::string how_seen(const char* run, const Trace& trace, std::int32_t shown, co
   const auto [z, z_other] = tell_apart(of_shown.z, of_other.z);
   const bool known = std::isfinite(of_shown.z) && std::isfinite(of_other.z);
   const double behind = trace.header().comparison.behind(of_shown.z, of_other.z);
-  const std::string_view stands = behind > 0   ? "which is nearer"
-                                  : behind < 0 ? "which is farther"
-                                               : "which is as deep";
+  const std::string_view stands = behind > 0 ? "which is nearer" : behind < 0 ? "which is farther" : "which is as deep";
   const std::string draws = fmt::format("Run {} draws {} (step {})", run, name, grouped(of_shown.step));
   if (of_shown.step != 0 && of_other.step != 0) {
     const std::string both = fmt::format("{} {} {} (step {})", draws, of_shown.step > of_other.step ? "over" : "before",
@@ -173,13 +172,15 @@ std::string how_seen(const char* run, const Trace& trace, std::int32_t shown, co
 std::vector<std::string> seen_text(const Trace& a, const Picture& end_a, const Trace& b, const Picture& end_b) {
   std::vector<std::string> sentences;
   for (const diff::SeenApart& group : diff::seen_apart(a, end_a, b, end_b))
-    sentences.push_back(fmt::format(
-        "{} {} in run A, {} in run B; the first is ({}, {}). {} {}", counted(group.pixels, "pixel shows", "pixels show"),
-        seen_label(a.scene(), group.polygon_a), seen_label(b.scene(), group.polygon_b), group.x, group.y,
-        how_seen("A", a, group.polygon_a, group.a_in_a, group.polygon_b, group.b_in_a),
-        how_seen("B", b, group.polygon_b, group.b_in_b, group.polygon_a, group.a_in_b)));
+    sentences.push_back(fmt::format("{} {} in run A, {} in run B; the first is ({}, {}). {} {}",
+                                    counted(group.pixels, "pixel shows", "pixels show"),
+                                    seen_label(a.scene(), group.polygon_a), seen_label(b.scene(), group.polygon_b),
+                                    group.x, group.y,
+                                    how_seen("A", a, group.polygon_a, group.a_in_a, group.polygon_b, group.b_in_a),
+                                    how_seen("B", b, group.polygon_b, group.b_in_b, group.polygon_a, group.a_in_b)));
   if (sentences.empty())
-    sentences.push_back("The same polygons are seen; which step gives them another colour cannot be told from these runs.");
+    sentences.push_back(
+        "The same polygons are seen; which step gives them another colour cannot be told from these runs.");
   return sentences;
 }
 
@@ -225,9 +226,11 @@ void print_diff(const DiffText& text, const DiffReport& report, const diff::Buff
                     [](const diff::Cause& cause) { return cause.part == Part::different; }));
   const bool same_pictures = pictures.colors == 0 && pictures.depths == 0;
   if (report.causes.empty()) fmt::print("All steps that both have are the same, to the last bit.\n");
-  else if (different == 0 && same_pictures) fmt::print("The runs differ only by rounding ({}).\n", report.precision.text);
+  else if (different == 0 && same_pictures)
+    fmt::print("The runs differ only by rounding ({}).\n", report.precision.text);
   else if (different == 0)
-    fmt::print("No step differs by more than rounding ({}), but rounding decides what is seen.\n", report.precision.text);
+    fmt::print("No step differs by more than rounding ({}), but rounding decides what is seen.\n",
+               report.precision.text);
   else
     fmt::print("{}, {} in all\n", counted(different, "cause", "causes"),
                counted(report.differences(), "difference", "differences"));

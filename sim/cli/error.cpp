@@ -75,8 +75,8 @@ std::string in_depth(double value) { return std::isinf(value) ? number(value) : 
 
 /// Why nothing in a run can be held against exact depths, and what would mend it.
 InputError nothing_exact(const std::string& path, const Trace& trace) {
-  const bool any = trace.has(kind_of<DepthInterpolate>) || trace.has(kind_of<DepthCompare>) ||
-                   trace.has(kind_of<PixelPaint>);
+  const bool any =
+      trace.has(kind_of<DepthInterpolate>) || trace.has(kind_of<DepthCompare>) || trace.has(kind_of<PixelPaint>);
   if (!any)
     return InputError(path, "records no depth that is computed at a pixel",
                       "print the steps for depth_interpolate or depth_compare, or those for rays");
@@ -126,10 +126,11 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
              counted(errors.wrong_pixels, "pixel would", "pixels would"));
   if (trace.has(kind_of<AttributeInterpolate>)) {
     const oracle::AttributeErrors attribute = oracle::attribute_errors_of(trace);
-    fmt::print("{} compared with the polygons' own: largest error {}, at step {}, root mean square {}; by "
-               "rounding alone {}\n\n",
-               counted(attribute.attributes, "attribute", "attributes"), in_depth(attribute.largest),
-               attribute.largest_step, in_depth(attribute.root_mean_square()), in_depth(attribute.rounding));
+    fmt::print(
+        "{} compared with the polygons' own: largest error {}, at step {}, root mean square {}; by "
+        "rounding alone {}\n\n",
+        counted(attribute.attributes, "attribute", "attributes"), in_depth(attribute.largest), attribute.largest_step,
+        in_depth(attribute.root_mean_square()), in_depth(attribute.rounding));
   }
   for (const oracle::WrongDecision& wrong : errors.decisions) {
     if (&wrong - errors.decisions.data() >= 3 && !options.all) break;

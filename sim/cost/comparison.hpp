@@ -33,8 +33,8 @@ struct Compared {
 };
 
 /// The numbers as CSV, one a line: scene,method,measure,step,value. Measures: pixels, equal, differing, at_edges, ties,
-/// unexplained, colors, runs, time_s (the median), heap_bytes, steps, count (of the step named). A method that was not done has
-/// one line, measure `end`, value `out_of_time` or `failed`.
+/// unexplained, colors, runs, time_s (the median), heap_bytes, steps, count (of the step named). A method that was not
+/// done has one line, measure `end`, value `out_of_time` or `failed`.
 std::string csv_of(const std::string& scene, const std::vector<Compared>& methods);
 
 /// A cell of CSV: quoted where it must be, on one line, and with nothing that a terminal would act on.

@@ -9,8 +9,8 @@
 
 namespace zstep::compare {
 
-/// The bounds of a Z-buffer's depths under the conventions that a run declares. Nothing where no Z-buffer draws the scene
-/// so, or the header does not say in which numbers.
+/// The bounds of a Z-buffer's depths under the conventions that a run declares. Nothing where no Z-buffer draws the
+/// scene so, or the header does not say in which numbers.
 std::optional<interpolation::Bounds> bounds_in(const Trace& run);
 
 /// What the depths of two runs are held to where they are compared with each other: at each pixel, by how much the two

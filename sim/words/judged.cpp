@@ -101,7 +101,8 @@ std::string why_cause(const diff::Cause& cause) {
   if (cause.wrong_a && cause.wrong_b) return "both compute it wrongly from their own operands";
   if (cause.wrong_b) return "B computes it wrongly from its own operands";
   if (cause.wrong_a) return "A computes it wrongly from its own operands";
-  if (cause.tie) return "a tie: in both runs z is equal to what is stored, and only one of them takes the later polygon";
+  if (cause.tie)
+    return "a tie: in both runs z is equal to what is stored, and only one of them takes the later polygon";
   if (cause.unexplained) return "the results differ, and what they follow from is not recorded in both runs";
   return "its operands are the same in both runs, its result is not";
 }

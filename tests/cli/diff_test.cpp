@@ -104,13 +104,16 @@ TEST_CASE("diff: one sentence does not contradict another") {
   CHECK(has(ties.out, "the headers differ: A keeps the first of equal depths, B takes the last of equal depths"));
   CHECK_FALSE(has(ties.out, "is nearer"));
   // Depths that are no numbers, and what was never drawn.
-  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed '/write_depth/s/\"z\":[-0-9.e]*/\"z\":\"nan\"/' > d.jsonl").code == 0);
+  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed '/write_depth/s/\"z\":[-0-9.e]*/\"z\":\"nan\"/' > d.jsonl").code ==
+          0);
   const Outcome numbers = run(folder, "diff a.ztrace d.jsonl");
   CHECK(numbers.code == 1);
   CHECK(has(numbers.out, "66 have a depth that is no finite number in one of the two."));
-  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed '/\"step\":\"clear\"/s/\"z\":\"inf\"/\"z\":7/' > e.jsonl").code == 0);
+  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed '/\"step\":\"clear\"/s/\"z\":\"inf\"/\"z\":7/' > e.jsonl").code ==
+          0);
   const Outcome cleared = run(folder, "diff a.ztrace e.jsonl");
-  CHECK(has(cleared.out, "The pictures are the same, all 224 pixels. Where nothing is drawn the depth is \u221e in A, 7 in B."));
+  CHECK(has(cleared.out,
+            "The pictures are the same, all 224 pixels. Where nothing is drawn the depth is \u221e in A, 7 in B."));
 }
 
 TEST_CASE("diff: between two methods what each did at the pixels that differ is told") {
@@ -120,7 +123,8 @@ TEST_CASE("diff: between two methods what each did at the pixels that differ is 
   const Outcome outcome = run(folder, "diff a.ztrace b.ztrace");
   CHECK(outcome.code == 1);
   CHECK(has(outcome.out, "10 pixels show polygon B in run A, polygon A in run B; the first is (20, 19)."));
-  CHECK(has(outcome.out, "Run B draws polygon A (step 485) over polygon B (step 372), which is nearer: z = 0.4379 against "));
+  CHECK(has(outcome.out,
+            "Run B draws polygon A (step 485) over polygon B (step 372), which is nearer: z = 0.4379 against "));
   CHECK(has(run(folder, "diff a.ztrace b.ztrace --html page.html").out, "wrote page.html"));
   CHECK(has(text_of(folder / "page.html"), "10 pixels show polygon B in run A"));
 }

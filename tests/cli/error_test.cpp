@@ -27,7 +27,8 @@ TEST_CASE("error: a picture, a table and a chart of the errors, and each only on
 TEST_CASE("error: works from the polygons where there are no spans, and says truly why it cannot work") {
   const Folder folder;
   REQUIRE(run(folder, "record foley -o run.ztrace").code == 0);
-  REQUIRE(run(folder, "dump run.ztrace --jsonl | grep -v '\"step\":\"[a-z]*_edge\"\\|\"step\":\"span\"' > few.jsonl").code == 0);
+  REQUIRE(run(folder, "dump run.ztrace --jsonl | grep -v '\"step\":\"[a-z]*_edge\"\\|\"step\":\"span\"' > few.jsonl")
+              .code == 0);
   const Outcome few = run(folder, "error few.jsonl");
   CAPTURE(few.err);
   CHECK(few.code == 0);
@@ -46,8 +47,8 @@ TEST_CASE("error: depths that are no finite numbers are found, and not exact") {
   REQUIRE(run(folder, "record foley -o run.ztrace").code == 0);
   for (const char* word : {"nan", "inf", "-inf"}) {
     CAPTURE(std::string(word));
-    const std::string edit = std::string("dump run.ztrace --jsonl | sed '/interpolate_z/s/\"z\":[-0-9.e]*/\"z\":\"") + word +
-                             "\"/' > wrong.jsonl";
+    const std::string edit = std::string("dump run.ztrace --jsonl | sed '/interpolate_z/s/\"z\":[-0-9.e]*/\"z\":\"") +
+                             word + "\"/' > wrong.jsonl";
     REQUIRE(run(folder, edit).code == 0);
     const Outcome outcome = run(folder, "error wrong.jsonl");
     CHECK(outcome.code == 1);

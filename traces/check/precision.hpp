@@ -10,7 +10,8 @@
 
 namespace zstep {
 
-/// By how much rounding may change a depth at each pixel, whatever its size: of a depth near 0 no share of it says that.
+/// By how much rounding may change a depth at each pixel, whatever its size: of a depth near 0 no share of it says
+/// that.
 struct DepthBounds {
   std::int32_t width = 0;
   std::vector<double> of_pixel;  ///< [height*width], Picture::at, in units of depth

@@ -16,8 +16,8 @@ namespace {
 /// Beyond so many steps whose partner has not come yet the comparison ends.
 constexpr std::size_t most_waiting = 3'000'000;
 
-/// Does a run record this kind? What is done to pixels it does where its pseudo-code has a line for it, also if it never
-/// came to it: that may be the mistake.
+/// Does a run record this kind? What is done to pixels it does where its pseudo-code has a line for it, also if it
+/// never came to it: that may be the mistake.
 bool may_record(const Trace& trace, std::uint8_t kind) {
   if (trace.has(kind)) return true;
   constexpr std::array of_pixels{kind_of<DepthCompare>, kind_of<DepthWrite>, kind_of<PixelWrite>, kind_of<PixelPaint>};

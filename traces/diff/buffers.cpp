@@ -102,8 +102,8 @@ Buffers buffers_of(const Trace& trace, const Picture& picture) {
       if constexpr (std::is_same_v<E, BuffersClear>) of.empty = e.z;
       return !std::is_same_v<E, BuffersClear>;
     });
-  of.has_depths = trace.has(kind_of<DepthWrite>) ||
-                  std::any_of(picture.depth.begin(), picture.depth.end(), [&](double z) { return !alike(z, of.empty); });
+  of.has_depths = trace.has(kind_of<DepthWrite>) || std::any_of(picture.depth.begin(), picture.depth.end(),
+                                                                [&](double z) { return !alike(z, of.empty); });
   return of;
 }
 

@@ -144,8 +144,14 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
         const bool only_one_named = in_a[i].free && in_b[i].free && !exchanged[i];
         const Part part = roots.by_rounding(d, difference) && !only_one_named ? Part::rounding : Part::different;
         const bool wrong_a = roots.wrong_a(d), wrong_b = roots.wrong_b(d), tie = roots.tie(d);
-        const Sort sort{difference.kind, sort_of(difference), difference.only_a(), difference.only_b(), wrong_a,
-                        wrong_b,         tie,                 part};
+        const Sort sort{difference.kind,
+                        sort_of(difference),
+                        difference.only_a(),
+                        difference.only_b(),
+                        wrong_a,
+                        wrong_b,
+                        tie,
+                        part};
         const auto [found, fresh] = known.try_emplace(sort, report.causes.size());
         const bool unexplained = !difference.only_a() && !difference.only_b() && !(in_a[i].told && in_b[i].told);
         if (fresh) report.causes.push_back({difference, part, wrong_a, wrong_b, tie, unexplained});

@@ -2,8 +2,8 @@
 //
 // Steps are matched by what they are about (align.hpp). Where a step's numbers part, it is a cause if its operands did
 // not part before, or if one of the two runs computes wrongly from the operands it has; else it is a symptom of what
-// its operands come from. Operands are what a formula or a rule has (traces/formulas): that one step comes after another
-// says nothing. What rounding explains under the number formats of both is kept apart from what it does not.
+// its operands come from. Operands are what a formula or a rule has (traces/formulas): that one step comes after
+// another says nothing. What rounding explains under the number formats of both is kept apart from what it does not.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// Which polygon is seen where two runs end with different pictures, and what each of them did there: of methods that have
-// few steps in common, this is what there is to tell.
+// Which polygon is seen where two runs end with different pictures, and what each of them did there: of methods that
+// have few steps in common, this is what there is to tell.
 #pragma once
 
 #include <cstdint>

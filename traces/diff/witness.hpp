@@ -56,8 +56,8 @@ struct Witness {
     constexpr double digits_of_shares = 1 + 1e-6;
     return may_be_off * std::max(1.0, more * digits_of_shares);
   }
-  bool decides = false;  ///< a verdict is in question
-  double gap = 0;        ///< by how much the two depths differ that it is about
+  bool decides = false;    ///< a verdict is in question
+  double gap = 0;          ///< by how much the two depths differ that it is about
   std::uint16_t told = 0;  ///< the fields in question that were held against something
 
   Number number(const auto&, double value, const Place& place) {

@@ -74,11 +74,11 @@ enum class Truth : std::uint8_t {
 };
 
 /// Goes through a run that interpolates along spans, takes depths from planes, or casts rays. Where polygons are cut,
-/// what cutting makes is exact, too; cut in the world, all vertices are followed from there, and rays begin in the eye of
-/// the camera. A depth without a span and its edges is held against the plane by the slopes that the trace has, else
+/// what cutting makes is exact, too; cut in the world, all vertices are followed from there, and rays begin in the eye
+/// of the camera. A depth without a span and its edges is held against the plane by the slopes that the trace has, else
 /// against the plane of the facet at work. `on_way` is told the steps that are done now and then; true ends it.
-/// `on_depth` is told each depth of a span whose left edge the trace has. The light's pass is left out. Throws InputError
-/// where the trace cannot be read.
+/// `on_depth` is told each depth of a span whose left edge the trace has. The light's pass is left out. Throws
+/// InputError where the trace cannot be read.
 Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way = nullptr,
                  Truth truth = Truth::formula, const std::function<void(const DepthError&)>& on_depth = nullptr);
 

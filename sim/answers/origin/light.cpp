@@ -110,8 +110,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   Operands of;
   if (field == "x_light") {
     const Formula d = of("d", lens.d), x_v = of("x_v", through.seen(0)), z_v = of("z_v", through.seen(2)),
-                  w_x = of("w_light", work.window_width(step, "w_light", lens.window_y)),
-                  width = of("W", lens.width);
+                  w_x = of("w_light", work.window_width(step, "w_light", lens.window_y)), width = of("W", lens.width);
     return datum.is(formulas::screen_x(formulas::projected(d, x_v, z_v), w_x, width), of, false);
   }
   if (field == "y_light") {

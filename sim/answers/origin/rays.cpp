@@ -38,8 +38,8 @@ const Formula& along_axis(const Way& v, int axis) { return axis == 0 ? v.x : axi
 /// From the middle of the picture to a pixel's centre on the projection plane, along one axis of the world.
 Formula across_window(Operands& of, Work& work, std::int64_t step, const viewing::Lens& lens, const RayBegin& e,
                       double right, double up) {
-  const Formula x = of("x", e.x), w_x = of("w_x", work.window_width(step, "w_x", lens.window_y)), width = of("W", lens.width),
-                t_1 = of("T_1", right), w_y = of("w_y", lens.window_y), y = of("y", e.y),
+  const Formula x = of("x", e.x), w_x = of("w_x", work.window_width(step, "w_x", lens.window_y)),
+                width = of("W", lens.width), t_1 = of("T_1", right), w_y = of("w_y", lens.window_y), y = of("y", e.y),
                 height = of("H", lens.height), t_2 = of("T_2", up);
   return formulas::ray_x(x, w_x, width) * t_1 + formulas::ray_y(y, w_y, height) * t_2;
 }

@@ -333,7 +333,9 @@ TEST_CASE("diff: that one pixel is compared after another makes it no consequenc
     }
     if (auto* write = get_if<DepthWrite>(&event); write && polygon == 1) write->z += 0.5;
     const auto here = [&]<class E>(const E& e) {
-      if constexpr (requires { e.x, e.y; }) return polygon == 0 && left_out && left_out->first == static_cast<std::int32_t>(e.x) && left_out->second == static_cast<std::int32_t>(e.y);
+      if constexpr (requires { e.x, e.y; })
+        return polygon == 0 && left_out && left_out->first == static_cast<std::int32_t>(e.x) &&
+               left_out->second == static_cast<std::int32_t>(e.y);
       else return false;
     };
     return !visit_event(here, event);
@@ -356,7 +358,8 @@ TEST_CASE("diff: a verdict follows from the depth that was stored wrongly at its
   std::int32_t polygon = no_polygon;
   right.each(0, right.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     if (const auto* begin = get_if<PolygonBegin>(&recorded.event)) polygon = begin->polygon;
-    if (const auto* write = get_if<DepthWrite>(&recorded.event); write && polygon == 1 && !at) at = {write->x, write->y};
+    if (const auto* write = get_if<DepthWrite>(&recorded.event); write && polygon == 1 && !at)
+      at = {write->x, write->y};
     return true;
   });
   REQUIRE(at);
@@ -368,7 +371,8 @@ TEST_CASE("diff: a verdict follows from the depth that was stored wrongly at its
       if (polygon == 1) return false;
       write->z = 0;
     }
-    if (auto* compare = get_if<DepthCompare>(&event); compare && here(*compare) && polygon == 1) compare->nearer = false;
+    if (auto* compare = get_if<DepthCompare>(&event); compare && here(*compare) && polygon == 1)
+      compare->nearer = false;
     if (const auto* write = get_if<PixelWrite>(&event); write && here(*write) && polygon == 1) return false;
     return true;
   });
@@ -396,15 +400,15 @@ TEST_CASE("diff: equal depths of which another one wins are a cause, and no roun
   const Trace first = run("first", false), last = run("last", true);
   const diff::DiffReport report = diff::compare(first, last);
   CHECK(report.differences() > 0);
-  const auto tie = std::find_if(report.causes.begin(), report.causes.end(), [](const auto& cause) { return cause.tie; });
+  const auto tie =
+      std::find_if(report.causes.begin(), report.causes.end(), [](const auto& cause) { return cause.tie; });
   REQUIRE(tie != report.causes.end());
   CHECK(tie->part == diff::Part::different);
   CHECK(tie->pixels > 10);
 }
 
 TEST_CASE("diff: what both methods record of a polygon is the same, though only one says which one it draws") {
-  const Scene scene = look_at_scene(
-      load_scene(test::in_checkout("tests/data/horizontal-edge.toml")).scene, {});
+  const Scene scene = look_at_scene(load_scene(test::in_checkout("tests/data/horizontal-edge.toml")).scene, {});
   const Trace one = test::recorded_by("z-buffer", scene), other = test::recorded_by("painter", scene);
   for (const auto& [a, b] : {std::pair(&one, &other), {&other, &one}}) {
     const diff::DiffReport report = diff::compare(*a, *b);

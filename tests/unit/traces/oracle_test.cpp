@@ -264,12 +264,14 @@ TEST_CASE("error: without spans or edges the slopes, and without these the polyg
   const Trace whole = test::recorded_by("z-buffer", scene, by_plane);
   const oracle::Errors all = oracle::errors_of(whole);
   CHECK(all.by_polygon == 0);
-  const Trace no_spans = run_without<EdgeTableInsert, EdgeTableSkip, EdgeEnter, EdgeStep, EdgeRetire, EdgeSwap, SpanBegin>(whole);
+  const Trace no_spans =
+      run_without<EdgeTableInsert, EdgeTableSkip, EdgeEnter, EdgeStep, EdgeRetire, EdgeSwap, SpanBegin>(whole);
   const oracle::Errors by_slopes = oracle::errors_of(no_spans);
   CHECK(by_slopes.all.depths == all.all.depths);
   CHECK(by_slopes.all.largest == all.all.largest);
   CHECK(by_slopes.by_polygon == all.all.depths);
-  const Trace no_slopes = run_without<PlaneSlopes, ViewTransform, Projection, ViewportTransform, OutlineVertex>(no_spans);
+  const Trace no_slopes =
+      run_without<PlaneSlopes, ViewTransform, Projection, ViewportTransform, OutlineVertex>(no_spans);
   const oracle::Errors by_polygons = oracle::errors_of(no_slopes);
   CHECK(by_polygons.all.depths == all.all.depths);
   CHECK(by_polygons.not_judged == 0);

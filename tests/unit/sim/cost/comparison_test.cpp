@@ -62,9 +62,9 @@ TEST_SUITE("compare/comparison") {
     late.measured.end = Apart::End::out_of_time;
     const std::string text = csv_of("a, \"b\"", {compared, late});
     CHECK(text.starts_with("scene,method,measure,step,value\n\"a, \"\"b\"\"\",z-buffer,pixels,,100\n"));
-    for (const std::string line :
-         {"equal,,97", "differing,,3", "at_edges,,2", "ties,,1", "unexplained,,0", "colors,,0", "runs,,3", "time_s,,0.5",
-          "heap_bytes,,4096", "steps,,1", "count,z_buffer.clear,1", "count,z_buffer.compare,0", "end,,out_of_time"}) {
+    for (const std::string line : {"equal,,97", "differing,,3", "at_edges,,2", "ties,,1", "unexplained,,0", "colors,,0",
+                                   "runs,,3", "time_s,,0.5", "heap_bytes,,4096", "steps,,1", "count,z_buffer.clear,1",
+                                   "count,z_buffer.compare,0", "end,,out_of_time"}) {
       CAPTURE(line);
       CHECK(text.find(",z-buffer," + line + "\n") != std::string::npos);
     }
