@@ -211,7 +211,8 @@ const State& Work::operands_of(std::int64_t step, const Event& event) {
 
 const std::vector<Derivation>& Work::derivations(std::int64_t step, const Event& event) {
   const auto [known, is_new] = derivations_.try_emplace(step);
-  if (!is_new) return known->second;
+  // Of a piece's plane and extent no formula is kept: planes.cpp and orders.cpp explain them, and need no state before.
+  if (!is_new || holds<PlaneEquation>(event) || holds<Extent>(event)) return known->second;
   return known->second = derivations_of(event, formulas::situation_of(trace, operands_of(step, event)));
 }
 
