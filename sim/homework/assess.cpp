@@ -9,7 +9,6 @@
 #include "sim/homework/run_programs.hpp"
 #include "sim/words/derived.hpp"
 #include "sim/words/file_lines.hpp"
-#include "sim/words/judged.hpp"
 #include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/output.hpp"
@@ -28,7 +27,7 @@ constexpr std::uintmax_t largest_run = std::uintmax_t{1} << 30;
 /// A step of a run: the state before it, and what its fields are and follow from.
 struct Side {
   std::string name, subject;
-  std::vector<std::string> fields;
+  std::vector<FieldText> fields;
 };
 Side side_of(const Trace& trace, std::int64_t step, std::uint16_t fields) {
   Replay replay(trace);
@@ -36,7 +35,7 @@ Side side_of(const Trace& trace, std::int64_t step, std::uint16_t fields) {
   const formulas::Situation before = formulas::situation_of(trace, replay.state());
   const RecordedEvent recorded = trace.event(step);
   const StepInfo* info = find_step(trace.header().page, recorded.step);
-  return {info ? info->name : "", subject_of(recorded.event, before), field_texts(recorded.event, before, fields)};
+  return {info ? info->name : "", subject_of(recorded.event, before), fields_in_words(recorded.event, before, fields)};
 }
 
 FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std::string& file) {
@@ -72,7 +71,7 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
     }
     words.what = what_is_wrong(*first.fault, text);
     // What it should follow from stands in that sentence; it does not follow.
-    for (std::string& line : words.found) line = line.substr(0, line.find("   from "));
+    for (FieldText& field : words.found) field.formula.clear();
     if (!words.what.ends_with('.')) words.what += '.';
   }
   if (!first.parts || !first.parts->only_a()) {

@@ -11,6 +11,7 @@
 
 #include "sim/homework/alike.hpp"
 #include "sim/homework/homework.hpp"
+#include "sim/words/judged.hpp"
 
 namespace zstep::homework {
 
@@ -20,7 +21,7 @@ struct FirstWrong {
   std::string step, subject;                 ///< "insert_edge", "edge e1 (1–2)"
   std::string where;                         ///< "one.jsonl:12"; empty where the run lacks the step
   std::string what;                          ///< one sentence
-  std::vector<std::string> expected, found;  ///< what the reference has, and the run, a field a line
+  std::vector<FieldText> expected, found;  ///< what the reference has, and the run, field by field
   std::optional<grade::Likely> mistake;  ///< that makes the run's very numbers from there on
   std::vector<mistakes::Mistake> either;  ///< that make the same numbers here, where none is named for that
 };

@@ -256,8 +256,8 @@ PictureGrade grade_pictures(const Trace& reference, const std::vector<fs::path>&
     const double z = ours.depth[pixel];
     expected += fmt::format("{}z = {}", expected.empty() ? "" : ", ", number(z, 9, true));
   }
-  first.expected = {expected};
-  first.found = {theirs.text(pixel)};
+  first.expected = {{"", expected, ""}};
+  first.found = {{"", theirs.text(pixel), ""}};
   return graded;
 }
 

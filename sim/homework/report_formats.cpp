@@ -23,8 +23,8 @@ std::string first_text(const FirstWrong& first) {
   std::string text = first.where + (first.where.empty() ? "" : ": ") + first.step;
   if (!first.subject.empty()) text += ", " + first.subject;
   text += "\n" + first.what + "\n";
-  for (const std::string& line : first.expected) text += "expected  " + line + "\n";
-  for (const std::string& line : first.found) text += "yours     " + line + "\n";
+  for (const FieldText& field : first.expected) text += "expected  " + field.line() + "\n";
+  for (const FieldText& field : first.found) text += "yours     " + field.line() + "\n";
   for (const std::string& line : mistake_lines(first)) text += line + "\n";
   return text;
 }

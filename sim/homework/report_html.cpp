@@ -17,40 +17,21 @@ namespace zstep::homework {
 
 namespace {
 
-struct FieldLine {
-  std::string name, value, formula;
-};
-/// "z = 0.5   from z_0 + … = 0.5" as its three.
-FieldLine field_line(const std::string& text) {
-  const std::size_t equals = text.find(" = "), from = text.find("   from ");
-  FieldLine line;
-  if (equals < from && equals != std::string::npos) {
-    line.name = text.substr(0, equals);
-    line.value = text.substr(equals + 3, from == std::string::npos ? from : from - equals - 3);
-  } else {
-    line.value = text.substr(0, from);
-  }
-  if (from != std::string::npos) line.formula = text.substr(from + 8);
-  return line;
-}
-
-std::string field_cell(const std::vector<std::string>& lines, const std::string& name) {
-  for (const std::string& text : lines) {
-    const FieldLine line = field_line(text);
-    if (line.name != name) continue;
+std::string field_cell(const std::vector<FieldText>& fields, const std::string& name) {
+  for (const FieldText& field : fields) {
+    if (field.name != name) continue;
     const std::string formula =
-        line.formula.empty() ? "" : fmt::format("<br>from <code>{}</code>", shown(line.formula));
-    return fmt::format("<td><code>{}</code>{}</td>", shown(line.value), formula);
+        field.formula.empty() ? "" : fmt::format("<br>{} <code>{}</code>", field.origin(), shown(field.formula));
+    return fmt::format("<td><code>{}</code>{}</td>", shown(field.value), formula);
   }
-  return lines.empty() ? "<td>no such step</td>" : "<td>as expected</td>";
+  return fields.empty() ? "<td>no such step</td>" : "<td>as expected</td>";
 }
 
 std::string both_sides(const FirstWrong& first) {
   std::vector<std::string> names;
-  for (const auto* lines : {&first.expected, &first.found})
-    for (const std::string& text : *lines)
-      if (const std::string name = field_line(text).name; std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
+  for (const auto* fields : {&first.expected, &first.found})
+    for (const FieldText& field : *fields)
+      if (std::find(names.begin(), names.end(), field.name) == names.end()) names.push_back(field.name);
   if (names.empty()) return "";
   std::string rows;
   for (const std::string& name : names)

@@ -87,8 +87,8 @@ std::string first_wrong_text(const Graded& wrong, const std::string& command) {
   std::string text = fmt::format("\nThe first thing to look at, in {}{}:\n  {}{}\n  {}\n", printable(wrong.task->name),
                                  first.where.empty() ? "" : ", " + first.where, first.step,
                                  first.subject.empty() ? "" : ", " + first.subject, first.what);
-  for (const std::string& line : first.expected) text += fmt::format("  expected  {}\n", line);
-  for (const std::string& line : first.found) text += fmt::format("  yours     {}\n", line);
+  for (const FieldText& field : first.expected) text += fmt::format("  expected  {}\n", field.line());
+  for (const FieldText& field : first.found) text += fmt::format("  yours     {}\n", field.line());
   for (const std::string& line : mistake_lines(first)) text += fmt::format("  {}\n", line);
   if (wrong.from_picture) return text;  // it has no steps that a window could show
   return text + fmt::format("  {} --scene {} --view\n", command, shell_word(wrong.task->name));

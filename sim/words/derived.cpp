@@ -1,13 +1,17 @@
 #include "sim/words/derived.hpp"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/owners.hpp"
 #include "sim/words/shown.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
+#include "traces/formulas/rounding.hpp"
 
 namespace zstep {
 
@@ -21,7 +25,12 @@ struct Teller {
   using Number = Shown;
   const formulas::Situation& at;
   std::vector<DerivedField> found = {};
-  std::optional<std::pair<std::string_view, std::string>> condition = {};  ///< a field, and what is asked
+  struct Condition {
+    std::string_view field;
+    std::string text;  ///< what is asked
+    bool wins;         ///< and the answer
+  };
+  std::optional<Condition> condition = {};
 
   Number number(std::string_view name, double value, const formulas::Place& place) {
     return written(name, value, place).of(words::owner_of(at, place, name));
@@ -55,9 +64,11 @@ struct Teller {
   void verdict(Follows<E, bool> field, const Number& z, const Number& stored) {
     const Comparison& comparison = at.header.comparison;
     const auto [one, other] = tell_apart(z.value(), stored.value());
+    const bool wins = comparison.wins(z.value(), stored.value());
     condition = {field.name,
                  fmt::format("{0} {1} {2}:  {3} {1} {4} is {5}", z.symbols(), comparison.sign(), stored.symbols(), one,
-                             other, comparison.wins(z.value(), stored.value()) ? "true" : "false")};
+                             other, wins ? "true" : "false"),
+                 wins};
   }
 };
 
@@ -72,14 +83,25 @@ auto with_teller(const Event& event, const formulas::Situation& at, Use&& use) {
       event);
 }
 
-/// "symbols = numbers = result".
-std::string line_of(const DerivedField& derived) {
+/// "symbols = numbers = result", the result with the digits that tell it from the recorded number.
+std::string line_of(const DerivedField& derived, double recorded) {
   const Shown& formula = derived.formula;
+  if (!derived.within) {
+    const std::string result = tell_apart(formula.value(), recorded).first;
+    if (!formula.is_operand()) return fmt::format("{} = {}", formula.equation(), result);
+    return formula.equation() == zstep::number(formula.value()) ? result
+                                                                : Shown(formula.symbols(), formula.value(), result).equation();
+  }
   const std::string equation = formula.equation();
-  if (!derived.within)
-    return formula.is_operand() ? equation : fmt::format("{} = {}", equation, zstep::number(formula.value()));
   if (formula.value() == *derived.within) return fmt::format("{} = {}", equation, *derived.within);
   return fmt::format("{} = {}, within the raster {}", equation, zstep::number(formula.value()), *derived.within);
+}
+
+/// What is recorded in a field of this name.
+double recorded_in(const Event& event, std::string_view name) {
+  for (const FieldOfKind& field : fields_of_kind(event.index()))
+    if (field.name == name) return field.read(event);
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -88,13 +110,19 @@ std::vector<DerivedField> derived_fields(const Event& event, const formulas::Sit
   return with_teller(event, at, [](auto& found, auto&) { return std::move(found); });
 }
 
-std::optional<std::string> derived_formula(const Event& event, const formulas::Situation& at,
+std::optional<FormulaText> derived_formula(const Event& event, const formulas::Situation& at,
                                            const std::string& field) {
-  return with_teller(event, at, [&](auto& found, auto& condition) -> std::optional<std::string> {
-    if (condition && condition->first == field) return condition->second;
+  const double recorded = recorded_in(event, field);
+  return with_teller(event, at, [&](auto& found, auto& condition) -> std::optional<FormulaText> {
+    if (condition && condition->field == field) return FormulaText{condition->text, condition->wins == (recorded != 0), true};
     // Of what may follow in two ways the last one said is meant.
-    for (auto derived = found.rbegin(); derived != found.rend(); ++derived)
-      if (derived->field == field) return line_of(*derived);
+    for (auto derived = found.rbegin(); derived != found.rend(); ++derived) {
+      if (derived->field != field) continue;
+      const bool follows = derived->within ? recorded == *derived->within
+                                           : formulas::tolerance_of(at.scene, at.header)
+                                                 .allows(derived->formula.rounded(), recorded);
+      return FormulaText{line_of(*derived, recorded), follows, false};
+    }
     return std::nullopt;
   });
 }

@@ -1,5 +1,6 @@
 #include "sim/words/judged.hpp"
 
+#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
@@ -40,16 +41,23 @@ bool only_repeats(const std::string& formula, double value) {
 }  // namespace
 
 FaultText fault_text(const Fault& fault, const Event& event, const formulas::Situation& before) {
-  return {subject_of(event, before),
-          fault.field.empty() ? "" : derived_formula(event, before, fault.field).value_or("")};
+  FaultText text{subject_of(event, before), ""};
+  if (fault.field.empty()) return text;
+  if (const auto formula = derived_formula(event, before, fault.field))
+    text.formula = formula->text, text.compares = formula->compares;
+  return text;
 }
 
 std::string what_is_wrong(const Fault& fault, const FaultText& text) {
   if (!fault.impossible.empty()) return fmt::format("this step is impossible: {}", fault.impossible);
   if (fault.rule) return std::string(rule_text(*fault.rule).broken);
-  const auto [is, ought] = tell_apart(fault.recorded, fault.expected);
+  if (fault.no_number())
+    return fmt::format("{} is {}, where a finite number must be", fault.field,
+                       std::isnan(fault.recorded) ? "NaN" : number(fault.recorded));
+  auto [is, ought] = tell_apart(fault.recorded, fault.expected);
+  if (std::isnan(fault.recorded)) is = "NaN";
   if (text.formula.empty()) return fmt::format("{} = {}, but the trace has {}", fault.field, ought, is);
-  if (text.formula.find(":  ") != std::string::npos)  // a compare
+  if (text.compares)
     return fmt::format("{}, but the trace says {}", text.formula, fault.recorded != 0 ? "nearer" : "not nearer");
   return fmt::format("{} = {}, but the trace has {}", fault.field, text.formula, is);
 }
@@ -119,18 +127,30 @@ std::string what_follows(const diff::Cause& cause) {
   return text;
 }
 
-std::vector<std::string> field_texts(const Event& event, const formulas::Situation& before, std::uint16_t fields) {
-  std::vector<std::string> texts;
+std::string FieldText::line() const {
+  std::string text = name.empty() ? value : fmt::format("{} = {}", name, value);
+  if (!formula.empty()) text += fmt::format("   {} {}", origin(), formula);
+  return text;
+}
+
+std::vector<FieldText> fields_in_words(const Event& event, const formulas::Situation& before, std::uint16_t fields) {
+  std::vector<FieldText> texts;
   const std::span<const FieldOfKind> all = fields_of_kind(event.index());
   for (std::size_t at = 0; at < all.size(); ++at) {
     if ((fields >> at & 1) == 0) continue;
-    const std::string name(all[at].name), value = value_text(all[at], event);
-    const auto formula = derived_formula(event, before, name);
-    const bool says_more = formula && !only_repeats(*formula, all[at].read(event));
-    texts.push_back(says_more ? fmt::format("{} = {}   from {}", name, value, *formula)
-                              : fmt::format("{} = {}", name, value));
+    FieldText& text = texts.emplace_back();
+    text.name = all[at].name, text.value = value_text(all[at], event);
+    const auto formula = derived_formula(event, before, text.name);
+    if (formula && !only_repeats(formula->text, all[at].read(event)))
+      text.formula = formula->text, text.follows = formula->follows;
   }
   return texts;
+}
+
+std::vector<std::string> field_texts(const Event& event, const formulas::Situation& before, std::uint16_t fields) {
+  std::vector<std::string> lines;
+  for (const FieldText& text : fields_in_words(event, before, fields)) lines.push_back(text.line());
+  return lines;
 }
 
 }  // namespace zstep

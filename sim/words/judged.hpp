@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "traces/check/check.hpp"
@@ -15,6 +16,7 @@ namespace zstep {
 struct FaultText {
   std::string subject;  ///< "edge e1 (1–2)"
   std::string formula;  ///< that the wrong field should follow from; may be empty
+  bool compares = false;  ///< that formula is a compare
 };
 /// Made from the state before the step, which is gone later.
 FaultText fault_text(const Fault& fault, const Event& event, const formulas::Situation& before);
@@ -40,7 +42,18 @@ std::string why_cause(const diff::Cause& cause);
 std::string why_too_early(const diff::TooEarly& order);
 /// "28 later steps differ likewise; 3 differences follow from it"; may be empty.
 std::string what_follows(const diff::Cause& cause);
-/// Of each of these fields: "dx_dy = 1.5   from (x_1 − x_0)/(y_1 − y_0) = … = 1.5".
+/// What a step has in a field, and what that should follow from.
+struct FieldText {
+  std::string name, value;  ///< "dx_dy", "1.5"; no name for what is said of a whole step
+  std::string formula;      ///< "(x_1 − x_0)/(y_1 − y_0) = … = 1.5"; may be empty
+  bool follows = true;      ///< the value does follow from it
+  /// "from", or where it does not follow, "by its formula:".
+  std::string_view origin() const { return follows ? "from" : "by its formula:"; }
+  std::string line() const;
+};
+std::vector<FieldText> fields_in_words(const Event& event, const formulas::Situation& before, std::uint16_t fields);
+/// The same in lines: "dx_dy = 1.5   from (x_1 − x_0)/(y_1 − y_0) = … = 1.5"; of a number that does not follow:
+/// "dx_dy = 1.25   by its formula: … = 1.5".
 std::vector<std::string> field_texts(const Event& event, const formulas::Situation& before, std::uint16_t fields);
 
 }  // namespace zstep

@@ -5,6 +5,7 @@
 // where it is made; what correctly follows from it is counted as its consequence.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -28,6 +29,8 @@ struct Fault {
   std::optional<formulas::Rule> rule;
   double recorded = 0, expected = 0;  ///< of a field
   std::string impossible;  ///< why the step cannot be
+  /// NaN or an infinity stands where a finite number must be, and no formula says which; then `expected` is NaN.
+  bool no_number() const { return !std::isfinite(recorded) && std::isnan(expected); }
 };
 
 /// A fault that does not follow from another one, and what goes with it.

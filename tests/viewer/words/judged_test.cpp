@@ -14,7 +14,7 @@ TEST_CASE("check: what is wrong, what was expected and what was found, in one li
         "z = z_L + z_R = 0.2 + 0.3 = 0.5, but the trace has 0.55");
   CHECK(what_is_wrong(fault, {}) == "z = 0.5, but the trace has 0.55");
   fault.field = "nearer", fault.recorded = 1, fault.expected = 0;
-  const FaultText compare{"", "z < zbuffer[x,y]:  5 < 5 is false"};
+  const FaultText compare{"", "z < zbuffer[x,y]:  5 < 5 is false", true};
   CHECK(what_is_wrong(fault, compare) == "z < zbuffer[x,y]:  5 < 5 is false, but the trace says nearer");
   fault.recorded = 0, fault.expected = 1;
   CHECK(what_is_wrong(fault, compare) == "z < zbuffer[x,y]:  5 < 5 is false, but the trace says not nearer");

@@ -75,7 +75,7 @@ TEST_CASE("law: what a field follows from gives, as it is printed, what the trac
         const double value = one.second;
         const auto printed = derived_formula(event, at, field);
         if (!printed) continue;
-        std::string line = *printed;
+        std::string line = printed->text;
         CAPTURE(field);
         CAPTURE(line);
         if (const std::size_t colon = line.find(":  "); colon != std::string::npos) {
