@@ -5,13 +5,14 @@
 
 #include "sim/viewer/model/no_lines.hpp"
 #include "sim/words/explain.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 #include "tests/where.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;
 
-TEST_CASE("law: a polygon is said to meet no scan line only where none of its scan lines is in the run") {
+TEST_CASE("law: a polygon is said to have no scan line only where none of its scan lines is in the run") {
   std::map<std::string, int> said;
   for (const auto& [method, scene] : {std::pair("painter", "slanting"),
                                       {"depth-sort", "five-tests"},
@@ -33,12 +34,21 @@ TEST_CASE("law: a polygon is said to meet no scan line only where none of its sc
       CAPTURE(position);
       CAPTURE(why);
       const bool at_work = trace.polygon_at_work(position) != no_polygon, has_lines = lines_of[interval.polygon] > 0;
-      if (why.ends_with("meets no scan line")) REQUIRE((at_work && !has_lines));
+      if (why.ends_with("has no scan line in this run")) REQUIRE((at_work && !has_lines));
       if (why.starts_with("no polygon is at work")) REQUIRE(!at_work);
       if (why.ends_with(" yet")) REQUIRE(at_work);
       ++said[why.substr(why.find_last_of(' '))];
     }
   }
   CHECK(said[" yet"] > 0);
-  CHECK(said[" line"] > 0);
+  CHECK(said[" run"] > 0);
+}
+
+TEST_CASE("timeline: of a run that records no scan lines it is not said that a polygon meets none") {
+  const Trace whole = test::record_run_by("z-buffer", test::in_checkout("lessons/scenes/prism.toml"));
+  const Trace trace = test::changed(
+      whole, [](std::int64_t, const Event& event) { return holds<PolygonBegin>(event) || holds<DepthCompare>(event); });
+  ScanLineMarks marks;
+  for (std::int64_t position = 1; position <= trace.size(); ++position)
+    REQUIRE(why_no_lines(trace, marks.at(trace, position), position) == "this run records no scan lines");
 }

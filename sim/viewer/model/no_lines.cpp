@@ -7,6 +7,7 @@
 namespace zstep::viewer {
 
 std::string why_no_lines(const Trace& trace, const ScanLineMarks::Interval& interval, std::int64_t position) {
+  if (!trace.has(kind_of<ScanLineBegin>)) return "this run records no scan lines";
   if (trace.polygon_at_work(position) == no_polygon) return "no polygon is at work here, and so no scan line";
   const std::string polygon = "polygon " + polygon_label(trace.scene(), interval.polygon);
   const auto later = [&](const PolygonMark& mark) {
@@ -19,7 +20,7 @@ std::string why_no_lines(const Trace& trace, const ScanLineMarks::Interval& inte
     return polygon + " is not drawn here: no scan lines";
   if (const auto all = trace.polygons(); std::any_of(all.begin(), all.end(), later))
     return "no scan lines of " + polygon + " yet";
-  return polygon + " meets no scan line";
+  return polygon + " has no scan line in this run";
 }
 
 }  // namespace zstep::viewer
