@@ -18,7 +18,7 @@
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/check/check.hpp"
-#include "traces/check/depths.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {
@@ -34,13 +34,19 @@ struct CheckOptions {
 
 constexpr std::size_t most_causes = 10;
 
-/// "compare": by the names of the pseudo-code, the steps whose depths could not be judged.
-std::vector<std::string> not_judged(const Trace& trace) {
-  const std::vector<std::uint8_t> kinds = depths_not_judged(trace);
-  std::vector<std::string> names;
-  for (const StepInfo& step : trace.header().page)
-    if (std::find(kinds.begin(), kinds.end(), step.kind) != kinds.end()) names.push_back(step.name);
-  return names;
+/// As JSON has it.
+const char* word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::not_judged:
+      return "not_judged";
+    case Verdict::right_where_judged:
+      return "right_where_judged";
+    case Verdict::right:
+      return "right";
+    case Verdict::wrong:
+      break;
+  }
+  return "wrong";
 }
 
 void print_text(const Trace& trace, const CheckOptions& options, const CheckedRun& checked, const std::string& hint) {
@@ -55,21 +61,20 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
                         precision.every_digit
                             ? fmt::format("ulps (units in the last place) of {}", word_of(precision.format))
                             : "units of the last digit that is written");
-  fmt::print("{} numbers: {} exact, {} rounded{}\n\n", grouped(report.numbers), grouped(report.exact),
+  fmt::print("{} numbers: {} exact, {} rounded{}\n", grouped(report.numbers), grouped(report.exact),
              grouped(report.rounded), at_most);
   const std::string end =
       checked.impossible.empty()
           ? ""
           : fmt::format("The run is judged up to a step that is impossible:\n{}\n", checked.impossible);
-  if (const std::vector<std::string> left = not_judged(trace); !left.empty())
-    fmt::print(
-        "Not judged: the depths of {}, as the trace does not have the spans or planes that they follow from.\n"
-        "To find a mistake in them, compare the run with a right one: zstep diff.\n\n",
-        fmt::join(left, ", "));
-  if (report.causes.empty()) {
-    const std::string right = report.judged == 0 ? "Nothing could be judged.\n" : "Nothing is wrong.\n";
-    return fmt::print("{}", end.empty() ? right : end);
-  }
+  if (const auto left = not_judged_in_words(trace, report); !left.empty())
+    fmt::print("Not judged, as the run does not have what it follows from:\n  {}\n"
+               "To find a mistake in that, compare the run with a right one: zstep diff.\n",
+               fmt::join(left, "\n  "));
+  if (const auto never = never_recorded(trace.header(), report); !never.empty())
+    fmt::print("Not in the run, and so not judged: {}\n", fmt::join(never, ", "));
+  fmt::print("\n");
+  if (report.causes.empty()) return fmt::print("{}", end.empty() ? verdict_in_words(report) + "\n" : end);
   fmt::print("{}: {} wrong, {} more follow from {}\n\n",
              counted(static_cast<std::int64_t>(report.causes.size()), "cause", "causes"),
              counted(report.wrong_steps, "step is", "steps are"), grouped(report.inherited),
@@ -114,7 +119,14 @@ void print_json(const Trace& trace, const CheckOptions& options, const CheckedRu
                  {"numbers", report.numbers},   {"exact", report.exact},     {"rounded", report.rounded},
                  {"format", report.precision.text}, {"wrong", report.wrong_steps}, {"inherited", report.inherited},
                  {"causes", causes}};
-  if (const std::vector<std::string> left = not_judged(trace); !left.empty()) all["depths_not_judged"] = left;
+  all["verdict"] = checked.impossible.empty() ? word_of(verdict_of(report)) : word_of(Verdict::wrong);
+  Json left = Json::array();
+  for (const NotJudged& one : not_judged(report))
+    left.push_back({{"event", text_of_kind(one.kind).name}, {"steps", one.steps}, {"of", one.of}, {"fields", one.fields}});
+  all["not_judged"] = left;
+  all["coverage_judged"] = report.coverage;
+  all["polygons_missing"] = report.polygons_missing;
+  all["never_recorded"] = never_recorded(trace.header(), report);
   if (!checked.impossible.empty()) all["impossible"] = checked.impossible;
   if (!hint.empty()) all["hint"] = hint;
   fmt::print("{}\n", all.dump(2));
@@ -184,7 +196,8 @@ void add_check(CLI::App& app, Action& action) {
   add_show_options(*command, options->show);
   command->footer(
       "Compares every number with what its formula gives for the trace's own operands, under the conventions in its\n"
-      "header, and checks every step against the rules of the method. Exit code 0: nothing is wrong; 1: something is.\n"
+      "header, and checks every step against the rules of the method. What nothing in the run says is listed as not\n"
+      "judged. Exit code 0: nothing that can be judged is wrong; 1: something is.\n"
       "\n"
       "Examples:\n"
       "  zstep check run.jsonl\n"

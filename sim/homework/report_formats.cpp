@@ -19,6 +19,12 @@ std::string dumped(const Json& json) {
   return printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
+std::vector<std::string> lines_of(const std::vector<FieldText>& fields) {
+  std::vector<std::string> lines;
+  for (const FieldText& field : fields) lines.push_back(field.line());
+  return lines;
+}
+
 std::string first_text(const FirstWrong& first) {
   std::string text = first.where + (first.where.empty() ? "" : ": ") + first.step;
   if (!first.subject.empty()) text += ", " + first.subject;
@@ -97,8 +103,8 @@ std::string report_json(const Assessment& all) {
     one["parts"] = parts;
     if (task.first)
       one["first"] = {{"at", task.first->at},       {"step", task.first->step}, {"subject", task.first->subject},
-                      {"where", task.first->where}, {"what", task.first->what}, {"expected", task.first->expected},
-                      {"found", task.first->found}};
+                      {"where", task.first->where}, {"what", task.first->what}, {"expected", lines_of(task.first->expected)},
+                      {"found", lines_of(task.first->found)}};
     if (task.first && task.first->mistake) {
       const auto said_of = [](mistakes::Mistake mistake) {
         const mistakes::MistakeText& text = mistakes::text_of(mistake);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sim/cost/depth_bounds.hpp"
 #include "sim/viewer/stage.hpp"
@@ -15,6 +16,12 @@ namespace {
 
 std::string count_text(std::int64_t count, const char* one, const char* several) {
   return fmt::format("{} {}", grouped(count), count == 1 ? one : several);
+}
+
+/// " Not judged: z of compare (58 steps); which pixels are drawn".
+std::string not_judged_text(const Trace& trace, const CheckReport& report) {
+  const std::vector<std::string> left = not_judged_in_words(trace, report);
+  return left.empty() ? "" : fmt::format(" Not judged: {}.", fmt::join(left, "; "));
 }
 
 std::string sizes_text(const Raster& raster) { return fmt::format("{}x{}", raster.width, raster.height); }
@@ -51,8 +58,9 @@ void Stage::check() {
                     count_text(static_cast<std::int64_t>(report.causes.size()), "cause", "causes")));
   }
   if (checked.impossible.empty())
-    return app().say(fmt::format("Nothing is wrong: {} of {} can be judged by a formula or a rule.",
-                                 grouped(report.judged), count_text(report.steps, "step", "steps")));
+    return app().say(fmt::format("{} {} of {} can be judged by a formula or a rule.{}", verdict_in_words(report),
+                                 grouped(report.judged), count_text(report.steps, "step", "steps"),
+                                 not_judged_text(trace(), report)));
   app().session().go_to(trace().size());
   app().say("Up to here nothing is wrong, but the next step cannot be: " + checked.impossible);
 }

@@ -4,8 +4,10 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sim/words/derived.hpp"
+#include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/events/fields.hpp"
 
@@ -72,6 +74,38 @@ std::string what_follows(const Cause& cause) {
 std::string step_and_subject(const Trace& trace, std::uint8_t line, const std::string& subject) {
   const StepInfo* step = find_step(trace.header().page, line);
   return (step ? step->name : "") + (subject.empty() ? "" : ", " + subject);
+}
+
+std::vector<std::string> not_judged_in_words(const Trace& trace, const CheckReport& report) {
+  std::vector<std::string> lines;
+  for (const NotJudged& one : not_judged(report)) {
+    std::string names;
+    for (const StepInfo& step : trace.header().page)
+      if (step.kind == one.kind) names += (names.empty() ? "" : ", ") + step.name;
+    const std::string steps = one.steps < one.of ? fmt::format("{} of {}", grouped(one.steps), how_many(one.of, "step", "steps"))
+                                                 : how_many(one.of, "step", "steps");
+    lines.push_back(one.fields.empty() ? fmt::format("{} ({})", names, steps)
+                                       : fmt::format("{} of {} ({})", fmt::join(one.fields, ", "), names, steps));
+  }
+  for (const std::int32_t polygon : report.polygons_missing)
+    lines.push_back(fmt::format("polygon {}: the run has no step of it", polygon_label(trace.scene(), polygon)));
+  if (!report.coverage)
+    lines.push_back("which pixels are drawn: some may be missing, others too many");
+  return lines;
+}
+
+std::string verdict_in_words(const CheckReport& report) {
+  switch (verdict_of(report)) {
+    case Verdict::wrong:
+      break;
+    case Verdict::not_judged:
+      return "Nothing could be judged.";
+    case Verdict::right_where_judged:
+      return "Nothing that can be judged is wrong.";
+    case Verdict::right:
+      return "Nothing is wrong.";
+  }
+  return "Something is wrong.";
 }
 
 CheckedRun judge_run(const Trace& trace, const OnChecked& on_checked, bool with_marks) {

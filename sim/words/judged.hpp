@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "traces/check/check.hpp"
+#include "traces/check/not_judged.hpp"
 #include "traces/diff/diff.hpp"
 #include "traces/file/trace.hpp"
 
@@ -34,6 +35,10 @@ struct CheckedRun {
   std::string impossible;        ///< why the step that would come next cannot be; the run is judged up to it
   CheckMarks marks;
 };
+/// What nothing in the run says whether it is right, a line each: "compare: z (of 12 of its 58 steps)".
+std::vector<std::string> not_judged_in_words(const Trace& trace, const CheckReport& report);
+/// "Nothing is wrong."
+std::string verdict_in_words(const CheckReport& report);
 CheckedRun judge_run(const Trace& trace, const OnChecked& on_checked, bool with_marks);
 
 /// Why a step at which two runs part is a cause.

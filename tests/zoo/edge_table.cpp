@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <list>
+#include <utility>
 
 #include "tests/zoo/programs.hpp"
 
@@ -18,7 +19,9 @@ struct Program {
   const Task& task;
   std::string out;
   std::vector<double> depth;
-  int edges = 0, steps = 0, roundings = 0, retirements = 0, inserted = 0;  // places where a mistake can be made once
+  int edges = 0, steps = 0, roundings = 0, retirements = 0, inserted = 0, spans = 0;  // places where a mistake can be made once
+
+  double first_dz = 0;
 
   /// Several mistakes are written as "one+other".
   bool is(const std::string& mistake) const {
@@ -47,6 +50,8 @@ struct Program {
     for (std::size_t i = 0; i < n; ++i) {
       int a = polygon.corners[i], b = polygon.corners[(i + 1) % n];
       Point p = task.points[static_cast<std::size_t>(a)], q = task.points[static_cast<std::size_t>(b)];
+      if (is("closing_edge_left_out") && i + 1 == n) continue;
+      if (is("x_y_read_exchanged")) std::swap(p.x, p.y), std::swap(q.x, q.y);
       if (p.y == q.y && is("horizontal_inserted") && line_from(p.y) >= 0 && line_from(p.y) < task.height) {
         Edge edge{number++, a, b, line_from(p.y), line_from(p.y) + 1, p.x, 0, p.z, 0};
         insert(polygon, edge);
@@ -67,6 +72,9 @@ struct Program {
       edge.from = a, edge.to = b;
       edge.y_first = std::max(0, line_from(p.y)), edge.y_end = std::min(task.height, line_from(q.y));
       if (is("starts_one_early")) edge.y_first = std::max(0, static_cast<int>(std::floor(p.y)));
+      if (is("rows_rounded_down"))
+        edge.y_first = std::max(0, static_cast<int>(std::floor(p.y))),
+        edge.y_end = std::min(task.height, static_cast<int>(std::floor(q.y)));
       if (edge.y_first >= edge.y_end) {
         say("{\"step\":\"skip\",\"vertex_0\":%d,\"vertex_1\":%d,\"why\":\"between_rows\"}", a, b);
         continue;
@@ -115,13 +123,16 @@ struct Program {
     if (!nearer && is("depth_always")) return;
     if (is("colour_not_written") && polygon.number > 0) return;
     if (is("x_y_exchanged") && x < task.height && y < task.width) std::swap(x, y);
+    if (is("colour_one_to_the_right")) x = std::min(x + 1, task.width - 1);
+    if (is("colour_upside_down")) y = task.height - 1 - y;
     const int drawn = is("first_polygon_always") ? 0 : polygon.number;
     say("{\"step\":\"wp\",\"x\":%d,\"y\":%d,\"polygon\":%d}", x, y, drawn);
   }
 
   void span(const Polygon& polygon, const Edge& left, const Edge& right, int y) {
     if (is("spans_of_even_lines") && y % 2 == 1) return;
-    const double dz = right.x != left.x ? (right.z - left.z) / (right.x - left.x) : 0;
+    double dz = right.x != left.x ? (right.z - left.z) / (right.x - left.x) : 0;
+    if (is("dz_dx_of_first_span")) dz = std::exchange(spans, spans + 1) == 0 ? first_dz = dz : first_dz;
     int first = std::max(0, static_cast<int>(std::ceil(left.x)));
     int last = std::min(task.width, static_cast<int>(std::ceil(right.x))) - 1;
     if (is("right_end_included")) last = std::min(task.width - 1, static_cast<int>(std::floor(right.x) + 1));
@@ -147,6 +158,7 @@ struct Program {
   }
 
   void draw(const Polygon& polygon) {
+    spans = 0;
     say("{\"step\":\"polygon\",\"polygon\":%d,\"facet\":%d}", polygon.number, polygon.number);
     auto buckets = table_of(polygon);
     std::list<Edge> active;

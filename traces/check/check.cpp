@@ -1,7 +1,7 @@
 #include "traces/check/check.hpp"
 
 #include <algorithm>
-#include <bitset>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -10,8 +10,10 @@
 #include <tuple>
 #include <vector>
 
-#include "traces/check/depths.hpp"
+#include "traces/check/filling.hpp"
+#include "traces/check/finite.hpp"
 #include "traces/check/inheritance.hpp"
+#include "traces/check/wins.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
@@ -26,13 +28,6 @@ namespace {
 
 using formulas::Follows, formulas::Place, formulas::Rounded, formulas::Rule, formulas::Situation;
 
-/// Kinds of event with the depth of a pixel, and those of them whose depth was held against a formula.
-struct Depths {
-  std::bitset<kind_count> seen{}, judged{};
-};
-template <class E>
-constexpr bool has_depth = requires(E e) { e.x, e.y, e.z; };
-
 struct Checker {
   const Trace& trace;
   const Header& header;  ///< by which it is judged
@@ -46,14 +41,15 @@ struct Checker {
   std::int64_t step = 0;
   std::uint8_t line = 0;
   bool any_judged = false, any_fault = false;
-  Depths depths{};
+  std::uint32_t fields = 0;  ///< bit f: something says what its field f must be
+  Wins wins{};
   std::int32_t inherited = Inheritance::clean;
   const Situation* at = nullptr;
   Event held{};  ///< what is wrong, for who wants to see it
 
   void begin(std::int64_t position, std::uint8_t id) {
     step = position, line = id;
-    any_judged = any_fault = false;
+    any_judged = any_fault = false, fields = 0;
     inherited = Inheritance::clean;
   }
   void read(const Place& place) {
@@ -69,7 +65,10 @@ struct Checker {
     report.wrong_steps += !any_fault;
     any_fault = true;
     if (marks) marks->faults.push_back(fault);
-    const auto [found, fresh] = known.try_emplace({what, fault.kind, number}, report.causes.size());
+    // A win that is not written is noticed at whatever comes next.
+    const bool of_any_kind = fault.rule == Rule::win_is_written;
+    const auto [found, fresh] =
+        known.try_emplace({what, of_any_kind ? std::uint8_t{0} : fault.kind, number}, report.causes.size());
     if (!fresh) {
       Cause& cause = report.causes[found->second];
       cause.again += cause.first.step != step;
@@ -106,7 +105,9 @@ struct Checker {
   /// Counts a number that is right; false where it is not.
   bool holds(const Rounded& formula, double recorded) {
     ++report.numbers;
-    if (recorded == formula.value || (std::isnan(recorded) && std::isnan(formula.value))) return ++report.exact, true;
+    if (recorded == formula.value) return ++report.exact, true;
+    // NaN is right nowhere, but follows from what is wrong already.
+    if (std::isnan(recorded) && std::isnan(formula.value)) return inherited != Inheritance::clean;
     if (!within_rounding(formula, recorded)) return false;
     ++report.rounded;
     // Of a small difference of large numbers, the last digit of these: it has none of its own.
@@ -137,16 +138,16 @@ struct Judge {
   bool equal(double one, double other) const { return checker.within_rounding(Rounded(one), other); }
 
   void gives(Follows<E, double> field, const Number& formula) {
-    judges(field);
+    judges(field.number);
     if (!checker.holds(formula, e.*field.member)) wrong(field, e.*field.member, formula.value);
   }
   void near(Follows<E, double> field, const Rounded& number) {
-    judges(field);
+    judges(field.number);
     const double recorded = e.*field.member;
     if (!checker.within_rounding(number, recorded)) wrong(field, recorded, number.value);
   }
   void whole(Follows<E, std::int32_t> field, const Number& formula, std::int32_t within) {
-    checker.any_judged = true;
+    judges(field.number);
     const std::int32_t recorded = e.*field.member;
     if (recorded == within) return;
     // Just beside a pixel's centre rounding may decide either way.
@@ -157,7 +158,7 @@ struct Judge {
   }
   template <class Value>
   void is(std::type_identity_t<Follows<E, Value>> field, Value value) {
-    checker.any_judged = true;
+    judges(field.number);
     const Value recorded = e.*field.member;
     if (recorded == value || (value != value && recorded != recorded)) return;
     if constexpr (std::is_same_v<Value, double>)
@@ -170,7 +171,7 @@ struct Judge {
     if (!header.declares(tie ? Convention::ties : Convention::nearer)) return;
     if (!checker.report.precision.every_digit && checker.within_rounding(z, stored.value)) return;
     const bool wins = header.comparison.wins(z.value, stored.value);
-    checker.any_judged = true;
+    judges(field.number);
     if (e.*field.member != wins) wrong(field, e.*field.member, wins);
   }
   void rule(Rule rule, bool holds) {
@@ -182,44 +183,75 @@ struct Judge {
     checker.fault(1, static_cast<std::size_t>(rule), std::move(fault));
   }
 
+  /// A number stands where one must be, also where no formula says which.
+  void has_numbers() {
+    for_each_index<E>([&]<std::size_t I>() {
+      if constexpr (std::is_same_v<FieldValue<E, I>, double>) {
+        const double value = e.*field_at<E, I>.member;
+        if (std::isfinite(value) || (checker.fields >> I & 1u) != 0 ||
+            may_be(checker.header, kind_of<E>, field_at<E, I>.name, value))
+          return;
+        checker.any_judged = true;
+        wrong(field_at<E, I>.name, I, value, std::numeric_limits<double>::quiet_NaN());
+      }
+    });
+  }
+
  private:
-  void judges(const Follows<E, double>& field) {
+  void judges(std::size_t field) {
+    static_assert(field_count<E> <= KindJudged::most_fields);
     checker.any_judged = true;
-    if (has_depth<E> && field.name == "z") checker.depths.judged.set(kind_of<E>);
+    checker.fields |= 1u << field;
   }
   template <class Value>
   void wrong(const Follows<E, Value>& field, double recorded, double expected) {
+    wrong(field.name, field.number, recorded, expected);
+  }
+  void wrong(std::string_view name, std::size_t number, double recorded, double expected) {
     Fault fault;
     fault.kind = kind_of<E>, fault.recorded = recorded, fault.expected = expected;
-    fault.field = field.name;
+    fault.field = name;
     checker.held = e;
-    checker.fault(0, field.number, std::move(fault));
+    checker.fault(0, number, std::move(fault));
   }
 };
 
-CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked,
-                     CheckMarks* marks = nullptr, Depths* depths = nullptr, const HeldTo& held = {}) {
+CheckReport check_by(const Header& header, const Precision& precision, const Trace& trace, const OnCause& on_cause,
+                     const OnChecked& on_checked, CheckMarks* marks = nullptr) {
   const Beginning beginning(trace);
   State state = beginning.state();
   Checker checker{trace, header, on_cause, {}, {}, {}};
   checker.marks = marks;
-  checker.report.precision = precision_of(trace, held);
+  checker.report.precision = precision;
   Situation at = formulas::situation_of(trace, state, header);
   checker.at = &at;
 
   NoLog log;
+  Filling filling(trace);
+  std::vector<bool> has_steps(trace.scene().polygons.size());
   constexpr std::int64_t now_and_then = 1 << 16;
   trace.visit(0, trace.size(), [&]<class E>(std::int64_t position, std::uint8_t line, const E& e) {
     checker.begin(position, line);
     at.look();
     Judge<E> judge{checker, e};
-    if constexpr (has_depth<E>) checker.depths.seen.set(kind_of<E>);
     if constexpr (formulas::Derived<E, Judge<E>>) formulas::derive(e, at, judge);
+    checker.wins.look_at(e, at, judge);
+    filling.look_at(e, at, judge);
+    if constexpr (requires { e.polygon; })
+      if (e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < has_steps.size())
+        has_steps[static_cast<std::size_t>(e.polygon)] = true;
+    judge.has_numbers();
     if constexpr (std::is_same_v<E, EdgeEnter>) judge.reads({Place::In::edge_table, e.edge});
     if constexpr (std::is_same_v<E, BuffersClear>)
       for (const Place::In in : {Place::In::depth_buffer, Place::In::frame}) checker.cleared(in);
 
     checker.report.judged += checker.any_judged;
+    KindJudged& kind = checker.report.kinds[kind_of<E>];
+    ++kind.steps;
+    kind.can_be_judged = formulas::Derived<E, Judge<E>>;
+    kind.judged += checker.any_judged;
+    for (std::uint32_t left = checker.fields; left != 0; left &= left - 1)
+      ++kind.fields[static_cast<std::size_t>(std::countr_zero(left))];
     if (checker.inherited != Inheritance::clean && !checker.any_fault) {
       ++checker.report.inherited;
       ++checker.report.causes[static_cast<std::size_t>(checker.inherited)].inherited;
@@ -242,7 +274,10 @@ CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on
     ++checker.report.steps;
     return !(on_checked && position % now_and_then == 0 && on_checked(position));
   });
-  if (depths) *depths = checker.depths;
+  checker.report.coverage = filling.judges_all();
+  if (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceMake>))
+    for (std::size_t polygon = 0; polygon < has_steps.size(); ++polygon)
+      if (!has_steps[polygon]) checker.report.polygons_missing.push_back(static_cast<std::int32_t>(polygon));
   return std::move(checker.report);
 }
 
@@ -276,17 +311,18 @@ std::vector<Otherwise> all_others() {
 
 CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked, CheckMarks* marks,
                   const HeldTo& held) {
-  return check_by(trace.header(), trace, on_cause, on_checked, marks, nullptr, held);
+  return check_by(trace.header(), precision_of(trace, held), trace, on_cause, on_checked, marks);
 }
 
-std::vector<std::uint8_t> depths_not_judged(const Trace& trace) {
-  constexpr std::int64_t enough = 200'000;
-  Depths depths;
-  check_by(trace.header(), trace, nullptr, [](std::int64_t done) { return done >= enough; }, nullptr, &depths);
-  std::vector<std::uint8_t> left;
-  for (std::size_t kind = 0; kind < kind_count; ++kind)
-    if (depths.seen[kind] && !depths.judged[kind]) left.push_back(static_cast<std::uint8_t>(kind));
-  return left;
+std::vector<Fault> faults_of(const Trace& trace, const Precision& precision) {
+  CheckMarks marks;
+  check_by(trace.header(), precision, trace, nullptr, nullptr, &marks);
+  return std::move(marks.faults);
+}
+
+bool KindJudged::covers(const KindJudged& other) const {
+  return judged >= other.judged &&
+         std::equal(fields.begin(), fields.end(), other.fields.begin(), std::greater_equal<std::int64_t>());
 }
 
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report) {
@@ -295,8 +331,12 @@ std::optional<OtherConvention> convention_it_follows(const Trace& trace, const C
     Header header = trace.header();
     other.change(header);
     if (header.conventions == trace.header().conventions && header.comparison == trace.header().comparison) continue;
-    const std::int64_t wrong = check_by(header, trace, nullptr, nullptr).wrong_steps;
-    if (10 * wrong < report.wrong_steps && (!best || wrong < best->wrong_steps))
+    const CheckReport other_report = check_by(header, report.precision, trace, nullptr, nullptr);
+    const std::int64_t wrong = other_report.wrong_steps;
+    // It acquits no number that it merely does not judge.
+    const bool judges_all = std::equal(other_report.kinds.begin(), other_report.kinds.end(), report.kinds.begin(),
+                                       [](const KindJudged& one, const KindJudged& own) { return one.covers(own); });
+    if (judges_all && 10 * wrong < report.wrong_steps && (!best || wrong < best->wrong_steps))
       best = OtherConvention{std::string(other.key), std::string(other.word), wrong};
   }
   return best;

@@ -5,6 +5,7 @@
 // where it is made; what correctly follows from it is counted as its consequence.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -14,6 +15,7 @@
 
 #include "traces/check/precision.hpp"
 #include "traces/check/rules.hpp"
+#include "traces/events/vocabulary.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/formulas/situation.hpp"
 
@@ -40,6 +42,17 @@ struct Cause {
   std::int64_t inherited = 0;  ///< later steps that follow, correctly, from what is wrong here
 };
 
+/// How much of the steps of one kind could be judged.
+struct KindJudged {
+  static constexpr std::size_t most_fields = 16;
+  std::int64_t steps = 0;
+  bool can_be_judged = false;                      ///< there is a formula or a rule for steps of this kind
+  std::int64_t judged = 0;                         ///< of these, with a field or a rule that could be judged
+  std::array<std::int64_t, most_fields> fields{};  ///< by field: in how many steps something says what it must be
+  /// Nothing that the other one judges is left out.
+  bool covers(const KindJudged& other) const;
+};
+
 struct CheckReport {
   std::int64_t steps = 0;          ///< that were gone through
   std::int64_t judged = 0;         ///< of these, with a field or a rule that could be judged
@@ -51,6 +64,9 @@ struct CheckReport {
   std::int64_t inherited = 0;      ///< without one, but following from one
   Precision precision;
   std::vector<Cause> causes;       ///< by their first step
+  std::array<KindJudged, kind_count> kinds{};
+  bool coverage = false;           ///< a pixel that is missing or too many would have been found, in what is recorded
+  std::vector<std::int32_t> polygons_missing;  ///< of the scene: the run has no step of them, and does not say why
 };
 
 /// Which steps are wrong or follow from what is wrong, and where that is: for who marks them. The steps and the faults
@@ -86,13 +102,17 @@ using OnChecked = std::function<bool(std::int64_t)>;
 CheckReport check(const Trace& trace, const OnCause& on_cause = nullptr, const OnChecked& on_checked = nullptr,
                   CheckMarks* marks = nullptr, const HeldTo& held = {});
 
+/// All that is wrong in a run, in its order, its numbers held to this.
+std::vector<Fault> faults_of(const Trace& trace, const Precision& precision);
+
 /// A convention that a trace's steps follow, other than its header says or leaves to be assumed.
 struct OtherConvention {
   std::string key, word;         ///< "nearer", "greater", as the header writes them
   std::int64_t wrong_steps = 0;  ///< that would be wrong under it
 };
 /// Of a trace with something wrong: the convention under which the least would be, where that is less than a tenth of
-/// what is wrong under its own. Goes through the trace once for each.
+/// what is wrong under its own, and all that is judged under its own is judged under that one, too. Goes through the
+/// trace once for each.
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report);
 
 }  // namespace zstep

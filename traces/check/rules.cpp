@@ -49,7 +49,7 @@ constexpr std::array<NamedRule, static_cast<std::size_t>(Rule::count)> named_rul
       "The pixel lies outside the span at work."}},
     {Rule::write_after_win,
      {"write_after_win", "A pixel is written only after its depth was found nearer.",
-      "The pixel is written, though its depth was found not to be nearer."}},
+      "The pixel is written, though its depth was not found nearer."}},
     {Rule::win_is_written,
      {"win_is_written", "A depth that was found nearer is written to the depth buffer.",
       "The depth of the pixel before was found nearer, but the depth buffer did not take it."}},
@@ -156,6 +156,15 @@ constexpr std::array<NamedRule, static_cast<std::size_t>(Rule::count)> named_rul
     {Rule::hides_of_line,
      {"hides_of_line", "A hidden or visible part of a line lies between its ends, 0 ≤ t_0 ≤ t_1 ≤ 1.",
       "The hidden or visible part does not lie between the ends of the line."}},
+    {Rule::outline_is_closed,
+     {"outline_is_closed", "Each edge of an outline that meets a scan line is in the edge table before work on scan lines.",
+      "An edge of the outline meets a scan line, but is not in the edge table."}},
+    {Rule::pair_has_span,
+     {"pair_has_span", "Between each pair of active edges with pixels between them there is a span on every scan line.",
+      "The scan line before is over, and a pair of active edges has no span on it."}},
+    {Rule::span_is_filled,
+     {"span_is_filled", "Each pixel from the first to the last of a span has its turn.",
+      "The span before is over, and a pixel of it is missing."}},
 }};
 
 }  // namespace

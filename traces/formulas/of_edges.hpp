@@ -104,7 +104,7 @@ void derive(const ScanLineBegin& e, const Situation& at, Out& out) {
     if (const EdgeTableInsert* entry = at.edge(active.edge)) all_left = all_left && entry->end_row >= e.y;
   out.rule(Rule::edge_left_behind, all_left);
   // A table of all polygons is too long to be gone through at each line.
-  if (at.method().keeps_all || !at.has_step<EdgeEnter>()) return;
+  if (at.method().keeps_all || !at.records<EdgeEnter>()) return;
   bool all_entered = true;
   for (std::size_t edge = 0; edge < at.method().edge_table.size(); ++edge)
     all_entered = all_entered && (at.method().edge_stages[edge] != EdgeStage::waiting ||

@@ -117,7 +117,7 @@ void derive(const LinePiece& e, const Situation& at, Out& out) {
   const double middle = (e.t_0 + e.t_1) / 2;
   const bool hidden = std::any_of(row->hidden.begin(), row->hidden.end(),
                                   [&](const LineHide& hide) { return hide.t_0 <= middle && middle <= hide.t_1; });
-  if (!at.has_step<LineHide>()) return;
+  if (!at.records<LineHide>()) return;
   std::vector<Rounded> ends{1.0};
   for (const LineHide& hide : row->hidden) ends.insert(ends.end(), {Rounded(hide.t_0), Rounded(hide.t_1)});
   out.near(&LinePiece::t_1, nearest_of(e.t_1, ends));

@@ -24,14 +24,15 @@ T interpolated(const Situation& at, const T& z) {
 
 /// The depth of a pixel from the slopes of its polygon's plane: from its left neighbour's, or from a vertex. Where
 /// slopes are added from line to line, the first one of a span follows from a line that is gone: then nothing is said.
+/// A run without spans has no such lines.
 template <class E, class Out>
 void derive_depth_on_plane(const E& e, const Situation& at, Out& out) {
   const auto& slopes = at.method().slopes;
-  if (!slopes) return;
+  if (!slopes || (at.method().polygon != no_polygon && slopes->polygon != at.method().polygon)) return;
   const Place plane{Place::In::plane, 0}, from{Place::In::vertex, slopes->vertex_0};
   const auto dz_dx = out.number("dz/dx", slopes->dz_dx, plane["dz_dx"]);
-  if (at.adds_slopes()) {
-    const Fragment* left = at.fragment(e.x - 1, e.y);
+  const Fragment* left = at.fragment(e.x - 1, e.y);
+  if (at.adds_slopes() && (left || at.records<SpanBegin>())) {
     if (!left) return;
     const auto z = interpolated(at, out.number("z", left->z, Place{Place::In::fragment, 0, "z"}));
     return out.gives(&E::z, interpolated(at, z + dz_dx));
@@ -45,9 +46,10 @@ void derive_depth_on_plane(const E& e, const Situation& at, Out& out) {
   out.gives(&E::z, interpolated(at, z));
 }
 
-/// The depth that the span at work has at a pixel.
+/// The depth that the span at work has at a pixel; in a run without spans, what the plane of the polygon has there.
 template <class E, class Out>
 void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
+  if (!at.records<SpanBegin>()) return derive_depth_on_plane(e, at, out);
   const auto& span = at.method().span;
   if (!span || span->y != e.y) return;
   const Place place{Place::In::span, 0};
@@ -70,14 +72,26 @@ void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
   out.gives(&E::z, interpolated(at, z));
 }
 
-/// Before another pixel's turn comes: the one that was nearer has been written. Glass is mixed in and writes no depth.
+/// The pixel at work was nearer, so that its depth has to be written before another pixel's turn comes. Glass is mixed in
+/// and writes no depth.
+inline bool has_won(const Situation& at) {
+  const auto& last = at.method().fragment;
+  return last && last->nearer && *last->nearer && at.has_step<DepthWrite>() && !at.method().compares_write &&
+         !at.has_step<ColorBlend>();
+}
+/// And it has not been written.
+template <class Out>
+bool last_win_is_missing(const Situation& at, const Out& out) {
+  if (!has_won(at)) return false;
+  const Fragment& last = *at.method().fragment;
+  const double stored = at.stored(last.x, last.y);
+  return stored != last.z && !out.equal(stored, last.z) && stored == last.stored;
+}
+
 /// Nothing of the pixel that comes next follows from that one.
 template <class Out>
 void derive_last_win(const Situation& at, Out& out) {
-  const auto& last = at.method().fragment;
-  if (!last || !last->nearer || !*last->nearer || !at.has_step<DepthWrite>() || at.has_step<ColorBlend>()) return;
-  const double stored = at.stored(last->x, last->y);
-  out.rule(Rule::win_is_written, stored == last->z || out.equal(stored, last->z) || stored != last->stored);
+  if (has_won(at)) out.rule(Rule::win_is_written, !last_win_is_missing(at, out));
 }
 
 }  // namespace detail

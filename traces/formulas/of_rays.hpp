@@ -249,9 +249,11 @@ void derive(const BoxTest& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const RayPlane& e, const Situation& at, Out& out) {
-  if (!std::isnan(e.t))  // else it runs along the plane, within a tolerance of the program's own
+  const auto gives_t = [&] {
     out.gives(&RayPlane::t,
               out.number("numerator", e.numerator, Place{}) / out.number("denominator", e.denominator, Place{}));
+  };
+  if (!std::isnan(e.t)) gives_t();
   const RayBegin* ray = detail::ray_at_work(at);
   const auto corners = detail::corners_of(at, e.facet);
   if (!ray || corners.empty()) return;
@@ -263,6 +265,8 @@ void derive(const RayPlane& e, const Situation& at, Out& out) {
   const auto denominator = [&](const CornersPlane& p) { return dot(p.normal, way); };
   // Of the two the one that says more tells how long the normal is.
   const Rounded n = numerator(*plane), d = denominator(*plane);
+  // It runs along the plane, within a tolerance of the program's own, or it does not.
+  if (std::isnan(e.t) && std::abs(d.value) > rounding_of_float32 * d.spread) gives_t();
   const bool by_d = std::abs(d.value) >= std::abs(n.value);
   const double factor = by_d ? e.denominator / d.value : e.numerator / n.value;
   const CornersPlane as_it = std::isfinite(factor) ? plane->times(factor < 0 ? -1 : 1, std::abs(factor)) : *plane;

@@ -18,8 +18,10 @@ auto of_scene(Out& out, std::string_view name, double value) {
 }  // namespace detail
 
 template <class Out>
-void derive(const BuffersClear&, const Situation& at, Out& out) {
+void derive(const BuffersClear& e, const Situation& at, Out& out) {
+  // A header that says nothing leaves it to the program; what is farther than everything is right with any.
   if (at.header.initial_depth) out.is(&BuffersClear::z, *at.header.initial_depth);
+  else if (e.z == at.header.empty_depth()) out.is(&BuffersClear::z, e.z);
 }
 
 template <class Out>

@@ -106,6 +106,9 @@ enum class Rule : std::uint8_t {
   cross_beside,      ///< a curve crosses a horizon between two columns
   ink_on_curve,      ///< a pixel of a curve lies where the curve is visible
   hides_of_line,     ///< what is hidden of a line is a part of it
+  outline_is_closed, ///< each edge of an outline that meets a scan line is in the edge table
+  pair_has_span,     ///< each pair of active edges with pixels between them has a span
+  span_is_filled,    ///< each pixel of a span has its turn
   count
 };
 

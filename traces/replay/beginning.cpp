@@ -2,6 +2,7 @@
 #include "traces/replay/beginning.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace zstep {
 
@@ -14,13 +15,44 @@ void begin(Picture& picture, std::int32_t width, std::int32_t height, double dep
   picture.depth.assign(size, depth);
 }
 
+/// A run that could record writes of depths, and has none, either does not print them or does not write them. It does not
+/// where its compares would be right against a buffer that is never written, and only against that one.
+bool forgets_depths(const Trace& trace) {
+  const Header& header = trace.header();
+  if (!records<DepthWrite>(header) || !trace.has(kind_of<PixelWrite>)) return false;
+  const Raster& raster = trace.scene().raster;
+  double empty = header.empty_depth();
+  std::vector<double> written(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height), empty);
+  bool right_if_forgotten = true, right_if_written = true;
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (const auto* clear = get_if<BuffersClear>(&recorded.event)) {
+      empty = clear->z;
+      std::fill(written.begin(), written.end(), empty);
+    }
+    const auto* compare = get_if<DepthCompare>(&recorded.event);
+    if (!compare) return true;
+    const auto pixel = static_cast<std::size_t>(compare->y) * static_cast<std::size_t>(raster.width) +
+                       static_cast<std::size_t>(compare->x);
+    const auto fits = [&](double stored) {
+      const bool open = compare->z == stored && !header.declares(Convention::ties);
+      return open || compare->nearer == header.comparison.wins(compare->z, stored);
+    };
+    right_if_forgotten = right_if_forgotten && fits(empty);
+    right_if_written = right_if_written && fits(written[pixel]);
+    if (compare->nearer) written[pixel] = compare->z;
+    return right_if_forgotten;
+  });
+  return right_if_forgotten && !right_if_written;
+}
+
 }  // namespace
 
 Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()), empty_depth_(trace.header().empty_depth()) {
   const Header& header = trace.header();
   colors_ = records<ColorWrite>(header) || records<ColorBlend>(header);
   light_ = records<PassBegin>(header);
-  compares_write_ = records<DepthCompare>(header) && !records<DepthWrite>(header);
+  compares_write_ = trace.has(kind_of<DepthCompare>) && !trace.has(kind_of<DepthWrite>) &&
+                    !records<ColorBlend>(header) && !forgets_depths(trace);
   edges_told_ = trace.has(kind_of<EdgeTableInsert>);
   rays_told_ = trace.has(kind_of<RayBegin>);
 }

@@ -1,10 +1,13 @@
 // zstep check: right runs are not doubted, and of wrong ones the first wrong step is named.
 #include "traces/check/check.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <tuple>
 
 #include <doctest/doctest.h>
@@ -13,8 +16,11 @@
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
+#include "tests/zoo/programs.hpp"
 #include "tests/zoo/runs.hpp"
-#include "traces/check/depths.hpp"
+#include "tests/zoo/wrong_programs.hpp"
+#include "traces/check/not_judged.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/replay/replay.hpp"
@@ -82,13 +88,286 @@ TEST_CASE("check: each step of every golden trace follows from its own operands,
   CHECK(numbers > 15'000);
 }
 
-TEST_CASE("check: depths of which the trace does not have the operands are said not to be judged") {
-  // No spans: of a depth that is compared nothing says what it should be.
-  const Trace whole = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
-  const Trace without_spans = test::changed(whole, [](std::int64_t, const Event& event) {
-    return !holds<SpanBegin>(event) && !holds<DepthInterpolate>(event);
+/// A run of two triangles on a raster of 12x10, as a program prints it; `table`: the names of its steps and their events.
+std::string small_head(const std::string& interpolation, const std::vector<std::pair<const char*, const char*>>& table) {
+  std::string steps;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    steps += fmt::format(R"({}{{"id":{},"name":"{}","event":"{}"}})", i == 0 ? "" : ",", i + 1, table[i].first,
+                         table[i].second);
+  return fmt::format(
+      R"({{"ztrace":1,"writer":"my program","algorithm":"z-buffer","conventions":{{"depth":"view","nearer":"smaller",)"
+      R"("ties":"first","interpolation":"{}","number_format":"float64"}},"steps":[{}],"scene":{{"raster":{{"width":12,)"
+      R"("height":10}},"camera":{{"kind":"screen"}},"points":[[1,1,10],[10,2,40],[4,8,20],[2,7,50],[1,2,5],[10,6,15]],)"
+      R"("polygons":[{{"name":"A"}},{{"name":"B"}}],"facets":[{{"polygon":0,"points":[0,1,2]}},)"
+      R"({{"polygon":1,"points":[3,4,5]}}]}}}})"
+      "\n",
+      interpolation, steps);
+}
+const std::vector<std::pair<const char*, const char*>> whole_table{
+    {"clear", "buffers_clear"},      {"polygon", "polygon_begin"}, {"slopes", "plane_slopes"},
+    {"interp", "depth_interpolate"}, {"compare", "depth_compare"}, {"wz", "depth_write"},
+    {"wp", "pixel_write"},           {"enter", "edge_enter"},      {"scan", "scan_line_begin"},
+    {"insert", "edge_table_insert"}};
+std::string compare_at(int x, int y, double z, bool nearer) {
+  return fmt::format(R"({{"step":"compare","x":{},"y":{},"z":{},"nearer":{}}})"
+                     "\n",
+                     x, y, z, nearer);
+}
+std::string write_at(int x, int y, double z) {
+  return fmt::format(R"({{"step":"wz","x":{0},"y":{1},"z":{2}}})"
+                     "\n"
+                     R"({{"step":"wp","x":{0},"y":{1},"polygon":0}})"
+                     "\n",
+                     x, y, z);
+}
+const std::string begin_a = R"({"step":"polygon","polygon":0,"facet":0})"
+                            "\n";
+
+bool has(const std::vector<NotJudged>& left, std::uint8_t kind, std::string_view field) {
+  return std::any_of(left.begin(), left.end(), [&](const NotJudged& one) {
+    return one.kind == kind && std::find(one.fields.begin(), one.fields.end(), field) != one.fields.end();
   });
-  CHECK(depths_not_judged(without_spans) == std::vector<std::uint8_t>{kind_of<DepthCompare>});
+}
+
+TEST_CASE("check: what nothing in the run says is not judged, and then it is not said that nothing is wrong") {
+  const Trace whole = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  const CheckReport all = check(whole);
+  CHECK(not_judged(all).empty());
+  CHECK(all.coverage);
+  CHECK(verdict_of(all) == Verdict::right);
+  // No spans: of a depth that is compared nothing says what it should be, nor that a pixel is missing.
+  const CheckReport without_spans = check(test::changed(whole, [](std::int64_t, const Event& event) {
+    return !holds<SpanBegin>(event) && !holds<DepthInterpolate>(event);
+  }));
+  CHECK(has(not_judged(without_spans), kind_of<DepthCompare>, "z"));
+  CHECK_FALSE(without_spans.coverage);
+  CHECK(verdict_of(without_spans) == Verdict::right_where_judged);
+  // Not even a polygon.
+  const CheckReport half = check(test::changed(whole, [polygons = 0](std::int64_t, const Event& event) mutable {
+    polygons += holds<PolygonBegin>(event);
+    return polygons < 2;
+  }));
+  CHECK(half.polygons_missing.size() + 1 == whole.scene().polygons.size());
+  CHECK(verdict_of(half) == Verdict::right_where_judged);
+  CHECK(verdict_of(check(test::changed(whole, [](std::int64_t, const Event&) { return false; }))) ==
+        Verdict::not_judged);
+}
+
+TEST_CASE("check: a span, pixels of one, or an edge that is missing is found where the run has what they follow from") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/pyramid-view.jsonl"));
+  REQUIRE(causes_of(right).empty());
+  const auto first_rule = [&](auto&& stays) {
+    const CheckReport report = check(test::changed(right, stays));
+    return report.causes.empty() || !report.causes.front().first.rule
+               ? std::string("none")
+               : std::string(rule_text(*report.causes.front().first.rule).name);
+  };
+  const auto wide = right.next<SpanBegin>(0, [](const SpanBegin& e) { return e.last > e.first + 2; });
+  REQUIRE(wide);
+  const auto span = get<SpanBegin>(right.event(*wide).event);
+  const auto is_pixel_of = [&](const Event& event, std::int32_t first, std::int32_t last) {
+    return visit_event(
+        [&]<class E>(const E& e) {
+          if constexpr (requires { e.x, e.y; }) return e.y == span.y && e.x >= first && e.x <= last;
+          return false;
+        },
+        event);
+  };
+  const auto next_span = right.next<SpanBegin>(*wide, [](const SpanBegin&) { return true; });
+  REQUIRE(next_span);
+  for (const std::int32_t x : {span.first, span.first + 1, span.last})
+    CHECK(first_rule([&](std::int64_t step, const Event& event) {
+            return step < *wide || step > *next_span || !is_pixel_of(event, x, x);
+          }) == "span_is_filled");
+  CHECK(first_rule([&](std::int64_t step, const Event& event) {
+          return step != *wide && (step < *wide || step > *next_span || !is_pixel_of(event, span.first, span.last));
+        }) == "pair_has_span");
+}
+
+TEST_CASE("check: the edge back to a polygon's first vertex may not be forgotten") {
+  zoo::Task task = test::triangles(3, 3, 18);
+  const auto cause = [&](const char* mistake) {
+    task.mistake = mistake;
+    std::string impossible;
+    return causes_of(test::trace_of(test::head(task, "float64", "increments") + zoo::edge_table(task), &impossible));
+  };
+  CHECK(cause("") == "");
+  CHECK(cause("closing_edge_left_out").find("line.outline_is_closed@") == 0);
+}
+
+TEST_CASE("check: a run without spans whose depths go by slopes is held to them") {
+  const auto run_of = [&](double off) {
+    // z = 10 + 3(x − 1) + 1(y − 1) or so: the plane of A, by its slopes.
+    const double dz_dx = (30.0 * 7 - 10.0 * 1) / (9.0 * 7 - 3.0 * 1), dz_dy = (10.0 * 9 - 30.0 * 3) / 60;
+    std::string text = small_head("plane", whole_table) + begin_a +
+                       fmt::format(R"({{"step":"slopes","polygon":0,"vertex_0":0,"vertex_1":1,"vertex_2":2,)"
+                                   R"("dz_dx":{},"dz_dy":{}}})"
+                                   "\n",
+                                   dz_dx, dz_dy);
+    for (const auto& [x, y] : {std::pair(3, 3), {4, 3}, {3, 4}}) {
+      const double z = 10 + dz_dx * (x - 1) + dz_dy * (y - 1) + (x == 4 ? off : 0);
+      text += compare_at(x, y, z, true) + write_at(x, y, z);
+    }
+    return test::trace_of(text);
+  };
+  CHECK(causes_of(run_of(0)) == "");
+  CHECK_FALSE(has(not_judged(check(run_of(0))), kind_of<DepthCompare>, "z"));
+  CHECK(causes_of(run_of(0.25)) == "compare.z@6");
+}
+
+TEST_CASE("check: a pixel is written where it was compared, also in runs without spans") {
+  const auto run_of = [&](const std::string& steps) {
+    return causes_of(test::trace_of(small_head("direct", whole_table) + begin_a + steps));
+  };
+  CHECK(run_of(compare_at(2, 2, 5, true) + write_at(2, 2, 5)) == "");
+  CHECK(run_of(compare_at(2, 2, 5, true) + write_at(5, 5, 5)) == "wz.write_after_win@3 wp.write_after_win@4");
+  CHECK(run_of(compare_at(2, 2, 5, true) + write_at(2, 2, 5) + compare_at(2, 2, 7, false) + write_at(2, 7, 7)) ==
+        "wz.write_after_win@6 wp.write_after_win@7");
+  // Won before, but written since.
+  CHECK(run_of(compare_at(2, 2, 5, true) + write_at(2, 2, 5) + compare_at(3, 2, 5, true) + write_at(2, 2, 5)) ==
+        "wz.write_after_win@6 wp.write_after_win@7");
+  // The last pixel of a polygon, too, has to be written.
+  CHECK(run_of(compare_at(2, 2, 5, true) + write_at(2, 2, 5) + compare_at(3, 2, 5, true) +
+               R"({"step":"polygon","polygon":1,"facet":1})"
+               "\n") == "polygon.win_is_written@6");
+  // Colours of some pixels may be written after all of them were compared.
+  const std::vector<std::pair<const char*, const char*>> colours{
+      {"polygon", "polygon_begin"}, {"compare", "depth_compare"}, {"wp", "pixel_write"}};
+  const auto colour = [](int x) {
+    return fmt::format(R"({{"step":"wp","x":{},"y":2,"polygon":0}})"
+                       "\n",
+                       x);
+  };
+  CHECK(causes_of(test::trace_of(small_head("direct", colours) + begin_a + compare_at(2, 2, 5, true) +
+                                 compare_at(3, 2, 5, true) + colour(2) + colour(3))) == "");
+}
+
+TEST_CASE("check: steps that a run never has are not recorded, whatever its header lists") {
+  const std::string compares = compare_at(2, 2, 5, true) + compare_at(3, 2, 5, true) + compare_at(2, 2, 4, true) +
+                               compare_at(2, 2, 4.5, false);
+  const Trace run = test::trace_of(small_head("direct", whole_table) + begin_a + compares +
+                                   R"({"step":"scan","y":1})"
+                                   "\n"
+                                   R"({"step":"scan","y":2})"
+                                   "\n");
+  CHECK(causes_of(run) == "");
+  const std::vector<std::string_view> never = never_recorded(run.header(), check(run));
+  CHECK(std::find(never.begin(), never.end(), "wz") != never.end());
+  CHECK(std::find(never.begin(), never.end(), "compare") == never.end());
+  CHECK(causes_of(test::trace_of(small_head("direct", whole_table) + begin_a + compares +
+                                 compare_at(2, 2, 4.25, true))) == "compare.nearer@6");
+  // With colours: their depths are not recorded either, unless the compares show that they are never written.
+  const auto with_colours = [&](bool farther_wins) {
+    std::string text = small_head("direct", whole_table);
+    for (const double z : {4.0, 5.0}) {
+      const bool wins = z == 4.0 || farther_wins;
+      text += begin_a + compare_at(2, 2, z, wins);
+      if (wins) text += R"({"step":"wp","x":2,"y":2,"polygon":0})"
+                        "\n";
+    }
+    return causes_of(test::trace_of(text));
+  };
+  CHECK(with_colours(false) == "");
+  CHECK(with_colours(true).find("win_is_written") != std::string::npos);
+}
+
+TEST_CASE("check: no number is right where one must be, in any field of any kind") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  int changed = 0;
+  for (const char* name : {"pyramid-view", "clipping", "depth-sort", "bsp", "scan-line", "ray-casting", "areas"}) {
+    const std::string path = test::in_checkout(fmt::format("tests/golden/{}.jsonl", name));
+    if (!std::filesystem::exists(path)) continue;
+    const Trace right = open_jsonl(path);
+    std::set<std::pair<std::uint8_t, std::size_t>> done;
+    for (std::int64_t at = 1; at <= right.size(); ++at) {
+      const Event event = right.event(at).event;
+      const auto kind = static_cast<std::uint8_t>(event.index());
+      const auto fields = fields_of_kind(kind);
+      for (std::size_t field = 0; field < fields.size(); ++field) {
+        if (fields[field].type != FieldOfKind::Type::real || !std::isfinite(fields[field].read(event)) ||
+            !done.insert({kind, field}).second)
+          continue;
+        for (const double value : {nan, inf}) {
+          if (value == inf && kind == kind_of<BuffersClear>) continue;
+          const Trace wrong = test::changed(right, [&](std::int64_t step, Event& changed_event) {
+            if (step == at) fields[field].write(changed_event, value);
+            return true;
+          });
+          const CheckReport report = check(wrong);
+          CAPTURE(name);
+          CAPTURE(std::string(kind_names()[kind]));
+          CAPTURE(std::string(fields[field].name));
+          CAPTURE(value);
+          REQUIRE_FALSE(report.causes.empty());
+          CHECK(report.causes.front().first.step == at);
+          ++changed;
+        }
+      }
+    }
+  }
+  CHECK(changed > 60);
+}
+
+/// The same run under a header that is changed.
+template <class Change, class ChangeEvent>
+Trace under(const Trace& right, Change&& change, ChangeEvent&& change_event) {
+  Header header = right.header();
+  change(header);
+  TraceRecorder recorder(header, right.scene());
+  for (std::int64_t step = 1; step <= right.size(); ++step) {
+    RecordedEvent recorded = right.event(step);
+    change_event(step, recorded.event);
+    record_any(recorder, recorded.step, recorded.event);
+  }
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "under");
+}
+
+template <class E>
+E called(std::string_view word) {
+  std::size_t k = 0;
+  while (words_of<E>[k] != word) ++k;
+  return static_cast<E>(k);
+}
+
+TEST_CASE("law: a convention acquits no number that is judged under the declared one alone") {
+  int hints = 0;
+  for (const char* interpolation : {"direct", "increments"})
+    for (const char* mistake : test::of_edge_table)
+      for (zoo::Task task : {test::triangles(3, 3, 18), test::ties()}) {
+        task.mistake = mistake;
+        std::string impossible;
+        const Trace run = test::trace_of(test::head(task, "float64", interpolation) + zoo::edge_table(task), &impossible);
+        const CheckReport report = check(run);
+        if (report.causes.empty()) continue;
+        const auto hint = convention_it_follows(run, report);
+        if (!hint) continue;
+        CAPTURE(interpolation);
+        CAPTURE(mistake);
+        CAPTURE(hint->key);
+        CAPTURE(hint->word);
+        const CheckReport other = check(under(
+            run,
+            [&](Header& header) {
+              using Nearer = Comparison::Nearer;
+              using Ties = Comparison::Ties;
+              if (hint->key == "nearer")
+                header.comparison.nearer = hint->word == "greater" ? Nearer::greater : Nearer::smaller;
+              if (hint->key == "ties") header.comparison.ties = hint->word == "last" ? Ties::last : Ties::first;
+              for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
+                if (key == hint->key) header.conventions.*member = called<E>(hint->word);
+              });
+            },
+            [](std::int64_t, Event&) {}));
+        CHECK(other.wrong_steps == hint->wrong_steps);
+        CHECK(other.judged >= report.judged);
+        CHECK(other.numbers >= report.numbers);
+        for (std::size_t kind = 0; kind < kind_count; ++kind) CHECK(other.kinds[kind].judged >= report.kinds[kind].judged);
+        CHECK(std::string(mistake) != "z_not_to_centre");
+        CHECK(std::string(mistake) != "z_stepped_before_use");
+        ++hints;
+      }
+  CHECK(hints > 0);
 }
 
 TEST_CASE("check: of foreign traces the first wrong step is named, and right ones are not doubted") {
@@ -190,21 +469,6 @@ TEST_CASE("check: numbers that a program writes with few digits are not doubted,
     REQUIRE(stepped);
     CHECK(causes_of(rounded(0.01, *stepped)).starts_with(fmt::format("step_edge.x_edge@{}", *stepped)));
   }
-}
-
-/// The same run under a header that is changed.
-template <class Change, class ChangeEvent>
-Trace under(const Trace& right, Change&& change, ChangeEvent&& change_event) {
-  Header header = right.header();
-  change(header);
-  TraceRecorder recorder(header, right.scene());
-  for (std::int64_t step = 1; step <= right.size(); ++step) {
-    RecordedEvent recorded = right.event(step);
-    change_event(step, recorded.event);
-    record_any(recorder, recorded.step, recorded.event);
-  }
-  recorder.finish();
-  return Trace::from_bytes(recorder.take_bytes(), "under");
 }
 
 TEST_CASE("check: the convention that a run follows otherwise than its header says is named, unless much is wrong still") {

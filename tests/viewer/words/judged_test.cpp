@@ -1,7 +1,17 @@
 // What check and diff say of a cause: whole sentences, each once.
 #include "sim/words/judged.hpp"
 
+#include <limits>
+
 #include <doctest/doctest.h>
+
+#include "sim/words/numbers.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
+#include "tests/where.hpp"
+#include "traces/events/fields.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/formulas/situation_of.hpp"
+#include "traces/replay/replay.hpp"
 
 using namespace zstep;
 
@@ -24,6 +34,54 @@ TEST_CASE("check: what is wrong, what was expected and what was found, in one li
   Fault impossible;
   impossible.impossible = "edge 7 is not in the edge table";
   CHECK(what_is_wrong(impossible, {}) == "this step is impossible: edge 7 is not in the edge table");
+}
+
+TEST_CASE("check: a result has the digits that tell it from what the trace has, and from nothing that does not follow") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/pyramid-view.jsonl"));
+  const auto at = right.next<DepthInterpolate>(0, [](const DepthInterpolate&) { return true; });
+  REQUIRE(at);
+  const auto field_line = [&](const Trace& trace) {
+    Replay replay(trace);
+    replay.go_to(*at - 1);
+    const Event event = trace.event(*at).event;
+    const FieldOfKind* z = field_of_kind(event.index(), "z");
+    const auto number = static_cast<unsigned>(z - fields_of_kind(event.index()).data());
+    return fields_in_words(event, formulas::situation_of(trace, replay.state()), static_cast<std::uint16_t>(1u << number))
+        .at(0);
+  };
+  CHECK(field_line(right).line().find("   from ") != std::string::npos);
+  for (const double off : {1e-2, 3e-5, 1e-6, 3e-8}) {
+    CAPTURE(off);
+    const Trace wrong = test::changed(right, [&](std::int64_t step, Event& event) {
+      if (auto* depth = get_if<DepthInterpolate>(&event); depth && step == *at) depth->z += off;
+      return true;
+    });
+    const CheckedRun run = judge_run(wrong, nullptr, false);
+    REQUIRE_FALSE(run.report.causes.empty());
+    const Fault& fault = run.report.causes.front().first;
+    const std::string text = what_is_wrong(fault, run.texts.front()), but = ", but the trace has ";
+    CAPTURE(text);
+    const std::size_t end = text.find(but), begin = text.rfind(" = ", end) + 3;
+    REQUIRE(end != std::string::npos);
+    const std::string ought = text.substr(begin, end - begin), is = text.substr(end + but.size());
+    CHECK(ought != is);
+    CHECK(shown_as(fault.expected, ought));
+    CHECK(shown_as(fault.recorded, is));
+    const FieldText field = field_line(wrong);
+    CHECK_FALSE(field.follows);
+    CHECK(field.line().find("   from ") == std::string::npos);
+    CHECK(field.formula.substr(field.formula.rfind(" = ") + 3) == ought);
+  }
+}
+
+TEST_CASE("check: what is no number is called so") {
+  Fault fault;
+  fault.field = "z", fault.recorded = std::numeric_limits<double>::quiet_NaN(), fault.expected = 0.5;
+  CHECK(what_is_wrong(fault, {}) == "z = 0.5, but the trace has NaN");
+  fault.expected = fault.recorded;
+  CHECK(what_is_wrong(fault, {}) == "z is NaN, where a finite number must be");
+  fault.recorded = std::numeric_limits<double>::infinity();
+  CHECK(what_is_wrong(fault, {}) == "z is \u221e, where a finite number must be");
 }
 
 TEST_CASE("check: how often a fault comes again, and what follows from it") {

@@ -1,0 +1,170 @@
+// Are all pixels of a polygon there? From its outline to the edge table, from there to the active edges, from these to
+// spans and from spans to pixels nothing may be left out. Judged of runs that record each of these.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "traces/file/trace.hpp"
+#include "traces/formulas/coverage.hpp"
+#include "traces/formulas/of_polygons.hpp"
+#include "traces/formulas/situation.hpp"
+
+namespace zstep {
+
+class Filling {
+  using Situation = formulas::Situation;
+  using Rule = formulas::Rule;
+
+ public:
+  explicit Filling(const Trace& trace)
+      : pixel_(trace.has(kind_of<DepthCompare>)       ? kind_of<DepthCompare>
+               : trace.has(kind_of<DepthInterpolate>) ? kind_of<DepthInterpolate>
+                                                      : kind_of<PixelPaint>),
+        judges_(trace.has(kind_of<EdgeTableInsert>) && trace.has(kind_of<EdgeEnter>) &&
+                trace.has(kind_of<ScanLineBegin>) && trace.has(kind_of<SpanBegin>) && trace.has(pixel_)),
+        pieces_(trace.has(kind_of<PieceDraw>)) {}
+
+  /// Nothing of the run was left open.
+  bool judges_all() const { return judges_; }
+
+  template <class E, class Out>
+  void look_at(const E& e, const Situation& at, Out& out) {
+    if (!judges_) return;
+    constexpr bool begins_polygon = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
+    constexpr bool begins_line = std::is_same_v<E, ScanLineBegin>, begins_span = std::is_same_v<E, SpanBegin>;
+    if constexpr (begins_polygon || begins_line || begins_span) end_span(at, out);
+    if constexpr (begins_polygon || begins_line) end_line(at, out);
+    if constexpr (begins_polygon) end_polygon(at, out);
+    if constexpr (begins_line) {
+      if (at.method().keeps_all) judges_ = false;  // a table of all polygons
+      else if (!at.method().scan_line) edges_are_whole(at, out);
+      line_ = e.y;
+    }
+    if constexpr (begins_span) {
+      if (active_.empty()) active_ = at.method().active;
+      spans_ += e.first <= e.last;
+      in_span_ = true;
+      visited_.assign(static_cast<std::size_t>(std::max(0, at.scene.raster.width)), false);
+    }
+    if constexpr (requires { e.x, e.y; })
+      if (kind_of<E> == pixel_) visit(e.x, e.y, at);
+  }
+
+ private:
+  void visit(std::int32_t x, std::int32_t y, const Situation& at) {
+    const auto& span = at.method().span;
+    if (!in_span_ || !span || span->y != y || x < 0 || static_cast<std::size_t>(x) >= visited_.size()) judges_ = false;
+    else visited_[static_cast<std::size_t>(x)] = true;
+  }
+  template <class Out>
+  void end_span(const Situation& at, Out& out) {
+    if (!in_span_ || !at.method().span) return;
+    in_span_ = false;
+    const SpanBegin& span = *at.method().span;
+    bool filled = true;
+    for (std::int32_t x = std::max(0, span.first); x <= span.last && filled; ++x)
+      filled = static_cast<std::size_t>(x) >= visited_.size() || visited_[static_cast<std::size_t>(x)];
+    out.rule(Rule::span_is_filled, filled);
+  }
+
+  /// How many spans with pixels lie between these edges, as far as that is certain, `back` scan lines before.
+  static int spans_between(std::vector<ActiveEdge> edges, const Situation& at, int back) {
+    constexpr double sure = 1e-3;  // of a pixel: nearer to a centre, rounding may decide
+    for (ActiveEdge& one : edges)
+      if (const EdgeTableInsert* entry = at.edge(one.edge)) one.x -= back * entry->dx_dy;
+    std::sort(edges.begin(), edges.end(), [](const ActiveEdge& one, const ActiveEdge& other) { return one.x < other.x; });
+    const std::int32_t width = at.scene.raster.width;
+    const auto has_pixels = [&](double left, double right, Conventions::Coverage coverage) {
+      return std::max(0, formulas::limited_column(formulas::first_pixel(left + sure, coverage), width)) <
+             formulas::limited_column(formulas::last_pixel(right - sure, coverage) + 1, width);
+    };
+    int count = 0;
+    using enum Conventions::Coverage;
+    for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
+      const double left = edges[i].x, right = edges[i + 1].x;
+      count += at.header.declares(Convention::coverage)
+                   ? has_pixels(left, right, at.header.conventions.coverage)
+                   : has_pixels(left, right, top_left) && has_pixels(left, right, round);
+    }
+    return count;
+  }
+  template <class Out>
+  void end_line(const Situation& at, Out& out) {
+    if (line_ == none) return;
+    const std::int32_t y = line_;
+    line_ = none;
+    int due = 0;
+    if (!active_.empty()) {
+      due = spans_between(std::move(active_), at, 0);
+    } else {
+      std::vector<ActiveEdge> edges = at.method().active;
+      std::erase_if(edges, [&](const ActiveEdge& one) {
+        const EdgeTableInsert* entry = at.edge(one.edge);
+        return !entry || entry->first_row > y || entry->end_row <= y;
+      });
+      // They may stand where this line has them, or have moved on to the next one.
+      due = std::min(spans_between(edges, at, 0), spans_between(edges, at, 1));
+    }
+    active_.clear();
+    out.rule(Rule::pair_has_span, std::exchange(spans_, 0) >= due);
+  }
+
+  /// Each edge of the outline at work that meets a scan line is in the table.
+  template <class Out>
+  void edges_are_whole(const Situation& at, Out& out) {
+    const MethodState& method = at.method();
+    std::span<const std::int32_t> outline = method.outline;
+    if (const Piece* piece = at.piece(method.piece)) outline = piece->outline;
+    if (outline.empty() && at.on_screen()) outline = formulas::detail::corners_of(at, method.facet);
+    if (outline.size() < 3) return void(judges_ = false);
+    const auto is_there = [&](std::int32_t one, std::int32_t other) {
+      const auto a = at.on_raster(one), b = at.on_raster(other);
+      const std::int32_t height = at.scene.raster.height;
+      if (!a || !b) return void(judges_ = false), true;
+      if (formulas::row_from(a->y, height) == formulas::row_from(b->y, height)) return true;
+      for (const EdgeTableInsert& entry : method.edge_table)
+        if (std::minmax(entry.vertex_0, entry.vertex_1) == std::minmax(one, other)) return true;
+      return false;
+    };
+    bool whole = true;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      whole = whole && is_there(outline[i], outline[(i + 1) % outline.size()]);
+    // Without any edge the polygon may be dropped for a reason that the run does not have.
+    if (!whole && method.edge_table.empty()) return void(judges_ = false);
+    out.rule(Rule::outline_is_closed, whole);
+  }
+  template <class Out>
+  void end_polygon(const Situation& at, Out& out) {
+    const MethodState& method = at.method();
+    if (method.keeps_all || method.rejected || method.polygon == no_polygon || (pieces_ && method.piece < 0)) return;
+    if (!method.scan_line) edges_are_whole(at, out);
+    bool all_entered = true, all_ended = true;
+    for (std::size_t edge = 0; edge < method.edge_table.size(); ++edge) {
+      const EdgeTableInsert& entry = method.edge_table[edge];
+      all_entered = all_entered && (method.edge_stages[edge] != EdgeStage::waiting || entry.first_row >= entry.end_row);
+    }
+    for (const ActiveEdge& active : method.active)
+      if (const EdgeTableInsert* entry = at.edge(active.edge); entry && method.scan_line)
+        all_ended = all_ended && entry->end_row <= *method.scan_line + 1;
+    out.rule(Rule::edge_missing, all_entered);
+    out.rule(Rule::line_is_next, all_ended);
+  }
+
+  static constexpr std::int32_t none = std::numeric_limits<std::int32_t>::min();
+  std::uint8_t pixel_;  ///< the kind of event that each pixel of a span has
+  bool judges_;
+  bool pieces_;  ///< what is drawn are pieces, after all polygons began
+  std::int32_t line_ = none;          ///< the scan line at work
+  std::vector<ActiveEdge> active_{};  ///< as its first span found them
+  int spans_ = 0;                     ///< of this line, with pixels
+  bool in_span_ = false;
+  std::vector<bool> visited_{};  ///< by column, pixels of the span at work
+};
+
+}  // namespace zstep

@@ -1,0 +1,55 @@
+#include "traces/check/not_judged.hpp"
+
+#include "traces/events/fields.hpp"
+#include "traces/formulas/follows.hpp"
+
+namespace zstep {
+
+namespace {
+
+/// Fields that say nothing in some steps: the slope of a span without width, a face that is seen edge-on.
+bool may_say_nothing(std::size_t kind, std::string_view field) {
+  return (kind == kind_of<SpanBegin> && field == "dz_dx") || (kind == kind_of<FacingTest> && field == "facing");
+}
+
+}  // namespace
+
+std::vector<NotJudged> not_judged(const CheckReport& report) {
+  std::vector<NotJudged> left;
+  for (std::size_t kind = 0; kind < kind_count; ++kind) {
+    const KindJudged& of = report.kinds[kind];
+    if (of.steps == 0 || !of.can_be_judged) continue;
+    if (of.judged == 0) {
+      left.push_back({static_cast<std::uint8_t>(kind), of.steps, of.steps, {}});
+      continue;
+    }
+    // Fields of which as much is known go together.
+    std::size_t first = left.size();
+    for (const FieldOfKind& field : fields_of_kind(kind)) {
+      if (formulas::origin_of(static_cast<std::uint8_t>(kind), field.name) != formulas::Origin::formula) continue;
+      const std::int64_t open = of.steps - of.fields[static_cast<std::size_t>(&field - fields_of_kind(kind).data())];
+      if (open == 0 || (open < of.steps && may_say_nothing(kind, field.name))) continue;
+      auto same = first;
+      while (same < left.size() && left[same].steps != open) ++same;
+      if (same == left.size()) left.push_back({static_cast<std::uint8_t>(kind), open, of.steps, {}});
+      left[same].fields.push_back(field.name);
+    }
+  }
+  return left;
+}
+
+Verdict verdict_of(const CheckReport& report) {
+  if (!report.causes.empty()) return Verdict::wrong;
+  if (report.judged == 0) return Verdict::not_judged;
+  const bool all = report.coverage && report.polygons_missing.empty() && not_judged(report).empty();
+  return all ? Verdict::right : Verdict::right_where_judged;
+}
+
+std::vector<std::string_view> never_recorded(const Header& header, const CheckReport& report) {
+  std::vector<std::string_view> names;
+  for (const StepInfo& step : header.page)
+    if (step.kind < kind_count && report.kinds[step.kind].steps == 0) names.push_back(step.name);
+  return names;
+}
+
+}  // namespace zstep
