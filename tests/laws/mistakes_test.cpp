@@ -5,16 +5,20 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "tests/golden/golden.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
 #include "tests/zoo/programs.hpp"
 #include "tests/zoo/runs.hpp"
 #include "tests/zoo/wrong_programs.hpp"
+#include "traces/check/check.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/grade/grade.hpp"
 #include "traces/mistakes/name.hpp"
 
@@ -237,4 +241,23 @@ TEST_CASE("mistakes: programs that print less are treated alike") {
     CHECK(as_it_is > 0);
   }
   CHECK_MESSAGE(table.empty(), table);
+}
+
+TEST_CASE("mistakes: numbers that are none get no name") {
+  const zoo::Task task = test::triangles(6, 6, 22);
+  const Trace right = test::trace_of(test::head(task, "float64", "increments") + zoo::edge_table(task));
+  for (const bool all : {true, false}) {
+    const Trace wrong = test::changed(right, [&](std::int64_t, Event& event) {
+      if (!holds<EdgeTableInsert>(event)) return true;
+      for (const FieldOfKind& field : fields_of_kind(event.index()))
+        if (field.type == FieldOfKind::Type::real && (all || field.name == "dx_dy" || field.name == "dz_dy"))
+          field.write(event, std::numeric_limits<double>::quiet_NaN());
+      return true;
+    });
+    const CheckReport report = check(wrong);
+    REQUIRE_FALSE(report.causes.empty());
+    const std::int64_t first = report.causes.front().first.step;
+    CHECK(mistakes::mistakes_of(wrong, first, 0, false, report.precision).empty());
+    CHECK_FALSE(mistakes::pair_of(wrong, first, report.precision));
+  }
 }

@@ -14,13 +14,13 @@ namespace detail {
 using formulas::detail::Interval;
 
 /// A half that reaches one column or row into its neighbour, and one that does not.
-inline void suppose_half(Interval recorded, Interval parent, Supposed& out) {
+inline void suppose_half(Interval recorded, Interval parent, std::string_view fields, Supposed& out) {
   const Interval right = formulas::detail::half_of(parent, recorded);
   const bool is_right = recorded.first == right.first && recorded.end == right.end;
   const bool into_next = recorded.first == right.first && recorded.end == right.end + 1,
              into_last = recorded.first == right.first - 1 && recorded.end == right.end;
   // Which half reaches too far is the program's; the other one says nothing.
-  if (into_next || into_last) out.says(quarters_overlap, true, false);
+  if (into_next || into_last) out.says(quarters_overlap, true, false, fields);
   else if (!is_right) out.says(quarters_overlap, false, false);
 }
 
@@ -44,8 +44,9 @@ inline std::optional<bool> in_front(const Situation& at, const AreaBegin& area, 
 inline void suppose(const AreaBegin& e, const Situation& at, Supposed& out) {
   if (e.parent < 0 || static_cast<std::size_t>(e.parent) >= at.method().areas.size()) return;
   const AreaBegin& parent = at.method().areas[static_cast<std::size_t>(e.parent)].entry;
-  detail::suppose_half({e.first_column, e.end_column}, {parent.first_column, parent.end_column}, out);
-  detail::suppose_half({e.first_row, e.end_row}, {parent.first_row, parent.end_row}, out);
+  detail::suppose_half({e.first_column, e.end_column}, {parent.first_column, parent.end_column}, "first_column end_column",
+                       out);
+  detail::suppose_half({e.first_row, e.end_row}, {parent.first_row, parent.end_row}, "first_row end_row", out);
 }
 
 inline void suppose(const AreaDecide& e, const Situation& at, Supposed& out) {

@@ -52,7 +52,7 @@ inline void suppose(const CurveBegin& e, const Situation& at, Supposed& out) {
   const std::vector<std::int32_t> rows = detail::rows_from_eye(at);
   const auto turn = static_cast<std::size_t>(e.curve);
   if (e.curve < 0 || turn >= rows.size()) return;
-  out.whole(farthest_first, e.row, {rows[rows.size() - 1 - turn]}, {rows[turn]});
+  out.whole(farthest_first, "row", e.row, {rows[rows.size() - 1 - turn]}, {rows[turn]});
 }
 
 inline void suppose(const HorizonCross& e, const Situation& at, Supposed& out) {
@@ -64,7 +64,7 @@ inline void suppose(const HorizonCross& e, const Situation& at, Supposed& out) {
                 d_1 = y_1 - Rounded(e.upper ? to.upper : to.lower);
   if (!std::isfinite(d_0.value) || !std::isfinite(d_1.value)) return;
   const Rounded t = formulas::where_zero(d_0, d_1), other = formulas::where_zero(d_1, d_0);
-  out.number(crossing_from_end, e.x_at, {formulas::part_of_way(x_0, x_1, other)}, formulas::part_of_way(x_0, x_1, t));
+  out.number(crossing_from_end, "x_at", e.x_at, {formulas::part_of_way(x_0, x_1, other)}, formulas::part_of_way(x_0, x_1, t));
 }
 
 inline void suppose(const ColorWrite& e, const Situation& at, Supposed& out) {
@@ -78,7 +78,7 @@ inline void suppose(const ColorWrite& e, const Situation& at, Supposed& out) {
     const Color ink = formulas::detail::ink_of_curve(at.scene.background, of);
     return ink.red == e.r8 && ink.green == e.g8 && ink.blue == e.b8;
   };
-  out.says(one_ink, is(Horizon::above), is(where));
+  out.says(one_ink, is(Horizon::above), is(where), "r8 g8 b8");
 }
 
 inline void suppose(const HorizonTest& e, const Situation& at, Supposed& out) {
@@ -88,13 +88,13 @@ inline void suppose(const HorizonTest& e, const Situation& at, Supposed& out) {
   if (work.segment) {
     const auto a = at.on_raster(work.segment->vertex_0), b = at.on_raster(work.segment->vertex_1);
     if (a && b && a->x != b->x && e.x > std::min(a->x, b->x) && e.x < std::max(a->x, b->x))
-      out.number(not_interpolated, e.y_curve, {Rounded(a->y), Rounded(b->y)},
+      out.number(not_interpolated, "y_curve", e.y_curve, {Rounded(a->y), Rounded(b->y)},
                  formulas::on_line(Rounded(a->y), Rounded(b->y), Rounded(e.x), Rounded(a->x), Rounded(b->x)));
   }
   if (e.x < 0 || column >= work.upper.size() || column >= work.lower.size()) return;
   const bool above = !(e.y_curve > work.upper[column]), below = !(e.y_curve < work.lower[column]);
   if (above || !below) return;
-  out.says(only_upper, e.verdict == Horizon::hidden, e.verdict == Horizon::below);
+  out.says(only_upper, e.verdict == Horizon::hidden, e.verdict == Horizon::below, "verdict");
   if (e.verdict == Horizon::hidden) out.rules_out(lower_never_moves);
 }
 

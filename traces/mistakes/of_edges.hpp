@@ -92,17 +92,17 @@ inline void suppose_ends(const E& e, const Situation& at, Supposed& out) {
   out.says(right_end_included,
            e.first == first &&
                (is(e.last, last + 1) || is(e.last, std::floor(e.x_right)) || is(e.last, std::floor(e.x_right) + 1)),
-           right);
+           right, "last");
   out.says(left_end_excluded, (is(e.first, first + 1) || is(e.first, std::floor(e.x_left) + 1)) && e.last == last,
-           right);
+           right, "first");
   out.says(
       ends_rounded,
       is(e.first, std::round(e.x_left)) && (is(e.last, std::round(e.x_right)) || is(e.last, std::round(e.x_right) - 1)),
-      right);
+      right, "first last");
   out.says(
       ends_truncated,
       is(e.first, std::trunc(e.x_left)) && (is(e.last, std::trunc(e.x_right)) || is(e.last, std::trunc(e.x_right) - 1)),
-      right);
+      right, "first last");
 }
 
 }  // namespace detail
@@ -112,7 +112,7 @@ inline void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out
   out.edges_of = e.polygon;
   const auto a = at.on_raster(e.vertex_0), b = at.on_raster(e.vertex_1);
   if (!a || !b) return;
-  if (a->y == b->y) return out.says(horizontal_inserted, true, false);
+  if (a->y == b->y) return out.says(horizontal_inserted, true, false, Supposed::whole_step);
   const bool other_way = a->y > b->y;
   const OnRaster &p = other_way ? *b : *a, &q = other_way ? *a : *b;
   const std::int32_t upper = other_way ? e.vertex_1 : e.vertex_0, lower = other_way ? e.vertex_0 : e.vertex_1;
@@ -122,31 +122,33 @@ inline void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out
   const std::int32_t past =
       formulas::may_include_end(at.header) ? formulas::row_from(std::floor(q.y) + 1, height) : end;
   if (past == end || at.header.declares(Convention::coverage))
-    out.whole(ends_one_late, e.end_row, {end + 1, detail::whole_of(std::floor(q.y)) + 1}, {end, past});
+    out.whole(ends_one_late, "end_row", e.end_row, {end + 1, detail::whole_of(std::floor(q.y)) + 1}, {end, past});
   const std::int32_t begin = formulas::row_from(p.y, height);
-  out.whole(starts_one_early, e.first_row, {std::max(0, detail::whole_of(std::floor(p.y))), std::max(0, begin - 1)},
+  out.whole(starts_one_early, "first_row", e.first_row, {std::max(0, detail::whole_of(std::floor(p.y))), std::max(0, begin - 1)},
             {begin});
 
   const Rounded x_0 = p.x, y_0 = p.y, z_0 = p.z, x_1 = q.x, y_1 = q.y, z_1 = q.z, row = e.first_row;
   const Rounded dx_dy = formulas::slope(x_0, x_1, y_0, y_1), dz_dy = formulas::slope(z_0, z_1, y_0, y_1);
-  if (p.x != q.x) out.number(slope_inverted, e.dx_dy, {formulas::slope(y_0, y_1, x_0, x_1)}, dx_dy);
-  out.number(
-      slope_whole, e.dx_dy,
+  if (p.x != q.x) out.number(slope_inverted, "dx_dy", e.dx_dy, {formulas::slope(y_0, y_1, x_0, x_1)}, dx_dy);
+  out.number(slope_whole, "dx_dy", e.dx_dy,
       {std::trunc(dx_dy.value), std::floor(dx_dy.value), std::trunc(std::trunc(q.x - p.x) / std::trunc(q.y - p.y))},
       dx_dy);
-  out.number(z_slope_of_x, e.dz_dy, {Rounded(e.dx_dy)}, dz_dy);
+  out.number(z_slope_of_x, "dz_dy", e.dz_dy, {Rounded(e.dx_dy)}, dz_dy);
   const Rounded z = formulas::on_line(z_0, z_1, row, y_0, y_1);
+  out.follows("x_edge", "dx_dy", e.x_edge, x_0 + Rounded(e.dx_dy) * (row - y_0));
+  for (const Rounded& from : {z_0, z_1})
+    out.follows("z_edge", "dz_dy", e.z_edge, from + Rounded(e.dz_dy) * (row - y_0));
   const bool turned = detail::is_turned(at, upper, lower);
   if (turned) {
-    out.number(z_not_swapped, e.dz_dy, {-dz_dy}, dz_dy);
-    out.number(z_not_swapped, e.z_edge, {formulas::on_line(z_1, z_0, row, y_0, y_1)}, z);
+    out.number(z_not_swapped, "dz_dy", e.dz_dy, {-dz_dy}, dz_dy);
+    out.number(z_not_swapped, "z_edge", e.z_edge, {formulas::on_line(z_1, z_0, row, y_0, y_1)}, z);
   }
   const auto slope_of_x = [&](auto made) {
     const Rounded slope = made(slope_inverted) && p.x != q.x ? formulas::slope(y_0, y_1, x_0, x_1) : dx_dy;
     return made(slope_whole) ? Rounded(std::trunc(slope.value)) : slope;
   };
-  out.together(e.dx_dy, {slope_inverted, slope_whole}, slope_of_x);
-  out.together(e.dz_dy, {z_slope_of_x, slope_inverted, slope_whole, z_not_swapped}, [&](auto made) {
+  out.together("dx_dy", e.dx_dy, {slope_inverted, slope_whole}, slope_of_x);
+  out.together("dz_dy", e.dz_dy, {z_slope_of_x, slope_inverted, slope_whole, z_not_swapped}, [&](auto made) {
     const Rounded slope = made(z_slope_of_x) ? slope_of_x(made) : dz_dy;
     return made(z_not_swapped) && turned ? -slope : slope;
   });
@@ -155,17 +157,17 @@ inline void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out
     if (made(z_at_vertex)) return other ? to : from;
     return other ? formulas::on_line(to, from, row, y_0, y_1) : formulas::on_line(from, to, row, y_0, y_1);
   };
-  out.together(e.z_edge, {z_not_swapped, z_at_vertex}, [&](auto made) { return z_from(z_0, z_1, made); });
-  out.number(x_at_vertex, e.x_edge, {x_0}, formulas::on_line(x_0, x_1, row, y_0, y_1));
-  out.number(z_at_vertex, e.z_edge, {z_0}, z);
+  out.together("z_edge", e.z_edge, {z_not_swapped, z_at_vertex}, [&](auto made) { return z_from(z_0, z_1, made); });
+  out.number(x_at_vertex, "x_edge", e.x_edge, {x_0}, formulas::on_line(x_0, x_1, row, y_0, y_1));
+  out.number(z_at_vertex, "z_edge", e.z_edge, {z_0}, z);
   const VertexStages *from = at.viewed(upper), *to = at.viewed(lower);
   if (!from || !to || !at.camera) return;
   if (at.header.conventions.depth != Conventions::Depth::view)
-    out.together(e.z_edge, {z_v_for_depth, z_not_swapped, z_at_vertex}, [&](auto made) {
+    out.together("z_edge", e.z_edge, {z_v_for_depth, z_not_swapped, z_at_vertex}, [&](auto made) {
       return made(z_v_for_depth) ? z_from(from->view.z, to->view.z, made) : z_from(z_0, z_1, made);
     });
   if (at.header.conventions.depth != Conventions::Depth::view)
-    out.number(z_v_for_depth, e.z_edge, {formulas::on_line(Rounded(from->view.z), Rounded(to->view.z), row, y_0, y_1)},
+    out.number(z_v_for_depth, "z_edge", e.z_edge, {formulas::on_line(Rounded(from->view.z), Rounded(to->view.z), row, y_0, y_1)},
                z);
   const bool before = detail::is_before_near(at, upper) || detail::is_before_near(at, lower);
   out.says(not_clipped_near, before, !before);
@@ -197,11 +199,11 @@ inline void suppose(const EdgeStep& e, const Situation& at, Supposed& out) {
     right_x = formulas::on_line(Rounded(a->x), Rounded(b->x), y, Rounded(a->y), Rounded(b->y));
     right_z = formulas::on_line(Rounded(a->z), Rounded(b->z), y, Rounded(a->y), Rounded(b->y));
   }
-  out.number(rounded_then_stepped, e.x_edge,
+  out.number(rounded_then_stepped, "x_edge", e.x_edge,
              {std::round((x + dx).value), std::trunc((x + dx).value), std::floor((x + dx).value)}, right_x);
-  out.number(z_not_carried, e.z_edge, {z}, right_z);
-  out.sum_in_float32(e.x_edge, active->x, entry->dx_dy, right_x);
-  out.sum_in_float32(e.z_edge, active->z, entry->dz_dy, right_z);
+  out.number(z_not_carried, "z_edge", e.z_edge, {z}, right_z);
+  out.sum_in_float32("x_edge", e.x_edge, active->x, entry->dx_dy, right_x);
+  out.sum_in_float32("z_edge", e.z_edge, active->z, entry->dz_dy, right_z);
 }
 
 inline void suppose(const EdgeSwap&, const Situation&, Supposed& out) { out.says(not_sorted, false, true); }
@@ -222,13 +224,13 @@ inline void suppose(const SpanBegin& e, const Situation& at, Supposed& out) {
     if (rows == 0)
       out.says(stepped_too_early, !out.equal(active->x, entry->x_edge), out.equal(active->x, entry->x_edge));
     const Rounded x = entry->x_edge, dx = entry->dx_dy;
-    if (rows > 0) out.number(stepped_twice, active->x, {x + Rounded(2 * rows) * dx}, x + Rounded(rows) * dx);
+    if (rows > 0) out.number(stepped_twice, "x_left", active->x, {x + Rounded(2 * rows) * dx}, x + Rounded(rows) * dx);
   }
   if (e.x_left == e.x_right) return;
   const Rounded dz_dx = formulas::slope(Rounded(e.z_left), Rounded(e.z_right), Rounded(e.x_left), Rounded(e.x_right));
   const EdgeTableInsert* right = at.edge(e.right_edge);
-  out.shows(z_by_slope_of_x, e.dz_dx, {Rounded(left->dx_dy), Rounded(right->dx_dy)}, dz_dx);
-  out.shows(z_by_slope_of_edge, e.dz_dx, {Rounded(left->dz_dy), Rounded(right->dz_dy)}, dz_dx);
+  out.shows(z_by_slope_of_x, "dz_dx", e.dz_dx, {Rounded(left->dx_dy), Rounded(right->dx_dy)}, dz_dx);
+  out.shows(z_by_slope_of_edge, "dz_dx", e.dz_dx, {Rounded(left->dz_dy), Rounded(right->dz_dy)}, dz_dx);
 }
 
 }  // namespace zstep::mistakes

@@ -129,7 +129,7 @@ inline void suppose(const EyeSide& e, const Situation& at, Supposed& out) {
                                                     eye.x, eye.y, eye.z);
   };
   const formulas::Rounded c = plane.plane_c;
-  out.number(side_by_normal, e.value, {value(0), c, -c, formulas::Rounded(0.0)}, value(perspective ? 1 : 0));
+  out.number(side_by_normal, "value", e.value, {value(0), c, -c, formulas::Rounded(0.0)}, value(perspective ? 1 : 0));
 }
 
 }  // namespace zstep::mistakes

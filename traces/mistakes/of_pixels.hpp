@@ -21,8 +21,9 @@ inline void suppose_last_written(const Situation& at, Supposed& out) {
   const bool stored = depth == last->z, as_before = depth == last->stored;
   const bool was_drawn = last->stored_polygon == at.method().polygon, was_stored = last->stored == last->z;
   if (*last->nearer) {
-    if (!was_stored && at.has_step<DepthWrite>()) out.says(depth_not_written, as_before && drawn, stored);
-    if (!was_drawn && at.has_step<PixelWrite>()) out.says(colour_not_written, !drawn && stored, drawn);
+    if (!was_stored && !at.method().compares_write && at.has_step<DepthWrite>())
+      out.says(depth_not_written, as_before && drawn, stored);
+    if (!was_drawn && at.records<PixelWrite>()) out.says(colour_not_written, !drawn && stored, drawn);
     return;
   }
   if (!was_drawn) out.says(colour_always, drawn, !drawn);
@@ -49,7 +50,7 @@ inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
   const bool adds = how == increments && last;
   const Rounded right = adds ? Rounded(last->z) + dz_dx : directly;
   if (const EdgeTableInsert* left = at.edge(span->left_edge); left && !adds)
-    out.together(e.z, {z_not_to_centre, z_stepped_before_use, z_by_slope_of_x, z_by_slope_of_edge}, [&](auto made) {
+    out.together("z", e.z, {z_not_to_centre, z_stepped_before_use, z_by_slope_of_x, z_by_slope_of_edge}, [&](auto made) {
       const Rounded slope = made(z_by_slope_of_x)      ? Rounded(left->dx_dy)
                             : made(z_by_slope_of_edge) ? Rounded(left->dz_dy)
                                                        : (z_right - z_left) / (x_right - x_left);
@@ -59,18 +60,18 @@ inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
     });
   if (!adds) {
     const Rounded from_first = z_left + (z_right - z_left) * (x - Rounded(span->first)) / (x_right - x_left);
-    out.number(z_not_to_centre, e.z, {from_first}, right);
-    out.number(z_stepped_before_use, e.z, {directly + dz_dx}, right);
+    out.number(z_not_to_centre, "z", e.z, {from_first}, right);
+    out.number(z_stepped_before_use, "z", e.z, {directly + dz_dx}, right);
   }
   if (!last || e.x <= span->first) return;
   const Rounded z = last->z;
   const Rounded of_first = formulas::on_line(z_left, z_right, Rounded(span->first), x_left, x_right);
-  if (span->dz_dx != 0) out.number(z_kept_along_span, e.z, {of_first}, right);
+  if (span->dz_dx != 0) out.number(z_kept_along_span, "z", e.z, {of_first}, right);
   if (const EdgeTableInsert* left = at.edge(span->left_edge), *beyond = at.edge(span->right_edge); left && beyond) {
-    out.number(z_by_slope_of_x, e.z, {z + Rounded(left->dx_dy), z + Rounded(beyond->dx_dy)}, right);
-    out.number(z_by_slope_of_edge, e.z, {z + Rounded(left->dz_dy), z + Rounded(beyond->dz_dy)}, right);
+    out.number(z_by_slope_of_x, "z", e.z, {z + Rounded(left->dx_dy), z + Rounded(beyond->dx_dy)}, right);
+    out.number(z_by_slope_of_edge, "z", e.z, {z + Rounded(left->dz_dy), z + Rounded(beyond->dz_dy)}, right);
   }
-  out.sum_in_float32(e.z, last->z, span->dz_dx, right);
+  out.sum_in_float32("z", e.z, last->z, span->dz_dx, right);
 }
 
 /// Is a write at the pixel whose depth was compared, or with x and y exchanged?
@@ -87,7 +88,7 @@ inline void suppose(const PolygonBegin&, const Situation& at, Supposed& out) { d
 
 inline void suppose(const BuffersClear& e, const Situation& at, Supposed& out) {
   const double empty = at.header.empty_depth();
-  if (e.z == 0 && empty != 0) out.says(buffer_begins_at_0, true, false);
+  if (e.z == 0 && empty != 0) out.says(buffer_begins_at_0, true, false, "z");
   if (e.z == empty && empty != 0) out.rules_out(buffer_begins_at_0);
   // A method that compares no depths can clear its buffers when it likes.
   if (at.before.position > 0 && at.method().polygon != no_polygon && at.has_step<DepthCompare>())
@@ -109,14 +110,14 @@ inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   const bool wins = comparison.wins(e.z, stored), right = e.nearer == wins;
   const bool tie = e.z == stored || out.equal(e.z, Rounded(stored));
   const std::int32_t drawn = at.before.picture.polygon[static_cast<std::size_t>(at.pixel(e.x, e.y))];
-  out.says(equal_wins, tie ? e.nearer : right, right);
+  out.says(equal_wins, tie ? e.nearer : right, right, "nearer");
   auto& line = out.one_line;
   if (line.empty()) line.assign(static_cast<std::size_t>(at.scene.raster.width), at.header.empty_depth());
   double& last = line[static_cast<std::size_t>(e.x)];
   const bool wins_on_line = comparison.wins(e.z, last);
   if (wins_on_line) last = e.z;
-  out.says(buffer_of_one_line, e.nearer == wins_on_line, right);
-  const bool draws = at.has_step<PixelWrite>();
+  out.says(buffer_of_one_line, e.nearer == wins_on_line, right, "nearer");
+  const bool draws = at.records<PixelWrite>();
   // Where pixels are not written the run says only who won there last, if it says which polygon is at work.
   auto& winners = out.winners;
   if (winners.empty()) winners.assign(at.before.picture.polygon.size(), no_polygon);
@@ -125,7 +126,7 @@ inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   const bool of_other = draws ? drawn != no_polygon && drawn != here
                               : stored != at.header.empty_depth() && (here == no_polygon || winner != here);
   if (e.nearer) winner = here;
-  out.says(buffer_reset, of_other ? e.nearer : right, right);
+  out.says(buffer_reset, of_other ? e.nearer : right, right, "nearer");
   if (tie) return;
   const bool empty = draws ? drawn == no_polygon : stored == at.header.empty_depth();
   // Against nothing, a reversed compare either always loses or has a case of its own.
@@ -133,9 +134,9 @@ inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   if (out.won_empty && out.lost_empty) out.rules_out(compare_reversed);
   // Where the run does not say what the buffer was cleared to, one that was cleared to 0 loses as well.
   const bool either = empty && !at.records<BuffersClear>();
-  if (!either && (!empty || !right)) out.says(compare_reversed, !right, right);
+  if (!either && (!empty || !right)) out.says(compare_reversed, !right, right, "nearer");
   if (either) {
-  } else if (empty && e.nearer == comparison.wins(e.z, 0)) out.says(buffer_begins_at_0, true, right);
+  } else if (empty && e.nearer == comparison.wins(e.z, 0)) out.says(buffer_begins_at_0, true, right, "nearer");
   else if (empty) out.rules_out(buffer_begins_at_0);
 }
 
@@ -157,7 +158,7 @@ inline void suppose(const PixelPaint& e, const Situation& at, Supposed& out) {
   const auto depth = [&](double x) {
     return formulas::plane_depth<Rounded>(plane.plane_a, plane.plane_b, plane.plane_c, plane.plane_d, x, e.y);
   };
-  out.number(z_kept_along_span, e.z, {depth(seen.first)}, depth(e.x));
+  out.number(z_kept_along_span, "z", e.z, {depth(seen.first)}, depth(e.x));
 }
 
 inline void suppose(const PixelWrite& e, const Situation& at, Supposed& out) {

@@ -17,7 +17,7 @@ inline void suppose(const BoxTest& e, const Situation& at, Supposed& out) {
   const RayHit* kept = formulas::detail::kept_hit(at);
   const bool met = passage.enter.value < passage.leave.value && passage.leave.value > reach.least &&
                    passage.enter.value < (kept ? kept->t : reach.most);
-  if (met) out.says(box_misses_at_0, !e.hit, e.hit);
+  if (met) out.says(box_misses_at_0, !e.hit, e.hit, "t_enter t_leave hit");
 }
 
 inline void suppose(const RayHit& e, const Situation& at, Supposed& out) {
@@ -28,11 +28,11 @@ inline void suppose(const RayHit& e, const Situation& at, Supposed& out) {
   const bool nearer = !kept || e.t < kept->t;
   if (e.t < reach.least) {
     const bool kept_on = e.nearest == (e.inside && nearer);
-    if (kept_on) out.says(negative_t, true, false);
+    if (kept_on) out.says(negative_t, true, false, "nearest");
     else out.rules_out(negative_t);
   }
   if (!e.inside || e.t < reach.least || e.t > reach.most || (kept && e.t == kept->t)) return;
-  out.says(nearest_by_index, e.nearest, e.nearest == nearer);
+  out.says(nearest_by_index, e.nearest, e.nearest == nearer, "nearest");
 }
 
 }  // namespace zstep::mistakes

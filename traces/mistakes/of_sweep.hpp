@@ -76,7 +76,7 @@ inline void suppose(const SpanFlags& e, const Situation& at, Supposed& out) {
   if (here == active.end()) return;
   const bool sorted = std::is_sorted(active.begin(), active.end(), [](auto& a, auto& b) { return a.x < b.x; });
   if (!sorted && here + 1 != active.end() && out.equal(e.x_right, Rounded((here + 1)->x)))
-    out.says(not_sorted, true, false);
+    out.says(not_sorted, true, false, "x_right first last");
   // All edges up to here, those at the same place among them.
   auto beyond = here + 1;
   while (beyond != active.end() && beyond->x == here->x) ++beyond;
@@ -94,7 +94,7 @@ inline void suppose(const PlaneEquation& e, const Situation& at, Supposed& out) 
   const auto plane = piece ? formulas::detail::own_plane(at, *piece) : std::nullopt;
   if (!plane) return;
   const Rounded d = plane->as_long_as({e.plane_a, e.plane_b, e.plane_c}).d;
-  if (!out.equal(d.value, Rounded(0.0, d.spread))) out.number(plane_d_sign, e.plane_d, {-d}, d);
+  if (!out.equal(d.value, Rounded(0.0, d.spread))) out.number(plane_d_sign, "plane_d", e.plane_d, {-d}, d);
 }
 
 inline void suppose(const FlagFlip&, const Situation& at, Supposed& out) {

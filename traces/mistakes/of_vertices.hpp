@@ -27,7 +27,7 @@ inline bool is_before_near(const Situation& at, std::int32_t vertex) {
 
 inline void suppose(const ViewTransform& e, const Situation& at, Supposed& out) {
   if (at.on_screen()) return;
-  if (const auto z_v = detail::true_z_v(at, e.vertex)) out.number(depth_axis_reversed, e.z_v, {-*z_v}, *z_v);
+  if (const auto z_v = detail::true_z_v(at, e.vertex)) out.number(depth_axis_reversed, "z_v", e.z_v, {-*z_v}, *z_v);
 }
 
 inline void suppose(const Projection& e, const Situation& at, Supposed& out) {
@@ -37,9 +37,10 @@ inline void suppose(const Projection& e, const Situation& at, Supposed& out) {
   const bool parallel = at.camera->kind == Camera::Kind::orthographic;
   const double on_plane[2] = {e.x_p, e.y_p}, viewed[2] = {vertex->view.x, vertex->view.y};
   for (int axis = 0; axis < 2 && !parallel; ++axis) {
+    const std::string_view name = axis == 0 ? "x_p" : "y_p";
     const Rounded v = viewed[axis], right = formulas::projected(d, v, z_v);
-    out.number(no_divide, on_plane[axis], {v, d * v}, right);
-    out.number(divide_twice, on_plane[axis], {right / z_v, d * right / z_v}, right);
+    out.number(no_divide, name, on_plane[axis], {v, d * v}, right);
+    out.number(divide_twice, name, on_plane[axis], {right / z_v, d * right / z_v}, right);
   }
   if (!parallel && detail::is_before_near(at, e.vertex)) out.says(not_clipped_near, true, false);
   if (!at.header.declares(Convention::depth) || !(at.camera->near < at.camera->far)) return;
@@ -51,7 +52,7 @@ inline void suppose(const Projection& e, const Situation& at, Supposed& out) {
                         : parallel           ? formulas::parallel_pseudodepth(near, far, z_v)
                                              : formulas::pseudodepth(near, formulas::pseudodepth_a(near, far),
                                                                      formulas::pseudodepth_b(near, far), z_v);
-  out.number(z_v_for_depth, e.z, {z_v}, right);
+  out.number(z_v_for_depth, "z", e.z, {z_v}, right);
 }
 
 inline void suppose(const ViewportTransform& e, const Situation& at, Supposed& out) {
@@ -64,15 +65,15 @@ inline void suppose(const ViewportTransform& e, const Situation& at, Supposed& o
   const Rounded x = formulas::screen_x(Rounded(vertex->plane.x), w_x, Rounded(raster.width)),
                 y = formulas::screen_y(Rounded(vertex->plane.y), w_y, height);
   const Rounded half = 0.5, turned = height - y - Rounded(1.0);
-  out.number(y_upside_down, e.y_s, {turned, turned + half, turned - half}, y);
-  out.number(centres_half_off, e.x_s, {x + half}, x);
-  out.number(centres_half_off, e.y_s, {y + half}, y);
+  out.number(y_upside_down, "y_s", e.y_s, {turned, turned + half, turned - half}, y);
+  out.number(centres_half_off, "x_s", e.x_s, {x + half}, x);
+  out.number(centres_half_off, "y_s", e.y_s, {y + half}, y);
 }
 
 inline void suppose(const FacingTest& e, const Situation&, Supposed& out) {
   if (e.facing == Facing::edge_on || e.view_dot_normal == 0) return;
   const Facing right = e.view_dot_normal > 0 ? Facing::back : Facing::front;
-  out.says(clockwise_front, e.facing != right, e.facing == right);
+  out.says(clockwise_front, e.facing != right, e.facing == right, "facing");
 }
 
 inline void suppose(const ClipCross& e, const Situation&, Supposed& out) {

@@ -44,6 +44,12 @@ Pixels pixels_of(const Trace& run, const std::array<bool, kind_count>& both) {
   return pixels;
 }
 
+/// Of the kinds that are compared here.
+bool is_of_pixel(std::uint8_t kind) {
+  return kind == kind_of<DepthInterpolate> || kind == kind_of<DepthCompare> || kind == kind_of<DepthWrite> ||
+         kind == kind_of<PixelWrite>;
+}
+
 void sort(Pixels& pixels) {
   std::stable_sort(pixels.begin(), pixels.end(),
                    [](const AtPixel& one, const AtPixel& other) { return one.where() < other.where(); });
@@ -67,6 +73,9 @@ bool same(const Pixels& reference, Pixels run, bool whole, const Supposed& numbe
 }  // namespace
 
 std::optional<Mistake> turned_of(const Trace& reference, const Trace& run, const Precision& precision) {
+  // What is wrong before the pixels, or with their numbers, is not explained by where they are.
+  for (const Fault& fault : faults_of(run, precision))
+    if (!is_of_pixel(fault.kind)) return std::nullopt;
   std::array<bool, kind_count> both{};
   for (std::size_t kind = 0; kind < kind_count; ++kind)
     both[kind] = reference.has(static_cast<std::uint8_t>(kind)) && run.has(static_cast<std::uint8_t>(kind));
