@@ -135,6 +135,7 @@ struct Judge {
   Number named(std::string_view, const Number& formula) { return formula; }
   void reads(const Place& place) { checker.read(place); }
   bool trusts(const Place& place) const { return checker.inheritance.of(place) == Inheritance::clean; }
+  bool every_digit() const { return checker.report.precision.every_digit; }
   bool equal(double one, double other) const { return checker.within_rounding(Rounded(one), other); }
 
   void gives(Follows<E, double> field, const Number& formula) {
@@ -274,6 +275,8 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
     ++checker.report.steps;
     return !(on_checked && position % now_and_then == 0 && on_checked(position));
   });
+  at.look();
+  filling.end(at);
   checker.report.coverage = filling.judges_all();
   if (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceMake>))
     for (std::size_t polygon = 0; polygon < has_steps.size(); ++polygon)

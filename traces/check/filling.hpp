@@ -12,6 +12,7 @@
 
 #include "traces/file/trace.hpp"
 #include "traces/formulas/coverage.hpp"
+#include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/of_polygons.hpp"
 #include "traces/formulas/situation.hpp"
 
@@ -56,6 +57,21 @@ class Filling {
       if (kind_of<E> == pixel_) visit(e.x, e.y, at);
   }
 
+  /// The run is over. Where something is still due its end may be missing, or more.
+  void end(const Situation& at) {
+    struct Due {
+      bool all_done = true;
+      void rule(Rule, bool holds) { all_done = all_done && holds; }
+      bool equal(double one, double other) const { return one == other; }
+      bool every_digit() const { return true; }
+    } due;
+    if (!judges_) return;
+    end_span(at, due);
+    end_line(at, due);
+    end_polygon(at, due);
+    judges_ = judges_ && due.all_done && !formulas::detail::last_win_is_missing(at, due);
+  }
+
  private:
   void visit(std::int32_t x, std::int32_t y, const Situation& at) {
     const auto& span = at.method().span;
@@ -73,9 +89,9 @@ class Filling {
     out.rule(Rule::span_is_filled, filled);
   }
 
-  /// How many spans with pixels lie between these edges, as far as that is certain, `back` scan lines before.
-  static int spans_between(std::vector<ActiveEdge> edges, const Situation& at, int back) {
-    constexpr double sure = 1e-3;  // of a pixel: nearer to a centre, rounding may decide
+  /// How many spans with pixels lie between these edges, `back` scan lines before. `sure`: so much of a pixel beside a
+  /// centre rounding may decide.
+  static int spans_between(std::vector<ActiveEdge> edges, const Situation& at, int back, double sure) {
     for (ActiveEdge& one : edges)
       if (const EdgeTableInsert* entry = at.edge(one.edge)) one.x -= back * entry->dx_dy;
     std::sort(edges.begin(), edges.end(), [](const ActiveEdge& one, const ActiveEdge& other) { return one.x < other.x; });
@@ -100,8 +116,9 @@ class Filling {
     const std::int32_t y = line_;
     line_ = none;
     int due = 0;
+    constexpr double rounded = 1e-3, added = 1e-6;
     if (!active_.empty()) {
-      due = spans_between(std::move(active_), at, 0);
+      due = spans_between(std::move(active_), at, 0, out.every_digit() ? 0 : rounded);
     } else {
       std::vector<ActiveEdge> edges = at.method().active;
       std::erase_if(edges, [&](const ActiveEdge& one) {
@@ -109,7 +126,8 @@ class Filling {
         return !entry || entry->first_row > y || entry->end_row <= y;
       });
       // They may stand where this line has them, or have moved on to the next one.
-      due = std::min(spans_between(edges, at, 0), spans_between(edges, at, 1));
+      const double sure = out.every_digit() ? added : rounded;
+      due = std::min(spans_between(edges, at, 0, sure), spans_between(edges, at, 1, sure));
     }
     active_.clear();
     out.rule(Rule::pair_has_span, std::exchange(spans_, 0) >= due);

@@ -149,6 +149,13 @@ TEST_CASE("check: what nothing in the run says is not judged, and then it is not
   }));
   CHECK(half.polygons_missing.size() + 1 == whole.scene().polygons.size());
   CHECK(verdict_of(half) == Verdict::right_where_judged);
+  // Nor its last scan lines, or pixels.
+  for (const std::int64_t missing : {3, 30, 60}) {
+    CAPTURE(missing);
+    CHECK(verdict_of(check(test::changed(whole, [&](std::int64_t step, const Event&) {
+            return step <= whole.size() - missing;
+          }))) == Verdict::right_where_judged);
+  }
   CHECK(verdict_of(check(test::changed(whole, [](std::int64_t, const Event&) { return false; }))) ==
         Verdict::not_judged);
 }
