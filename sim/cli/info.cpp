@@ -62,7 +62,8 @@ std::string head_text(const Trace& trace, const std::string& path) {
   table.row(
       {"interpolation", declared(Convention::interpolation, interpolation_text(header.conventions.interpolation))});
   table.row({"coverage", declared(Convention::coverage, coverage_text(header.conventions.coverage, scene.raster))});
-  table.row({"back faces", back_faces_text(trace, declared(Convention::cull, header.conventions.cull ? "culled" : "drawn"))});
+  const std::string cull = declared(Convention::cull, header.conventions.cull ? "culled" : "drawn");
+  table.row({"back faces", back_faces_text(trace, cull)});
   return table.text(0);
 }
 

@@ -250,8 +250,8 @@ float App::draw_race_head(ImVec2 at, float width) {
   to.x = std::max(to.x, at.x + width - close);
   if (next("Close", false, "Back to one run (Esc).")) close_race();
   const char* counts[] = {
-      "A step is one thing that the trace records, bookkeeping included. Some take far longer than others: only the time "
-      "(3) says which method is faster.",
+      "A step is one thing that the trace records, bookkeeping included. Some take far longer than others: only the "
+      "time (3) says which method is faster.",
       "An operation is a step that computes, decides or writes something. Some take longer than others: only the time "
       "(3) says which method is faster.",
       "Times are of the processor, measured here without a recording: the median of several runs."};

@@ -197,7 +197,8 @@ void Stage::show_made(OtherRun run, Asked asked) {
   if (other_ && lesson_) changed.told += " The lesson waits.";
   if (!place.empty()) changed.told += fmt::format(" Here: {}.", place);
   if (app().drawer() != Drawer::what_if) app().say(changed.told);
-  app().show_changes(std::move(changed), back ? nullptr : against ? std::shared_ptr<const Trace>(against, &against->trace)
+  app().show_changes(std::move(changed), back      ? nullptr
+                                         : against ? std::shared_ptr<const Trace>(against, &against->trace)
                                                  : std::shared_ptr<const Trace>(std::shared_ptr<void>(), first_));
   before.app.reset();  // it looks at that run
   if (!goes_on) before_change_ = std::move(before.run);

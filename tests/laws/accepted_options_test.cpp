@@ -1,5 +1,5 @@
-// What is accepted has its effect: each convention and each option of each method, on scenes of each kind, is refused or
-// makes another run.
+// What is accepted has its effect: each convention and each option of each method, on scenes of each kind, is refused
+// or makes another run.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -23,8 +23,8 @@ namespace {
 std::vector<Scene> scenes_of(Camera::Kind kind) {
   std::vector<Scene> all;
   for (const char* name : {"pyramid", "intersecting", "lessons/scenes/six-walls.toml", "lessons/scenes/panes.toml",
-                           "lessons/scenes/lamp.toml", "tests/golden/shadow.toml", "lessons/scenes/slanting.toml", "tests/golden/edges.toml",
-                           "tests/golden/scan-line.toml", "y = sin(x)*cos(z)"}) {
+                           "lessons/scenes/lamp.toml", "tests/golden/shadow.toml", "lessons/scenes/slanting.toml",
+                           "tests/golden/edges.toml", "tests/golden/scan-line.toml", "y = sin(x)*cos(z)"}) {
     const std::string text = name;
     const bool file = text.ends_with(".toml");
     Scene scene = load_scene(file ? test::in_checkout(text) : text).scene;
@@ -45,7 +45,8 @@ std::string steps_of(const Method& method, const Scene& scene, const Conventions
 
 /// How a method takes something other than usual: on none of the scenes, without an effect on any, or with one.
 enum class Takes { refused, without_effect, with_effect };
-Takes taken(const Method& method, const std::vector<Scene>& scenes, const Conventions& usual, const Conventions& other) {
+Takes taken(const Method& method, const std::vector<Scene>& scenes, const Conventions& usual,
+            const Conventions& other) {
   Takes found = Takes::refused;
   for (const Scene& scene : scenes) {
     if (!can_draw(method, scene, usual) || !can_draw(method, scene, other)) continue;
@@ -134,8 +135,9 @@ TEST_CASE("law: each word of each option of a method makes another run of some s
 
 TEST_CASE("cull = true in a scene whose points are on the screen is refused, and so is a change to it") {
   const auto file = std::filesystem::temp_directory_path() / "zstep-cull-on-screen.toml";
-  std::ofstream(file) << "coordinates = \"screen\"\npoints = [[0, 0, 1], [4, 0, 1], [0, 4, 1]]\n[raster]\nwidth = 5\nheight = 5\n"
-                         "[[polygon]]\ncorners = [0, 1, 2]\n[options]\ncull = true\n";
+  std::ofstream(file)
+      << "coordinates = \"screen\"\npoints = [[0, 0, 1], [4, 0, 1], [0, 4, 1]]\n[raster]\nwidth = 5\nheight = 5\n"
+         "[[polygon]]\ncorners = [0, 1, 2]\n[options]\ncull = true\n";
   std::string why;
   try {
     load_scene(file.string());

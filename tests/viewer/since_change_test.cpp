@@ -44,7 +44,9 @@ int marks_in(Stage& stage, const std::string& pane) {
 
 }  // namespace
 
-TEST_CASE("law: what a change makes otherwise is marked in every method's tables and pictures, until the next change, and undone nothing is") {
+TEST_CASE(
+    "law: what a change makes otherwise is marked in every method's tables and pictures until the next change, undone "
+    "nothing is") {
   struct Shown {
     const char *method, *scene, *pane;
     double share;

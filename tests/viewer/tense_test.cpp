@@ -132,7 +132,8 @@ TEST_CASE("from a changed run N goes on with the lesson that waits, and what was
   CHECK(stage.changes() == std::vector<Change>{{"theta", "80"}});
 }
 
-TEST_CASE("a lesson that was read to its end, or is shown to a class, begins at its first stop; else where it was left") {
+TEST_CASE(
+    "a lesson that was read to its end, or is shown to a class, begins at its first stop; else where it was left") {
   InLesson in("z-buffer");
   Settings settings;
   const auto place = [&](int stop) {
@@ -189,7 +190,8 @@ TEST_CASE("Shift+E asks where the depth of the selected pixel comes from, and no
   CHECK(app.session().message.find("no depth") != std::string::npos);
 }
 
-TEST_CASE("law: x_L and x_R are drawn where they are, on the scale of pixel centres, and are named where pixels are large") {
+TEST_CASE(
+    "law: x_L and x_R are drawn where they are, on the scale of pixel centres, and are named where pixels are large") {
   const Trace trace = test::record_run("pyramid");
   App app(trace, nullptr, {}, 1280, 720);
   int spans = 0, named = 0;

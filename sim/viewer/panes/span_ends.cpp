@@ -31,8 +31,8 @@ std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 ori
     return std::nullopt;
   const SpanOnRaster at = span_on_raster(map, span->x_left, span->x_right, span->y);
   SpanEnds ends{origin.x + static_cast<float>(at.left), origin.x + static_cast<float>(at.right),
-                origin.y + static_cast<float>(at.top), origin.y + static_cast<float>(at.end),
-                static_cast<float>(map.cell), std::nullopt};
+                origin.y + static_cast<float>(at.top),  origin.y + static_cast<float>(at.end),
+                static_cast<float>(map.cell),           std::nullopt};
   if (map.cell < static_cast<double>(ui.fonts.bold->FontSize)) return ends;
   // Below the scan line, or above it where there is no room; beside each other where the ends are near.
   const ImVec2 one = name_size(ui, below_x[0]), other = name_size(ui, below_x[1]);
@@ -44,7 +44,8 @@ std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 ori
   };
   const float x_left = within(ends.left - one.x / 2 - near, one.x),
               x_right = std::max(within(ends.right - other.x / 2 + near, other.x), x_left + one.x + gap);
-  ends.names = std::array{SpanEnds::Name{{x_left, std::round(y)}, one}, SpanEnds::Name{{x_right, std::round(y)}, other}};
+  ends.names =
+      std::array{SpanEnds::Name{{x_left, std::round(y)}, one}, SpanEnds::Name{{x_right, std::round(y)}, other}};
   return ends;
 }
 
