@@ -95,11 +95,12 @@ constexpr std::array catalog{
            .paper =
                "T. J. Wright, A Two-Space Solution to the Hidden Line Problem for Plotting Functions of Two Variables, "
                "IEEE Transactions on Computers C-22(1), 1973",
-           .gives = Gives::lines, .needs = Needs::surface, .exact = false, .options = floating_horizon::options),
+           .gives = Gives::lines, .needs = Needs::surface, .exact = false, .culls = false,
+           .options = floating_horizon::options),
     METHOD(
         wireframe, .id = "wireframe", .title = "Wireframe",
         .paper = "as every line drawing; J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 1990",
-        .gives = Gives::lines, .options = wireframe::options),
+        .gives = Gives::lines, .culls = false, .options = wireframe::options),
     METHOD(
         hidden_line, .id = "hidden-line", .title = "Hidden lines",
         .paper = "L. G. Roberts, Machine Perception of Three-Dimensional Solids, MIT Lincoln Laboratory TR 315, 1963",
@@ -156,6 +157,10 @@ bool can_draw(const Method& method, const Scene& scene, const Conventions& conve
   } catch (const InputError&) {
     return false;
   }
+}
+
+bool can_cull(const Method& method, const Scene& scene) {
+  return method.culls && scene.camera.kind != Camera::Kind::screen;
 }
 
 Conventions conventions_for(const Method& other, Conventions conventions) {

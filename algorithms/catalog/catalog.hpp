@@ -37,6 +37,8 @@ struct Method {
   bool interpolates = false;
   /// And it interpolates in any way that Conventions have: what, how, in which numbers.
   bool in_any_way = false;
+  /// It drops back faces where the conventions say so. False where it has none, or an option of its own decides.
+  bool culls = true;
   std::span<const Option> options = {};
   /// Throws InputError where conventions and options, each possible by itself, do not go together.
   void (*check)(const Conventions&, const std::string& who) = nullptr;
@@ -63,6 +65,9 @@ void check_run(const Method& method, const Scene& scene, const Conventions& conv
 
 /// Whether it can.
 bool can_draw(const Method& method, const Scene& scene, const Conventions& conventions);
+
+/// Whether --no-cull, or cull, means something for it: there is an eye, and the method asks which side it sees.
+bool can_cull(const Method& method, const Scene& scene);
 
 /// What stays of a run's conventions for another method: its options are not the other's.
 Conventions conventions_for(const Method& other, Conventions conventions);

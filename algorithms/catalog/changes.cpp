@@ -317,7 +317,8 @@ std::vector<Changeable> changeables(const Method& method, const Scene& scene, co
                      {},
                      number.nudge != 0 ? number.nudge : nudge_of(now)});
   all.push_back({"size", fmt::format("{}x{}", scene.raster.width, scene.raster.height), "pixels of the raster"});
-  all.push_back({"cull", conventions.cull ? "on" : "off", "back faces are dropped", {"off", "on"}});
+  if (can_cull(method, scene))
+    all.push_back({"cull", conventions.cull ? "on" : "off", "back faces are dropped", {"off", "on"}});
   for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
     if (!has(method, key)) return;
     Changeable one{dashed(key), dashed(word_of(conventions.*member)), std::string(meaning_of(key))};
@@ -357,7 +358,7 @@ void make_change(const Method& method, const Change& change, Scene& scene, Conve
     other = look_at_scene(std::move(other), options);
   } else if (change.name == "size") {
     resize(place, other);
-  } else if (change.name == "cull") {
+  } else if (change.name == "cull" && can_cull(method, scene)) {
     if (change.value != "on" && change.value != "off")
       place.refuse(fmt::format("{} is none of its words", change.value), "give on or off");
     others.cull = change.value == "on";

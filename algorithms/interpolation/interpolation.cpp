@@ -356,12 +356,18 @@ void check(const Scene& scene, const Conventions& c) {
   const std::string depth = "--depth " + std::string(word_of(c.depth));
   if ((c.depth == corrected || c.depth == reciprocal) && kind == Camera::Kind::orthographic)
     throw InputError(depth, "divides by z_v, which parallel projection does not do", "leave out --ortho");
-  if (c.depth != pseudodepth && c.depth != view && kind == Camera::Kind::screen)
+  if (c.depth != pseudodepth && kind == Camera::Kind::screen)
     throw InputError(depth, "needs a camera, and this scene's points are on the screen already",
                      "take a scene with a camera; 'zstep list scenes' says which have one");
   if (c.positions == Conventions::Positions::integer && kind == Camera::Kind::screen)
     throw InputError("--positions integer", "needs a camera, and this scene's points are on the screen already",
                      "take a scene with a camera; 'zstep list scenes' says which have one");
+  if (c.attribute == Conventions::Attribute::perspective && kind != Camera::Kind::perspective)
+    throw InputError("--attribute perspective",
+                     kind == Camera::Kind::screen
+                         ? "divides by z_v, and this scene's points are on the screen already"
+                         : "divides by z_v, which parallel projection does not do",
+                     "give --attribute linear");
   if (c.attribute != Conventions::Attribute::none && bits_of(c.number_format) > 0)
     throw InputError("--attribute " + std::string(word_of(c.attribute)),
                      "is computed in floating point, and fixed-point numbers are of depths and positions",

@@ -94,6 +94,9 @@ Trace run_lesson(Lesson& lesson) {
   const Scene scene = look_at_scene(std::move(file.scene), lesson.view);
   const Conventions conventions = with_options(file.conventions, lesson.conventions);
   check_run(run, scene, conventions, lesson.path.string());
+  if (lesson.conventions.cull && !can_cull(run, scene))
+    throw InputError(lesson.path.string(), "cull means nothing for this method and scene",
+                     "leave it out of [conventions]");
   TraceRecorder record(header_for(run, conventions), scene);
   run.record(scene, conventions, record);
   record.finish();

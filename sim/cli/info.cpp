@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/catalog/catalog.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/describe.hpp"
@@ -19,6 +20,14 @@ namespace zstep::cli {
 namespace {
 
 using enum Table::Align;
+
+/// What the header says of back faces, where that means something.
+std::string back_faces_text(const Trace& trace, const std::string& declared) {
+  if (trace.scene().camera.kind == Camera::Kind::screen) return "drawn: no eye sees which side is the back";
+  for (const Method& method : methods())
+    if (method.id == trace.header().algorithm && !method.culls) return "not dropped by this method's conventions";
+  return declared;
+}
 
 std::string head_text(const Trace& trace, const std::string& path) {
   const Header& header = trace.header();
@@ -53,7 +62,8 @@ std::string head_text(const Trace& trace, const std::string& path) {
   table.row(
       {"interpolation", declared(Convention::interpolation, interpolation_text(header.conventions.interpolation))});
   table.row({"coverage", declared(Convention::coverage, coverage_text(header.conventions.coverage, scene.raster))});
-  table.row({"back faces", declared(Convention::cull, header.conventions.cull ? "culled" : "drawn")});
+  const std::string cull = declared(Convention::cull, header.conventions.cull ? "culled" : "drawn");
+  table.row({"back faces", back_faces_text(trace, cull)});
   return table.text(0);
 }
 

@@ -87,7 +87,7 @@ void add_race_options(CLI::App& command, ShowOptions& options) {
   };
   command
       .add_option_function<std::string>("--race-by", take_clock,
-                                        "What their clock counts (default steps); time is measured here and now")
+                                        "What their clock counts (default operations); time is measured here and now")
       ->type_name(fmt::format("{}", fmt::join(compare::words_of_measures, "|")))
       ->needs("--race")
       ->group("Viewer");
@@ -168,6 +168,7 @@ namespace {
 [[maybe_unused]] RaceAsked race_of(const ShowOptions& options) {
   RaceAsked race;
   race.entrants = parts_of(options.race, ',');
+  race.clock = compare::Measure::steps;
   while (word_of(race.clock) != options.race_by)
     race.clock = static_cast<compare::Measure>(static_cast<int>(race.clock) + 1);
   std::string at = options.at.empty() ? "0" : options.at;

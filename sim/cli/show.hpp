@@ -25,7 +25,7 @@ struct ShowOptions {
   bool dark = false, light = false, presenter = false, notes = false, embed = false;
   std::string pixel, lead;                       ///< to be selected; to lead on the stage
   bool patient = false;  ///< a link asks for it: what takes too long is cut off
-  std::string race, race_by = "steps";  ///< who races, with commas between; empty: no race
+  std::string race, race_by = "operations";  ///< who races, with commas between; empty: no race
   const CLI::App* command = nullptr;  ///< whose words opened the view; lives as long as the action runs
 };
 

@@ -249,6 +249,11 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       return false;
     case SDL_TEXTINPUT:
       if (std::exchange(text_taken_, false)) return false;
+      // On the start page, where nothing is typed yet, it asks for the keys: no name begins so.
+      if (overlay_ == Overlay::start && typed.empty() && std::string_view(event.text.text) == "?") {
+        turn_key_sheet();
+        return false;
+      }
       if (typing()) {
         io.AddInputCharactersUTF8(event.text.text);
         session_.touch();

@@ -154,6 +154,11 @@ class App {
   void turn_racer(const std::string& entrant);  ///< in or out
   std::vector<const compare::Entrant*> found_entrants() const;  ///< what is typed is in their names
 
+  // --- A lesson that waits while its run is changed, or another method's is shown in its place
+  bool lesson_waits = false;
+  /// The next stop, or the previous one; from a changed run back to the lesson, and there. As Session::next_stop().
+  bool next_stop(int direction);
+  void turn_key_sheet();  ///< every key; from the start page, and back to it
   // --- What commands do
   /// Runs it, or says that it is not for a race.
   void run(const Command& command);
@@ -226,6 +231,10 @@ class App {
   void turn_why();                       ///< from the pixel to the whole picture and back
   std::vector<std::int32_t> why_candidates() const;  ///< polygons whose label or number has what is typed
   const answers::Verdict& why() const { return why_; }
+  /// Answers are of the whole run: what the pixel shows at this step, and what of the answer is still to come; empty at
+  /// the end. `decides`: the step that does, 0 where none does.
+  std::string at_this_step(std::optional<Cell> cell, std::int64_t decides) const;
+  bool is_to_come(std::int64_t step) const { return step > session_.position(); }
   bool why_decides() const {
     return why_decides_;
   }  ///< whether the verdict's step decides it, and does not only begin work on something
@@ -322,6 +331,7 @@ class App {
   bool race_key(SDL_Keycode code, unsigned modifiers);
   void draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size);
   void follow_marks();
+  void mark_changed_pixels();
   void draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id);
   void draw_on_stage(const Pane& pane, ImVec2 at, ImVec2 size, bool leading);
   void draw_leading(const std::vector<Pane>& leading, ImVec2 at, ImVec2 size);
@@ -436,6 +446,7 @@ class App {
   Board board_;
   std::unique_ptr<Film> film_;  ///< while one is made
   Changed changed_;
+  std::vector<PixelMark> changed_here_;  ///< of its pixels those that are marked at this moment
   std::unique_ptr<BeforeChange> before_;
   std::unique_ptr<Ui> before_ui_;
   std::string saved_scene_;  ///< what was said of it; until the next change
@@ -449,6 +460,7 @@ class App {
   };
   std::unique_ptr<RaceView> race_;
   bool race_shown_ = false;
+  bool keys_over_start_ = false;  ///< the sheet of keys lies where the start page was
   const Task* task_before_ = nullptr;  ///< of the lesson whose run this one changes
   std::size_t hints_given_ = 0;
   bool black_ = false;

@@ -64,6 +64,12 @@ void App::open_explain(const answers::Question& question, const std::string& wri
 }
 
 void App::explain_step() {
+  // Of the pixel that is selected, where the step is about another one.
+  if (const auto& cell = session_.selected; cell && cell != session_.current_cell()) {
+    if (!std::isfinite(session_.state().picture.depth[session_.state().picture.at(cell->x, cell->y)]))
+      return say(fmt::format("Pixel ({}, {}) has no depth at this step.", cell->x, cell->y));
+    return open_explain(answers::of_pixel(session_.position(), {cell->x, cell->y}));
+  }
   if (session_.position() == 0)
     return say("Nothing has happened yet; Shift+E tells where the number of a step comes from.");
   open_explain({session_.position()});

@@ -41,7 +41,7 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);
   const Header &header = session_.header(), &other = against_->session().header();
-  const bool depths = depth_pane.serves(header) && depth_pane.serves(other);
+  const Pane *depths = depth_pane_of(header), *other_depths = depth_pane_of(other);
   const Docked dock = docked(size, {0, 0}, size, 2);  // always below: the frames want all of the width
   if (dock.side != Docked::Side::nowhere) {
     drawer_at_ = {{at.x, at.y + size.y - dock.room}, {size.x, dock.room}};
@@ -68,7 +68,7 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
   const float x = narrow ? at.x : at.x + left + gap, middle = at.x + size.x - x;
   const float upper = narrow ? size.y : std::round((size.y - gap) * l.both);
   std::vector<std::pair<bool, const Pane*>> panes{{true, &frame_pane}, {false, &frame_pane}};
-  if (depths && !narrow) panes.insert(panes.end(), {{true, &depth_pane}, {false, &depth_pane}});
+  if (depths && other_depths && !narrow) panes.insert(panes.end(), {{true, depths}, {false, other_depths}});
   const Raster& raster = session_.scene().raster;
   const auto pixel = [&](int columns, int rows) {
     return std::min((middle / static_cast<float>(columns) - 3 * ui_.em) / static_cast<float>(raster.width),
@@ -91,7 +91,7 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
   std::vector<Pane> below;
   for (const std::vector<Pane>* some : {&stage.leading, &stage.small})
     for (const Pane& pane : *some)
-      if (pane.id != frame_pane.id && pane.id != depth_pane.id) below.push_back(pane);
+      if (pane.id != frame_pane.id && !(depths && pane.id == depths->id)) below.push_back(pane);
   std::stable_partition(below.begin(), below.end(), [&](const Pane& pane) { return pane.id == lead(); });
   draw_small(below, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
   splitter("both", {x, at.y + upper}, {middle, gap}, false, l.both, size.y - gap);

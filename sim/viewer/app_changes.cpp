@@ -53,6 +53,13 @@ const Task* App::task() const {
   return task ? &*task : nullptr;
 }
 
+bool App::next_stop(int direction) {
+  if (session_.lesson() || !lesson_waits) return session_.next_stop(direction);
+  requests.back_to_lesson = direction;
+  session_.touch();
+  return true;
+}
+
 void App::give_hint() {
   const Task* asked = task();
   if (!asked) return;

@@ -89,7 +89,7 @@ void go_to_start(App& app, const ViewerOptions& options) {
   if (options.stop) s.to_stop(*options.stop);
   else if (options.at >= 0) go_to_or_throw(s, options.at);
   else if (app.opens_at_cause()) app.to_first_cause();
-  else if (const auto place = app.settings().place(place_key(s.trace()))) s.go_to(*place);
+  else if (const auto place = place_to_go_on(app.settings(), s.trace(), options.lesson)) s.go_to(*place);
   else if (options.lesson && !options.lesson->stops.empty()) s.to_stop(0);
   app.look_at(options.pixel, options.lead);
   if (!options.note.empty()) app.say(options.note);

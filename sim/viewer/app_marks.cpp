@@ -119,9 +119,29 @@ void App::share_look(Ui& b) const {
   b.scroll_now = ui_.scroll_now;
 }
 
+/// Of the pixels that end otherwise since the change, those that are otherwise at this moment already. Where the run
+/// before does not come along, they are marked at the end alone.
+void App::mark_changed_pixels() {
+  ui_.pixel_marks = nullptr;
+  if (changed_.pixels.empty()) return;
+  if (session_.position() == session_.size()) return void(ui_.pixel_marks = &changed_.pixels);
+  if (!before_) return;
+  before_->follow();
+  const Picture &now = session_.state().picture, &was = before_->session().state().picture;
+  changed_here_.clear();
+  if (now.width != was.width || now.height != was.height) return;
+  for (const PixelMark& mark : changed_.pixels) {
+    const auto at = static_cast<std::size_t>(mark.pixel);
+    const bool color = color_at(now, session_.scene(), at) != color_at(was, before_->session().scene(), at);
+    const bool depth = !now.depth.empty() && !was.depth.empty() && now.depth[at] != was.depth[at];
+    if (mark.filled ? color : depth) changed_here_.push_back(mark);
+  }
+  if (!changed_here_.empty()) ui_.pixel_marks = &changed_here_;
+}
+
 /// What is marked at this moment; the second run comes to it.
 void App::follow_marks() {
-  ui_.pixel_marks = changed_.pixels.empty() ? nullptr : &changed_.pixels;
+  mark_changed_pixels();
   if (findings_ && !session_.looking_back)
     ui_.pixel_marks = &findings_->pixels(session_.position(), session_.state().machine.pass == Pass::light);
   if (before_ui_) {

@@ -80,6 +80,7 @@ void select_current(App& app) {
 void escape(App& app) {
   if (app.waits_for_run) return void(app.requests.end_run = true);
   if (app.places().searching()) return app.places().stop();
+  if (app.overlay() == Overlay::keys) return app.turn_key_sheet();
   if (app.overlay() != Overlay::none) return app.open(Overlay::none);
   if (app.drawer() != Drawer::none) return app.open(Drawer::none);
   Session& s = app.session();
@@ -103,7 +104,7 @@ void name_bookmark(App& app) {
 void fit_range(App& app) {
   Ui& ui = app.ui();
   const Session& s = app.session();
-  if (!depth_pane.serves(s.header()))
+  if (!depth_pane_of(s.header()))
     return app.say("There are no depths in this trace, so there are no colours to fit to them.");
   const std::vector<double>& depths = s.picture().depth;
   const bool any = std::any_of(depths.begin(), depths.end(), [](double z) { return std::isfinite(z); });

@@ -22,9 +22,10 @@ void move(App& app) {
 /// from one is first to its answer. Beyond the last stop, once that was said, is the start page.
 template <int direction>
 void page(App& app) {
-  if (!app.ui().presenter || !app.session().lesson() || app.racing()) return app.move(Unit::polygon, direction);
+  const bool lesson = app.session().lesson() || app.lesson_waits;
+  if (!app.ui().presenter || !lesson || app.racing()) return app.move(Unit::polygon, direction);
   if (direction > 0 && app.session().question_open()) app.session().show_answer();
-  else if (!app.session().next_stop(direction)) app.open_start();
+  else if (!app.next_stop(direction)) app.open_start();
 }
 
 template <int direction>

@@ -140,10 +140,10 @@ const std::vector<Command>& table() {
        }},
       {"relief",
        "Look",
-       "Depth buffer as a relief",
+       "Depths as a relief",
        {{SDLK_d, S}},
        [](App& a) {
-         if (!depth_pane.serves(a.session().header())) return a.say("There are no depths in this trace.");
+         if (!depth_pane_of(a.session().header())) return a.say("There are no depths in this trace.");
          a.ui().relief = !a.ui().relief;
          a.session().touch();
        }},
@@ -171,8 +171,8 @@ const std::vector<Command>& table() {
       {"viewing-step", "Look", "T\u2081 to T\u2084 of viewing, in turn", {{SDLK_t, S}}, turn_viewing},
       {"walk", "Look", "Walk round the scene (or drag)", {{SDLK_5}}, walk<15, 0>},
       {"rise", "Look", "Look at the scene from higher up", {{SDLK_6}}, walk<0, 15>},
-      {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.session().next_stop(1); }},
-      {"previous-stop", "Lesson", "Previous stop", {{SDLK_n, S}}, [](App& a) { a.session().next_stop(-1); }},
+      {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.next_stop(1); }},
+      {"previous-stop", "Lesson", "Previous stop", {{SDLK_n, S}}, [](App& a) { a.next_stop(-1); }},
       {"answer-1", "Lesson", "First answer", {{SDLK_1}}, answer<0>},
       {"answer-2", "Lesson", "Second answer", {{SDLK_2}}, answer<1>},
       {"answer-3", "Lesson", "Third answer", {{SDLK_3}}, answer<2>},
@@ -248,7 +248,7 @@ const std::vector<Command>& table() {
        "Window",
        "Every key",
        {{0, 0, '?'}, {SDLK_F1}},
-       [](App& a) { a.open(a.overlay() == Overlay::keys ? Overlay::none : Overlay::keys); }},
+       [](App& a) { a.turn_key_sheet(); }},
       {"escape", "Window", "Close, stop, or select nothing", {{SDLK_ESCAPE}}, escape},
       {"quit", "Window", "Quit", {{SDLK_q, C}}, [](App& a) { a.requests.quit = true; }},
   };

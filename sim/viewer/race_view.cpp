@@ -205,10 +205,8 @@ std::vector<std::string> App::race_place() const {
   const std::string at = time ? fmt::format("{:.4g}%", 100 * static_cast<double>(race.at()) /
                                                            static_cast<double>(std::max<std::int64_t>(1, race.end())))
                               : std::to_string(race.at());
-  std::vector<std::string> words = {"--race", fmt::format("{}", fmt::join(race.chosen(), ","))};
-  if (race.clock() != Measure::steps) words.insert(words.end(), {"--race-by", std::string(word_of(race.clock()))});
-  words.insert(words.end(), {"--at", at});
-  return words;
+  return {"--race", fmt::format("{}", fmt::join(race.chosen(), ",")), "--race-by", std::string(word_of(race.clock())),
+          "--at", at};
 }
 
 /// Keys that only a race has.
@@ -237,7 +235,7 @@ float App::draw_race_head(ImVec2 at, float width) {
   };
   if (next("Who runs\u2026", overlay_ == Overlay::racers, "Two to four methods, or options of one (C)."))
     open(Overlay::racers);
-  const char* helps[] = {"All have made as many steps (1).",
+  const char* helps[] = {"All have made as many steps (1): what the trace records, bookkeeping included.",
                          "All have done as many operations: steps that compute, decide or write something (2).",
                          "All have run as long, by times measured here without a recording (3)."};
   const char* labels[] = {"By steps", "By operations", "By time"};
@@ -251,7 +249,19 @@ float App::draw_race_head(ImVec2 at, float width) {
   const float close = text_size(ui_, ui_.fonts.text, "Close").x + ui_.em * 1.2f;
   to.x = std::max(to.x, at.x + width - close);
   if (next("Close", false, "Back to one run (Esc).")) close_race();
-  return to.y + line - at.y;
+  const char* counts[] = {
+      "A step is one thing that the trace records, bookkeeping included. Some take far longer than others: only the "
+      "time (3) says which method is faster.",
+      "An operation is a step that computes, decides or writes something. Some take longer than others: only the time "
+      "(3) says which method is faster.",
+      "Times are of the processor, measured here without a recording: the median of several runs."};
+  float below = to.y + line - at.y;
+  if (ui_.least_target > 0) return below;
+  ImGui::SetCursorScreenPos({at.x, at.y + below});
+  const Flow small{.color = ui_.colors().muted, .font = ui_.fonts.small, .width = width};
+  const char* text = counts[static_cast<std::size_t>(race().clock())];
+  flow(ui_, text, small);
+  return below + flow_height(ui_, text, small) + gap;
 }
 
 void App::draw_racers(ImVec2 at, ImVec2 size) {

@@ -22,6 +22,14 @@ std::string place_key(const Trace& trace) {
   return fmt::format("{}|{}|{}", trace.name(), trace.size(), trace.scene().points.size());
 }
 
+std::optional<std::int64_t> place_to_go_on(const Settings& settings, const Trace& trace, const Lesson* lesson) {
+  const auto place = settings.place(place_key(trace));
+  const bool has_stops = lesson && !lesson->stops.empty();
+  if (!place || !has_stops) return place;
+  const bool read = *place >= lesson->stops.back().position;
+  return settings.presenter || read ? std::nullopt : place;
+}
+
 Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& settings, int width, int height,
              float dpi_scale)
     : first_(&trace), lesson_(options.lesson), options_(options), dpi_scale_(dpi_scale) {
@@ -73,8 +81,7 @@ void Stage::open(const Offer& offer, bool for_class) {
   arrived_ = -1;
   changes_.clear(), undone_.clear(), before_change_.reset();
   Session& s = app().session();
-  const auto place = settings.place(place_key(*first_));
-  if (place && !(for_class && lesson_)) s.go_to(*place);
+  if (const auto place = place_to_go_on(settings, *first_, lesson_)) s.go_to(*place);
   else if (lesson_ && !lesson_->stops.empty()) s.to_stop(0);
   else if (offer.what == Offer::What::method) {  // of the same scene: at the same moment
     const MomentThere there = moment_in(*first_, moment);
@@ -176,6 +183,7 @@ Stage::Before Stage::show_in_place(std::optional<OtherRun> next) {
     other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
     other_app_->offer(options_.offers);
     if (options_.run_changed) other_app_->allow_changes(options_.run_changed);
+    other_app_->lesson_waits = lesson_ && !lesson_->stops.empty();
   } else {
     first_app_->take_settings(settings);
     first_app_->resize(width, height);
@@ -186,6 +194,8 @@ Stage::Before Stage::show_in_place(std::optional<OtherRun> next) {
 
 bool Stage::serve() {
   bool other = false;
+  if (const int direction = std::exchange(app().requests.back_to_lesson, 0); direction != 0)
+    go_back_to_lesson(direction), other = true;
   if (const int direction = std::exchange(app().requests.switch_method, 0); direction != 0)
     switch_method(direction), other = true;
   if (const auto offer = std::exchange(app().requests.open, std::nullopt))
@@ -198,6 +208,21 @@ bool Stage::serve() {
   if (std::exchange(app().requests.end_run, false)) end_run();
   look_for_run();
   return other;
+}
+
+void Stage::go_back_to_lesson(int direction) {
+  if (!other_app_ || !lesson_) return;
+  end_run();
+  undone_.assign(changes_.rbegin(), changes_.rend());
+  changes_.clear();
+  before_change_.reset();
+  const Before left = show_in_place(std::nullopt);
+  app().show_changes({});
+  app().open(Drawer::none);
+  Session& s = app().session();
+  s.next_stop(direction);
+  moment_ = moment_of(s);
+  arrived_ = s.position();
 }
 
 void Stage::switch_method(int direction) {

@@ -23,6 +23,10 @@ struct Whereabouts {
 };
 Whereabouts moment_of(const Session& session);
 
+/// Where a reader who was here before goes on. Nowhere before a class, and in a lesson that was read to its end: they
+/// begin with the first stop.
+std::optional<std::int64_t> place_to_go_on(const Settings& settings, const Trace& trace, const Lesson* lesson);
+
 /// Where another method's run of the same scene is at such a moment, and what that is, in words.
 struct MomentThere {
   std::int64_t step = 0;
@@ -69,6 +73,10 @@ class Stage {
   /// Takes the last change back (1), or makes again what was taken back (-1).
   void undo(int direction);
   const std::vector<Change>& changes() const { return changes_; }
+
+  /// From a run that is shown in place of the lesson's back to it, and to its next stop (1) or the previous one (-1).
+  /// What was changed can be made again there.
+  void go_back_to_lesson(int direction);
 
   /// Of a large run the next one is made while the window goes on: each turn this looks whether it is done, and shows it
   /// then; until then it says how far it is.

@@ -179,7 +179,9 @@ void Stage::show_made(OtherRun run, Asked asked) {
   if (moment_.selected && (moment_.selected->x >= raster.width || moment_.selected->y >= raster.height))
     moment_.selected.reset();
   std::string place;
-  if (!back || moved) {
+  // What is as it was opened is where its lesson left it: what the lesson says is of that step.
+  const bool as_left = back && lesson_ && !first_app_->session().lesson()->stops.empty();
+  if (!back || (moved && !as_left)) {
     const MomentThere there = moment_in(trace(), moment_);
     s.select(moment_.selected);
     s.go_to(there.step);
@@ -189,12 +191,14 @@ void Stage::show_made(OtherRun run, Asked asked) {
   // While a hand still holds a vertex, each run is compared with the one before the hand took it.
   const std::shared_ptr<OtherRun> against = goes_on ? before_change_ : before.run;
   Changed changed = told_of(changes, against ? against->trace : *first_);
+  if (back) changed.pixels.clear(), changed.told = "As it was before the changes.";  // nothing is changed any more
   if (const Task* task = app().task()) changed.task = state_of(*task, trace());
   if (other_ && !other_->whole) changed.told += " Cut off, as it would take too long.";
   if (other_ && lesson_) changed.told += " The lesson waits.";
   if (!place.empty()) changed.told += fmt::format(" Here: {}.", place);
   if (app().drawer() != Drawer::what_if) app().say(changed.told);
-  app().show_changes(std::move(changed), against ? std::shared_ptr<const Trace>(against, &against->trace)
+  app().show_changes(std::move(changed), back      ? nullptr
+                                         : against ? std::shared_ptr<const Trace>(against, &against->trace)
                                                  : std::shared_ptr<const Trace>(std::shared_ptr<void>(), first_));
   before.app.reset();  // it looks at that run
   if (!goes_on) before_change_ = std::move(before.run);

@@ -130,6 +130,15 @@ void App::open_start() {
   scroll_to_picked = true;
 }
 
+void App::turn_key_sheet() {
+  if (overlay_ != Overlay::keys) {
+    keys_over_start_ = overlay_ == Overlay::start;
+    return open(Overlay::keys);
+  }
+  open(Overlay::none);
+  if (std::exchange(keys_over_start_, false)) open_start();
+}
+
 void App::open_start(Offer::What what) {
   open_start();
   const std::vector<const Offer*> all = choices();

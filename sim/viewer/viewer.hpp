@@ -59,7 +59,7 @@ struct AgainstRun {
 /// Methods side by side on the scene of the trace.
 struct RaceAsked {
   std::vector<std::string> entrants;  ///< as "z-buffer", "bsp:root=random"; none: the method of the trace and the next
-  compare::Measure clock = compare::Measure::steps;
+  compare::Measure clock = compare::Measure::operations;
   double at = 0;         ///< of the clock
   bool of_all = false;   ///< `at` is a share of the whole race, not a number of steps or operations
 };

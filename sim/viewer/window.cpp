@@ -47,11 +47,23 @@ Window::Window(const Window& first, const char* title, int width, int height) : 
   SDL_Rect usable{0, 0, width, height};
   SDL_GetDisplayUsableBounds(other, &usable);
   const int place = static_cast<int>(SDL_WINDOWPOS_CENTERED_DISPLAY(other));
-  window_.reset(SDL_CreateWindow(title, place, place, std::min(width, std::max(320, usable.w)),
-                                 std::min(height, std::max(200, usable.h)),
-                                 SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+  constexpr std::uint32_t flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+  if (other == screen) {  // on the one screen there is, it would lie behind the first, or hide all of it
+    const SDL_Rect at = place_beside(usable, width, height);
+    window_.reset(SDL_CreateWindow(title, at.x, at.y, at.w, at.h, flags | SDL_WINDOW_ALWAYS_ON_TOP));
+  } else {
+    window_.reset(SDL_CreateWindow(title, place, place, std::min(width, std::max(320, usable.w)),
+                                   std::min(height, std::max(200, usable.h)), flags));
+  }
   if (!window_) throw std::runtime_error(fmt::format("viewer: no second window can be opened: {}", SDL_GetError()));
   SDL_RaiseWindow(first.get());
+}
+
+SDL_Rect place_beside(const SDL_Rect& usable, int width, int height) {
+  SDL_Rect at{0, 0, std::min(width, std::max(320, usable.w / 2)), std::min(height, std::max(200, usable.h / 2))};
+  at.x = usable.x + std::max(0, usable.w - at.w);
+  at.y = usable.y + std::max(0, usable.h - at.h);
+  return at;
 }
 
 Window::~Window() {

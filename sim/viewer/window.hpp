@@ -40,4 +40,8 @@ class Window {
   bool second_ = false;
 };
 
+/// Where a second window goes on the one screen that there is: a lower right corner of it, at most half as wide and
+/// high, so that the first is seen beside it.
+SDL_Rect place_beside(const SDL_Rect& usable, int width, int height);
+
 }  // namespace zstep::viewer

@@ -28,11 +28,13 @@ struct WindowRequests {
   std::vector<Change> changes;  ///< of the run, one after the other
   bool change_goes_on = false;  ///< it takes the place of the one before, which a hand has not let go
   bool end_run = false;         ///< the one that is made while the window goes on
+  int back_to_lesson = 0;       ///< from a run in its place: to its next stop (1), or the previous one (-1)
   int undo_change = 0;          ///< 1, or -1: make what was undone again
 
   /// Whether what was asked for may show something else: the next key is meant for that, and waits for it.
   bool may_show_other() const {
-    return check || compare_with || switch_method != 0 || open || !changes.empty() || end_run || undo_change != 0;
+    return check || compare_with || switch_method != 0 || open || !changes.empty() || end_run || undo_change != 0 ||
+           back_to_lesson != 0;
   }
 };
 

@@ -35,6 +35,7 @@ TEST_CASE("law: a polygon is said to have no scan line only where none of its sc
       CAPTURE(why);
       const bool at_work = trace.polygon_at_work(position) != no_polygon, has_lines = lines_of[interval.polygon] > 0;
       if (why.ends_with("has no scan line in this run")) REQUIRE((at_work && !has_lines));
+      REQUIRE(why.find("meets no") == std::string::npos);
       if (why.starts_with("no polygon is at work")) REQUIRE(!at_work);
       if (why.ends_with(" yet")) REQUIRE(at_work);
       ++said[why.substr(why.find_last_of(' '))];

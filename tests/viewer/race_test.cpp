@@ -127,7 +127,7 @@ TEST_CASE("by time, the run that takes longest is done last, and each is done at
   other.choose({"z-buffer", "bsp"});
   CHECK_FALSE(other.set_clock(
       Measure::time, [] { return true; }, why));
-  CHECK(other.clock() == Measure::steps);
+  CHECK(other.clock() == Measure::operations);
   CHECK(why.find("ended") != std::string::npos);
 }
 

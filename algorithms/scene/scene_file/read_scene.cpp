@@ -43,6 +43,10 @@ class Reader {
     // In screen coordinates there is no inside and outside, as textbooks give outlines either way round; a surface is
     // looked at from above and from below.
     read_options(top_, file_, screen_ || surface != nullptr, result.conventions);
+    if (screen_ && result.conventions.cull)
+      fail_at(*top_.table("options")->get("cull"), file_,
+              "cull needs an eye that sees backs, and these points are on the screen already",
+              "leave it out, or give the scene a [camera] with an eye");
     scene.light = read_light(top_, file_, screen_);
     const toml::array* points = top_.array("points");
     keep_points_ = top_.boolean("keep_points").value_or(false);

@@ -104,7 +104,7 @@ const char* draw_tabs(App& app) {
   const auto hidden = [&](const DrawerPage* page) {
     if (std::strcmp(page->tab, now) == 0) return false;
     return (page->is == Drawer::what_if && !app.may_change()) || (page->is == Drawer::compare && app.compares()) ||
-           (page->is == Drawer::range && !depth_pane.serves(app.session().header()));
+           (page->is == Drawer::range && !depth_pane_of(app.session().header()));
   };
   std::erase_if(tabs, hidden);
   std::vector<ImVec2> places;

@@ -90,8 +90,10 @@ bool draw_visit(App& app, std::size_t place, const VisitColumns& columns) {
   if (stored && visit.stored_polygon == no_polygon)
     draw_text(ui, {at.x + columns.of, y}, ui.fonts.text, c.muted, "background");
   if (stored) draw_polygon(app, {at.x + columns.of, at.y}, y, height, visit.stored_polygon);
-  const std::string outcome = answers::outcome_text(app.session().trace(), app.history(), visit);
-  draw_text(ui, {at.x + columns.outcome, y}, ui.fonts.text, c.text,
+  const bool to_come = app.is_to_come(visit.step);
+  const std::string outcome =
+      (to_come ? "to come: " : "") + answers::outcome_text(app.session().trace(), app.history(), visit);
+  draw_text(ui, {at.x + columns.outcome, y}, ui.fonts.text, to_come ? c.muted : c.text,
             fitted(ui, ui.fonts.text, outcome, end.x - at.x - columns.outcome));
   return clicked;
 }
@@ -101,11 +103,16 @@ bool draw_visit(App& app, std::size_t place, const VisitColumns& columns) {
 void draw_history(App& app) {
   Ui& ui = app.ui();
   const std::size_t count = app.history().size();
+  const auto to_come = static_cast<std::size_t>(std::count_if(
+      app.history().begin(), app.history().end(), [&](const answers::Visit& one) { return app.is_to_come(one.step); }));
+  const std::size_t so_far = count - to_come;
+  const std::string happened = so_far == 0   ? "nothing happened to it yet"
+                               : so_far == 1 ? "one thing happened to it"
+                                             : fmt::format("{} things happened to it", so_far);
   flow(ui,
-       fmt::format("Pixel ({}, {}): {}.", app.history_of().x, app.history_of().y,
-                   count == 0   ? "nothing reached it"
-                   : count == 1 ? "one thing happened to it"
-                                : fmt::format("{} things happened to it", count)),
+       fmt::format("Pixel ({}, {}): {}{}.", app.history_of().x, app.history_of().y,
+                   count == 0 ? "nothing reaches it" : happened,
+                   to_come == 0 ? "" : fmt::format(", {} still to come", to_come)),
        {.font = ui.fonts.bold});
   if (count == 0) return say_empty(ui, "Another pixel that is selected is told of here.");
   std::optional<std::size_t> clicked;
@@ -119,6 +126,8 @@ void draw_history(App& app) {
   begin_second(ui, "why", beside);
   if (const auto picked = static_cast<std::size_t>(std::max(0, app.picked)); picked < count) {
     const answers::Visit& visit = app.told_visit(picked);
+    if (app.is_to_come(visit.step))
+      flow(ui, fmt::format("Still to come, at step {}:", grouped(visit.step)), {.color = ui.colors().muted});
     flow(ui, visit.sentence, {});
     for (const std::string& line : visit.formulas) set_formula(ui, line, {}, visit.owned);
     key_to_owners(ui, visit.owned);

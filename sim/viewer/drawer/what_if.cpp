@@ -82,6 +82,7 @@ void draw_task(App& app, const Task& task) {
     flow_markdown(ui, "*Hint:* " + task.hints[k]);
   if (state && state->done) {
     flow(ui, "\u2713 Done.", {.color = c.good, .font = ui.fonts.bold});
+    if (app.lesson_waits && button(ui, "On with the lesson (Esc, N)")) app.next_stop(1);
   } else {
     if (state) flow_markdown(ui, "**\u2717 Not yet.** " + state->now);
     const bool all = app.hints_given() >= task.hints.size();

@@ -52,8 +52,10 @@ bool draw_link(App& app, std::size_t place, float steps, float polygons) {
   }
   const ImFont* font = decides ? ui.fonts.bold : ui.fonts.text;
   const float x = at.x + steps + polygons;
-  draw_text(ui, {x, y}, font, c.text,
-            fitted(ui, font, link.text + (decides ? " \u2014 this decides" : ""), row.end.x - x));
+  const bool to_come = app.is_to_come(link.step);
+  draw_text(ui, {x, y}, font, to_come ? c.muted : c.text,
+            fitted(ui, font, (to_come ? "to come: " : "") + link.text + (decides ? " \u2014 this decides" : ""),
+                   row.end.x - x));
   return row.clicked;
 }
 
@@ -75,6 +77,22 @@ void App::open_why() {
   const auto at_work = std::find(all.begin(), all.end(), session_.state().machine.polygon);
   if (at_work != all.end()) picked = static_cast<int>(at_work - all.begin());
   scroll_to_picked = true;
+}
+
+std::string App::at_this_step(std::optional<Cell> cell, std::int64_t decides) const {
+  if (session_.position() >= session_.size()) return "";
+  std::string text;
+  if (cell) {
+    const Picture& picture = session_.state().picture;
+    const std::size_t at = picture.at(cell->x, cell->y);
+    const bool ink = !picture.ink.empty() && picture.ink[at] != no_ink;
+    text = fmt::format("At this step pixel ({}, {}) shows {}. ", cell->x, cell->y,
+                       ink                                 ? "a colour of its own"
+                       : picture.polygon[at] == no_polygon ? "the background"
+                                                           : polygon_label(session_.scene(), picture.polygon[at]));
+  }
+  if (is_to_come(decides)) text += fmt::format("Step {}, which decides it, is still to come. ", grouped(decides));
+  return text + "At the end of the run:";
 }
 
 std::vector<std::int32_t> App::why_candidates() const {
@@ -189,10 +207,16 @@ void draw_why(App& app) {
   const bool another = button(ui, "Another polygon (Backspace)");
   ImGui::Dummy({1, std::round(ui.em * 0.3f)});
   // The steps stand right below the verdict; where both are long, each has half of the room.
+  const auto& picked_pixel = app.why().pixel;
+  const std::string now = app.at_this_step(
+      app.why_of() ? app.why_of() : picked_pixel ? std::optional(Cell{picked_pixel->x, picked_pixel->y}) : std::nullopt,
+      app.why_decides() ? app.why().step : 0);
   float text = flow_height(ui, app.why().sentence, {}) + ui.em * 0.8f;
+  if (!now.empty()) text += flow_height(ui, now, {});
   for (const std::string& line : app.why().formulas) text += formula_height(ui, line, {}) + ui.em * 0.25f;
   if (!app.why().owned.empty()) text += ui.em * 1.5f;
   const bool beside = begin_first(ui, "verdict", 0.45f, text);
+  if (!now.empty()) flow(ui, now, {.color = ui.colors().muted});
   flow(ui, app.why().sentence, {});
   for (const std::string& line : app.why().formulas) set_formula(ui, line, {}, app.why().owned);
   key_to_owners(ui, app.why().owned);

@@ -20,7 +20,7 @@ std::string why_no_lines(const Trace& trace, const ScanLineMarks::Interval& inte
     return polygon + " is not drawn here: no scan lines";
   if (const auto all = trace.polygons(); std::any_of(all.begin(), all.end(), later))
     return "no scan lines of " + polygon + " yet";
-  return polygon + " has no scan line in this run";
+  return polygon + " has no scan line in this run";  // whether it meets any, the run need not say
 }
 
 }  // namespace zstep::viewer

@@ -75,7 +75,7 @@ void Race::choose(const std::vector<std::string>& entrants) {
       if (racer && racer->entrant.text == entrants[k]) made[k] = std::move(racer);
   racers_ = std::move(made);
   const auto measured = [](const auto& racer) { return racer->seconds.has_value(); };
-  if (clock_ == Measure::time && !std::all_of(racers_.begin(), racers_.end(), measured)) clock_ = Measure::steps;
+  if (clock_ == Measure::time && !std::all_of(racers_.begin(), racers_.end(), measured)) clock_ = Measure::operations;
   go_to(std::llround(share * static_cast<double>(end())));
 }
 

@@ -72,7 +72,7 @@ class Race {
   RunBy run_by_;
   mutable std::vector<compare::Entrant> all_;
   std::vector<std::unique_ptr<Racer>> racers_;
-  compare::Measure clock_ = compare::Measure::steps;
+  compare::Measure clock_ = compare::Measure::operations;
   std::int64_t at_ = 0;
   int speed_ = 8;  ///< the whole race in 15 seconds
   double played_until_ = -1, owed_ = 0;

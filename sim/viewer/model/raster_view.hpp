@@ -38,6 +38,15 @@ struct RasterMap {
   std::optional<Cell> cell_at(double pixel_x, double pixel_y) const;
 };
 
+/// A span in the pane: its ends on the scale on which pixel centres are whole numbers, and its scan line's upper and
+/// lower border.
+struct SpanOnRaster {
+  double left = 0, right = 0, top = 0, end = 0;
+};
+inline SpanOnRaster span_on_raster(const RasterMap& map, double x_left, double x_right, int y) {
+  return {map.px(x_left), map.px(x_right), static_cast<double>(map.row_begin(y)), static_cast<double>(map.row_end(y))};
+}
+
 inline RasterMap::RasterMap(const Raster& raster, const RasterView& view, int box_width_, int box_height_)
     : width(std::max(1, raster.width)), height(std::max(1, raster.height)), y_up(raster.y_up),
       box_width(std::max(1, box_width_)), box_height(std::max(1, box_height_)) {

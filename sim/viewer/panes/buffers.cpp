@@ -11,6 +11,7 @@
 #include "sim/viewer/panes/relief.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/file/records.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -172,19 +173,31 @@ std::string depth_note(Ui& ui) {
   if (s.state().machine.pass == Pass::light) return "the light's: the shadow buffer";
   const std::string z = depth_symbol(s.scene(), s.header().conventions);
   const std::string name = z == "z*" ? "z* pseudodepth" : z == "z_v" ? "z_v" : "z";
-  return name + (ui.range_mode == Ui::RangeMode::fitted    ? ", range fitted"
+  const char* kept = "";
+  if (depth_buffer(s.header()) == DepthBuffer::none) kept = "; the method keeps none";
+  if (depth_buffer(s.header()) == DepthBuffer::line) kept = "; the method keeps one line of them";
+  return name + kept + (ui.range_mode == Ui::RangeMode::fitted    ? ", range fitted"
                  : ui.range_mode == Ui::RangeMode::by_hand ? ", range by hand"
                                                            : "");
 }
 
-bool has_depths(const Header& header) {
-  const bool lines_only = has_step_of<HorizonTest>(header) || has_step_of<LineBegin>(header);
-  return !lines_only || has_step_of<DepthWrite>(header) || has_step_of<PixelPaint>(header);
-}
+bool keeps_depths(const Header& header) { return depth_buffer(header) == DepthBuffer::picture; }
+/// What is painted has a depth in the trace, though the method has no buffer of them.
+bool records_depths(const Header& header) { return !keeps_depths(header) && has_step_of<PixelPaint>(header); }
 
 }  // namespace
 
 const Pane frame_pane{"frame", "FRAMEBUFFER", draw_frame, frame_note, nullptr, 0, false, always<20>};
-const Pane depth_pane{"depth", "DEPTH BUFFER", draw_depth, depth_note, has_depths, 0, false, always<10>};
+namespace {
+// One of them serves, and both have the same place on the stage.
+const Pane depth_buffer_pane{"depth", "DEPTH BUFFER", draw_depth, depth_note, keeps_depths, 0, false, always<10>};
+const Pane depths_pane{"depth", "DEPTHS OF WHAT IS SHOWN", draw_depth, depth_note, records_depths, 0, false};
+}  // namespace
+
+const Pane* depth_pane_of(const Header& header) {
+  for (const Pane* pane : {&depth_buffer_pane, &depths_pane})
+    if (pane->serves(header)) return pane;
+  return nullptr;
+}
 
 }  // namespace zstep::viewer

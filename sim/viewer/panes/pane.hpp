@@ -29,8 +29,11 @@ struct Pane {
 template <int rank>
 int always(const Header&) { return rank; }
 
-extern const Pane pseudo_code_pane, happened_pane, frame_pane, depth_pane, slice_pane, lesson_pane, depth_error_pane,
+extern const Pane pseudo_code_pane, happened_pane, frame_pane, slice_pane, lesson_pane, depth_error_pane,
     depth_units_pane;
+/// Of the depths: the method's depth buffer, or what the trace has of them where the method keeps none; nullptr where
+/// there are no depths.
+const Pane* depth_pane_of(const Header& header);
 
 /// The structures that this trace's method lives by, left to right.
 std::vector<Pane> structure_panes(const Header& header);

@@ -8,6 +8,7 @@
 #include "sim/viewer/draw/strokes.hpp"
 #include "sim/viewer/panes/here_lines.hpp"
 #include "sim/viewer/panes/marking.hpp"
+#include "sim/viewer/panes/span_ends.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
 
@@ -243,12 +244,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
       list->AddRectFilled({x1 - arm, y}, {x1, y + line}, c.changed);
     }
   }
-  if (const auto& span = s.state().machine.span; span && span->last >= span->first && map.cell >= 3) {
-    // The span at work: a line along its lower side.
-    const float line = std::round(2 * ui.thin), y = origin.y + static_cast<float>(map.row_end(span->y)) - line;
-    list->AddRectFilled({origin.x + static_cast<float>(map.column_begin(span->first)), y},
-                        {origin.x + static_cast<float>(map.column_begin(span->last + 1)) - 1, y + line}, c.now);
-  }
+  if (const auto ends = span_ends(ui, map, origin)) draw_span_ends(ui, *ends);
   draw_picked(ui, map, origin);
   const float small = map.cell < 8 ? 3.0f : 0.0f;
   if (ui.pointed) frame_cell(ui, map, origin, *ui.pointed, small, 1, c.text);
@@ -307,7 +303,10 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     if (ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.here = lines_of_pixel(s, *under, asks);
   }
   ImGui::PushClipRect(origin, end, true);
-  if (!draw_numbers(ui, map, origin, cells.made, cell_text) && talk.polygons) draw_labels(ui, map, origin);
+  const auto ends = span_ends(ui, map, origin);
+  const TakenPlaces taken = ends ? ends->names_taken() : TakenPlaces();
+  if (!draw_numbers(ui, map, origin, cells.made, cell_text, taken) && talk.polygons)
+    draw_labels(ui, map, origin, taken);
   draw_marks(ui, map, origin);
   if (ui.asks && s.marks_cells()) draw_hand_marks(ui, map, origin);
   ImGui::PopClipRect();

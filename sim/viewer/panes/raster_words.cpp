@@ -65,7 +65,7 @@ std::optional<int> decimals_that_fit(int most, double room, const std::function<
 }
 
 bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cells,
-                  const std::function<std::string(std::size_t, int)>& cell_text) {
+                  const std::function<std::string(std::size_t, int)>& cell_text, const TakenPlaces& taken) {
   if (map.cell < numbers_from) return false;
   const int x0 = std::max(0, static_cast<int>(-map.left / map.cell)),
             x1 = std::min(map.width - 1, static_cast<int>((map.box_width - map.left) / map.cell));
@@ -105,6 +105,9 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
         if (map.px(x) - size.x / 2 < 0 || map.px(x) + size.x / 2 > map.box_width || map.py(y) - size.y / 2 < 0 ||
             map.py(y) + size.y / 2 > map.box_height)
           continue;
+        if (!taken.free({origin.x + static_cast<float>(map.px(x)) - size.x / 2,
+                         origin.y + static_cast<float>(map.py(y)) - size.y / 2}, size))
+          continue;
         const Pixel32 back = cells.colors[at] == hatched_cell ? to_pixel(ui.colors().empty) : cells.colors[at];
         draw_text(ui,
                   {origin.x + static_cast<float>(map.px(x)) - size.x / 2,
@@ -116,11 +119,10 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
   return false;
 }
 
-void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin) {
+void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces taken) {
   const auto find = static_cast<void (*)(std::vector<LabelSpot>&, const RasterMap&, const Moment&)>(find_label_spots);
   const ImFont* font = ui.fonts.bold;
   const float rim = std::round(2 * ui.thin);
-  TakenPlaces taken;
   if (const auto cell = ui.session.current_cell()) {  // its frame is drawn over the letters
     const float around = rim + std::round(3 * ui.thin), side = static_cast<float>(map.cell);
     taken.take({origin.x + static_cast<float>(map.px(cell->x)) - side / 2 - around,

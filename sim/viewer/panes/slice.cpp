@@ -10,6 +10,7 @@
 #include "sim/viewer/panes/slice_plot.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/file/records.hpp"
 #include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
@@ -78,8 +79,12 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two) {
     int sign;
     std::string text;
   };
-  std::vector<Entry> entries{{0, "span"}, {1, "depth at a pixel"}, {2, "depth buffer"}};
-  if (two) entries = {{0, "run A"}, {3, "run B"}, {2, "depth buffer"}};
+  const DepthBuffer buffer = depth_buffer(ui.session.header());
+  const char* stored = buffer == DepthBuffer::picture ? "depth buffer"
+                       : buffer == DepthBuffer::line  ? "line buffer"
+                                                      : "depth of what is shown";
+  std::vector<Entry> entries{{0, "span"}, {1, "depth at a pixel"}, {2, stored}};
+  if (two) entries = {{0, "run A"}, {3, "run B"}, {2, stored}};
   const float sign = 1.6f * ui.em, gap = ui.em, middle = at.y + font->FontSize * 0.55f;
   float needed = -gap;
   for (const Entry& entry : entries) needed += sign + text_size(ui, font, entry.text).x + gap + 4;

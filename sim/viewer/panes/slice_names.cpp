@@ -2,9 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "sim/viewer/panes/slice_plot.hpp"
 #include "sim/viewer/panes/taken_places.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -81,6 +84,26 @@ void name_spans(Ui& ui, Labels& labels, const SlicePlot& plot, ImVec2 origin, co
   for (auto span = slice.spans.rbegin(); span != slice.spans.rend(); ++span) name(*span, false);
 }
 
+/// Where the span at work begins and ends.
+void name_ends(Ui& ui, Labels& labels, const SlicePlot& plot, ImVec2 origin, const Slice& slice) {
+  const auto at_work = [&](const SliceSpan& span) { return slice.work_from > 0 && span.step == slice.work_from; };
+  const auto span = std::find_if(slice.spans.begin(), slice.spans.end(), at_work);
+  if (span == slice.spans.end()) return;
+  const ImFont* font = ui.fonts.mono;
+  const auto put = [&](const char* name, double x, bool left) {
+    const std::string text = fmt::format("{} = {}", name, number(x));
+    const ImVec2 size = text_size(ui, font, text);
+    const float at = origin.x + plot.x(x), foot = origin.y + plot.bottom - size.y, gap = 3 * ui.thin;
+    const float outside = left ? at - gap - size.x : at + gap, inside = left ? at + gap : at - gap - size.x;
+    std::vector<ImVec2> places;
+    for (const float up : {0.0f, 1.1f, 2.2f})
+      for (const float from : {outside, inside}) places.push_back({from, foot - up * size.y});
+    labels.put(text, ui.colors().now, places, font);
+  };
+  put("x_L", span->x_left, true);
+  put("x_R", span->x_right, false);
+}
+
 /// Beside each marker, right of it or left; the upper one's a little higher, the lower one's lower.
 void name_markers(Ui& ui, Labels& labels, ImVec2 origin, std::vector<SliceMarker> markers) {
   const ImFont* font = ui.fonts.mono;
@@ -110,6 +133,7 @@ void write_names(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Slice& slic
                  {origin.x + plot.x(span.x_right), origin.y + plot.y(span.z_right)});
   name_markers(ui, labels, origin, markers);
   name_spans(ui, labels, plot, origin, slice);
+  name_ends(ui, labels, plot, origin, slice);
 }
 
 }  // namespace zstep::viewer

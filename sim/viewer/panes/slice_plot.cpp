@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -98,8 +99,14 @@ void paint_slice(Canvas& canvas, const SlicePicture& picture, const Scene& scene
     const std::int64_t now = slice.work_from;
     for (const bool at_work : {false, true})
       for (const SliceSpan& span : slice.spans)
-        if ((now > 0 && span.step == now) == at_work)
+        if ((now > 0 && span.step == now) == at_work) {
+          // Down to the columns, where the span at work begins and ends.
+          if (at_work && run == 0)
+            for (const auto& [x, z] : {std::pair{span.x_left, span.z_left}, {span.x_right, span.z_right}})
+              canvas.line(plot.x(x), std::clamp(plot.y(z), 0.0f, plot.bottom), plot.x(x), plot.bottom, line,
+                          to_pixel(c.now));
           paint_span(canvas, plot, span, run > 0, color_of(scene, span.polygon, c), c, line);
+        }
     const double radius = std::clamp(plot.column() * 0.16, 0.0, 4.0 * line);
     if (radius < 1.2) continue;
     for (const SliceSample& sample : slice.samples) {

@@ -9,6 +9,7 @@
 #include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/file/records.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -135,11 +136,7 @@ void draw_strip(Ui& ui, std::int32_t y) {
 }
 
 /// With a line buffer there are no flags; a polygon is active while edges of it are (001).
-bool with_line_buffer(const Session& s) {
-  const auto& options = s.header().conventions.options;
-  const auto resolve = options.find("resolve");
-  return resolve != options.end() && resolve->second == "line-buffer";
-}
+bool with_line_buffer(const Session& s) { return depth_buffer(s.header()) == DepthBuffer::line; }
 
 bool is_active(const MethodState& m, std::int32_t polygon) {
   return std::any_of(m.active.begin(), m.active.end(), [&](const ActiveEdge& edge) {

@@ -34,7 +34,7 @@ const Pane* find(const std::vector<Pane>& panes, const std::string& id) {
 
 std::vector<Pane> stage_panes(const Header& header) {
   std::vector<Pane> panes{frame_pane};
-  if (depth_pane.serves(header)) panes.push_back(depth_pane);
+  if (const Pane* depths = depth_pane_of(header)) panes.push_back(*depths);
   for (const Pane& pane : structure_panes(header)) panes.push_back(pane);
   for (const Pane* pane : {&slice_pane, &depth_error_pane, &depth_units_pane})
     if (pane->serves(header)) panes.push_back(*pane);
