@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <vector>
@@ -18,6 +16,7 @@
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
+#include "traces/file/input.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/text.hpp"
@@ -34,9 +33,12 @@ bool tool_is_there(const std::string& tool) {
   return false;
 }
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+constexpr std::uintmax_t largest_text = std::uintmax_t{1} << 30;
+
+/// Whether a file has this text.
+bool has_text(const fs::path& path, const std::string& text) {
+  std::error_code error;
+  return fs::file_size(path, error) == text.size() && !error && read_text(path, largest_text) == text;
 }
 
 class Trial {
@@ -127,7 +129,7 @@ class Trial {
       if (!task.hidden) continue;
       any = true;
       const std::string numbers = plain_numbers(*homework_.method, task.scene),
-                        source = bytes_of(task.scene.source);
+                        source = read_text(task.scene.source, largest_text);
       if (const auto same = public_scenes.find(numbers); same != public_scenes.end())
         lies_open(fmt::format("the hidden scene {} is the same as {}, which students have", task.name, same->second),
                   "change one of them");
@@ -135,8 +137,7 @@ class Trial {
         std::error_code ignored;
         for (const auto& entry : fs::recursive_directory_iterator(place, ignored)) {
           if (!entry.is_regular_file(ignored)) continue;
-          const std::string text = bytes_of(entry.path());
-          if (text.empty() || (text != numbers && text != source)) continue;
+          if (!has_text(entry.path(), numbers) && !has_text(entry.path(), source)) continue;
           lies_open(fmt::format("{} is the hidden scene {}, and lies where students look", in_folder(entry.path()),
                                 task.name),
                     "move it to a folder of its own, as hidden/");
@@ -153,7 +154,7 @@ class Trial {
       say_(Tried::note, "there is no handout.md");
       return;
     }
-    const auto missing = missing_in_handout(bytes_of(handout), folder_);
+    const auto missing = missing_in_handout(read_text(handout, largest_text), folder_);
     for (const auto& [line, name] : missing)
       wrong(fmt::format("handout.md:{}: names {}, which is not there", line, name), "write the name of a file that is");
     if (missing.empty()) say_(Tried::right, "handout.md names files that are there");
