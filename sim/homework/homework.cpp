@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "algorithms/scene/files/bytes.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/scene_file/keys.hpp"
 #include "algorithms/scene/scene_file/read_view.hpp"
@@ -15,7 +16,6 @@
 #include "sim/homework/own_scenes.hpp"
 #include "sim/homework/plain_scene.hpp"
 #include "traces/error.hpp"
-#include "traces/file/input.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/text.hpp"
 
@@ -30,9 +30,11 @@ constexpr std::size_t largest_homework_file = 1 << 20;
 constexpr std::size_t most_tasks = 200, most_parts = 50;
 
 std::string text_of(const fs::path& path) {
-  return read_text(path, largest_homework_file,
-                   "give the folder of a homework; make one with: zstep homework new z-buffer FOLDER",
-                   "a homework takes a few hundred lines");
+  std::error_code ignored;
+  if (!fs::exists(path, ignored))
+    throw InputError(path.string(), "there is no such file",
+                     "give the folder of a homework; make one with: zstep homework new z-buffer FOLDER");
+  return scene::read_bytes(path, largest_homework_file);
 }
 
 class Reader {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/scene/files/bytes.hpp"
 #include "sim/classroom/lesson.hpp"
 #include "sim/homework/asked_text.hpp"
 #include "sim/homework/emitters.hpp"
@@ -13,7 +14,6 @@
 #include "sim/homework/step_fields.hpp"
 #include "sim/homework/unfinished_folder.hpp"
 #include "traces/error.hpp"
-#include "traces/file/input.hpp"
 #include "traces/near_word.hpp"
 
 namespace zstep::homework {
@@ -44,9 +44,9 @@ void write(const fs::path& path, const std::string& text) {
 
 /// Empty where there is none.
 std::string text_of_file(const fs::path& path) {
-  constexpr std::uintmax_t largest = std::uintmax_t{1} << 30;
+  constexpr std::size_t largest = std::size_t{1} << 30;
   std::error_code ignored;
-  return fs::exists(path, ignored) ? read_text(path, largest) : std::string();
+  return fs::exists(path, ignored) ? scene::read_bytes(path, largest) : std::string();
 }
 
 }  // namespace

@@ -55,6 +55,13 @@ Turns turns_of(std::span<const glm::dvec3> corners) {
   return turns;
 }
 
+/// A coordinate on the screen without what rounding left beside a centre or a border of pixels. There decisions fall,
+/// and a program that computes as exactly in another order must not fall to the other side.
+double on_half(double coordinate) {
+  const double half = std::round(2 * coordinate) / 2;
+  return std::abs(coordinate - half) < 1e-11 ? half : coordinate;
+}
+
 /// Puts together what is handed out.
 class Builder {
  public:
@@ -92,7 +99,10 @@ class Builder {
 
   glm::dvec3 point_at(std::int32_t vertex) const {
     const auto i = static_cast<std::size_t>(vertex);
-    return on_screen() ? vertices_[i].raster : from_.points[i];
+    if (!on_screen()) return from_.points[i];
+    const glm::dvec3 raster = vertices_[i].raster;
+    if (from_.camera.kind == Camera::Kind::screen) return raster;
+    return {on_half(raster.x), on_half(raster.y), raster.z};
   }
   std::vector<glm::dvec3> points_of(const Corners& corners) const {
     std::vector<glm::dvec3> points;

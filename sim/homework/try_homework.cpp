@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/scene/files/bytes.hpp"
 #include "sim/homework/assess.hpp"
 #include "sim/homework/handout_words.hpp"
 #include "sim/homework/new_homework.hpp"
@@ -16,7 +17,6 @@
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
-#include "traces/file/input.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/text.hpp"
@@ -33,12 +33,12 @@ bool tool_is_there(const std::string& tool) {
   return false;
 }
 
-constexpr std::uintmax_t largest_text = std::uintmax_t{1} << 30;
+constexpr std::size_t largest_text = std::size_t{1} << 30;
 
 /// Whether a file has this text.
 bool has_text(const fs::path& path, const std::string& text) {
   std::error_code error;
-  return fs::file_size(path, error) == text.size() && !error && read_text(path, largest_text) == text;
+  return fs::file_size(path, error) == text.size() && !error && scene::read_bytes(path, largest_text) == text;
 }
 
 class Trial {
@@ -129,7 +129,7 @@ class Trial {
       if (!task.hidden) continue;
       any = true;
       const std::string numbers = plain_numbers(*homework_.method, task.scene),
-                        source = read_text(task.scene.source, largest_text);
+                        source = scene::read_bytes(task.scene.source, largest_text);
       if (const auto same = public_scenes.find(numbers); same != public_scenes.end())
         lies_open(fmt::format("the hidden scene {} is the same as {}, which students have", task.name, same->second),
                   "change one of them");
@@ -154,7 +154,7 @@ class Trial {
       say_(Tried::note, "there is no handout.md");
       return;
     }
-    const auto missing = missing_in_handout(read_text(handout, largest_text), folder_);
+    const auto missing = missing_in_handout(scene::read_bytes(handout, largest_text), folder_);
     for (const auto& [line, name] : missing)
       wrong(fmt::format("handout.md:{}: names {}, which is not there", line, name), "write the name of a file that is");
     if (missing.empty()) say_(Tried::right, "handout.md names files that are there");

@@ -44,7 +44,8 @@ int main(int argc, char** argv) {
     // TODO: it is a piece: emit_make(…)
   }
   // TODO: build the tree: emit_node(…) for the first piece of the list
-  // TODO: its plane, and the others' sides: emit_plane(…), emit_vertex_side(…), emit_side(…)
+  // TODO: its plane: emit_plane(…)
+  // TODO: the sides of the others: emit_vertex_side(…), emit_side(…)
   // TODO: where one lies in the plane: emit_add(…)
   // TODO: where one crosses it: emit_cut(…), emit_part(…)
   // TODO: then the same of those in front, and of those behind

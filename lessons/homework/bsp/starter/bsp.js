@@ -25,7 +25,8 @@ polygons.forEach((corners, polygon) => {
   // TODO: it is a piece: emit.make(…)
 });
 // TODO: build the tree: emit.node(…) for the first piece of the list
-// TODO: its plane, and the others' sides: emit.plane(…), emit.vertex_side(…), emit.side(…)
+// TODO: its plane: emit.plane(…)
+// TODO: the sides of the others: emit.vertex_side(…), emit.side(…)
 // TODO: where one lies in the plane: emit.add(…)
 // TODO: where one crosses it: emit.cut(…), emit.part(…)
 // TODO: then the same of those in front, and of those behind

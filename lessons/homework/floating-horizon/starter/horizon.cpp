@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   // TODO: each curve, from the nearest to the farthest: emit_curve(…)
   // TODO: from sample to sample: emit_segment(…)
   // TODO: at each column in between: emit_test(…)
-  // TODO: what is visible since the column before: emit_cross(…), emit_draw(…)
+  // TODO: what is visible since the column before, from or up to where it crosses a horizon: emit_cross(…)
+  // TODO: for each pixel that is drawn: emit_draw(…)
   // TODO: where the curve is visible here, the horizons move: emit_move(…)
 }

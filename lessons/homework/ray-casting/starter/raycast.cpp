@@ -55,7 +55,8 @@ int main(int argc, char** argv) {
       // TODO: the ray through the pixel's centre: emit_ray(…)
       // TODO: for each polygon, where the ray meets its plane: emit_plane(…)
       // TODO: where t is within its limits: emit_hit(…)
-      // TODO: the nearest: emit_ray_end(…), and emit_paint(…) where something was met
+      // TODO: the nearest: emit_ray_end(…)
+      // TODO: where something was met: emit_paint(…)
     }
   }
 }

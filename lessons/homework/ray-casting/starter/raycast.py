@@ -37,7 +37,8 @@ def main():
             # TODO: the ray through the pixel's centre: emit.ray(…)
             # TODO: for each polygon, where the ray meets its plane: emit.plane(…)
             # TODO: where t is within its limits: emit.hit(…)
-            # TODO: the nearest: emit.ray_end(…), and emit.paint(…) where something was met
+            # TODO: the nearest: emit.ray_end(…)
+            # TODO: where something was met: emit.paint(…)
             pass
 
 

@@ -52,5 +52,6 @@ int main(int argc, char** argv) {
   // TODO: its active edges: emit_retire_edge(…), emit_step_edge(…), emit_swap_edges(…), emit_enter_edge(…)
   // TODO: for each active edge: emit_flip(…), and up to the next one emit_flags(…)
   // TODO: where several flags are in: emit_depth(…), emit_implied_edge(…)
-  // TODO: what is seen: emit_winner(…), and emit_paint(…) for each pixel
+  // TODO: what is seen: emit_winner(…)
+  // TODO: for each of its pixels: emit_paint(…)
 }

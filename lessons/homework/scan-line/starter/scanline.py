@@ -36,7 +36,8 @@ def main():
     # TODO: its active edges: emit.retire_edge(…), emit.step_edge(…), emit.swap_edges(…), emit.enter_edge(…)
     # TODO: for each active edge: emit.flip(…), and up to the next one emit.flags(…)
     # TODO: where several flags are in: emit.depth(…), emit.implied_edge(…)
-    # TODO: what is seen: emit.winner(…), and emit.paint(…) for each pixel
+    # TODO: what is seen: emit.winner(…)
+    # TODO: for each of its pixels: emit.paint(…)
 
 
 main()
