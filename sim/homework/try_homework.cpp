@@ -154,7 +154,15 @@ class Trial {
       say_(Tried::note, "there is no handout.md");
       return;
     }
-    const auto missing = missing_in_handout(scene::read_bytes(handout, largest_text), folder_);
+    const std::string text = scene::read_bytes(handout, largest_text);
+    for (const grade::Part& part : homework_.parts)
+      for (const StepInfo& step : homework_.steps)
+        if (std::find(part.kinds.begin(), part.kinds.end(), step.kind) != part.kinds.end() &&
+            text.find('`' + step.name + '`') == std::string::npos)
+          say_(Tried::note, fmt::format("handout.md does not name the step {}, of the part '{}'; where the part was put "
+                                        "back, take the text from a new homework",
+                                        step.name, part.name));
+    const auto missing = missing_in_handout(text, folder_);
     for (const auto& [line, name] : missing)
       wrong(fmt::format("handout.md:{}: names {}, which is not there", line, name), "write the name of a file that is");
     if (missing.empty()) say_(Tried::right, "handout.md names files that are there");

@@ -143,4 +143,9 @@ TEST_CASE("homework parts: what an instructor wrote stays, and points may be any
   const Outcome tried = run(folder, "homework try hw");
   CHECK_MESSAGE(tried.code == 0, tried.out);
   CHECK(has(tried.out, "44.5 points"));
+  // The text of a part that is put back is missed.
+  write_text(folder / "hw/homework.toml", toml + "\n[[part]]\nname = \"spans\"\nsteps = [\"span\"]\nvalue = 1\n");
+  write_text(folder / "hw/handout.md", std::regex_replace(text_of(folder / "hw/handout.md"), std::regex("`span`"), "span"));
+  REQUIRE(run(folder, "homework refresh hw").code == 0);
+  CHECK(has(run(folder, "homework try hw").out, "--  handout.md does not name the step span, of the part 'spans'"));
 }
