@@ -1,6 +1,8 @@
 #include "sim/cli/homework_seed.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -24,6 +26,27 @@ std::string made_text(const homework::Task& task) {
                      is.steps, is.losing, is.crossing);
 }
 
+/// Those that are not there yet. `on_made` is called after each that is there.
+void make_folders(const std::string& folder, const std::vector<std::string>& students, const fs::path& out,
+                  const std::function<void()>& on_made) {
+  Watch watch;
+  for (const std::string& student : students) {
+    const fs::path own = out / student;
+    std::error_code ignored;
+    if (fs::exists(own, ignored)) {
+      on_made();
+      fmt::print("{}: is there already, and stays as it is\n", printable(own.string()));
+      continue;
+    }
+    watch.show(fmt::format("making: {} (Ctrl-C stops)", student));
+    const homework::Homework made = homework::make_student_folder(folder, student, out);
+    watch.clear_line();
+    on_made();
+    for (const homework::Task& task : made.tasks)
+      if (task.made && !task.hidden) fmt::print("{}: {}\n", printable(own.string()), made_text(task));
+  }
+}
+
 }  // namespace
 
 int seed_homework(const std::string& folder, const std::string& names, const std::string& out,
@@ -42,29 +65,22 @@ int seed_homework(const std::string& folder, const std::string& names, const std
     throw InputError(out, "lies in the folder of the homework", "choose a place beside it");
   const fs::path key_path = fs::path(folder) / homework::key_file;
   if (!key) homework::write_key(folder, wanted);
+  bool made_out = false, made_any = false;
   try {
     if (!homework::load_homework(folder, students.front()).seeded())
       throw InputError(folder, "has no scene of each student's own",
                        "add to homework.toml: [[scene]], generate = \"triangles\", name = \"own\"");
+    made_out = fs::create_directories(out, error);
+    if (error) throw InputError(out, "cannot be made: " + error.message(), "check the folder it lies in");
+    make_folders(folder, students, out, [&] {
+      if (!key && !made_any) fmt::print("{}: made; keep it, and give it to nobody\n", printable(key_path.string()));
+      made_any = true;
+    });
   } catch (...) {
-    if (!key) fs::remove(key_path, error);
+    // As long as nobody has a scene that was made from it, the key is not needed.
+    if (!key && !made_any) fs::remove(key_path, error);
+    if (made_out && !made_any) fs::remove(out, error);
     throw;
-  }
-  if (!key) fmt::print("{}: made; keep it, and give it to nobody\n", printable(key_path.string()));
-  fs::create_directories(out, error);
-  if (error) throw InputError(out, "cannot be made: " + error.message(), "check the folder it lies in");
-  Watch watch;
-  for (const std::string& student : students) {
-    const fs::path own = fs::path(out) / student;
-    if (fs::exists(own, error)) {
-      fmt::print("{}: is there already, and stays as it is\n", printable(own.string()));
-      continue;
-    }
-    watch.show(fmt::format("making: {} (Ctrl-C stops)", student));
-    const homework::Homework made = homework::make_student_folder(folder, student, out);
-    watch.clear_line();
-    for (const homework::Task& task : made.tasks)
-      if (task.made && !task.hidden) fmt::print("{}: {}\n", printable(own.string()), made_text(task));
   }
   return exit_code::done;
 }

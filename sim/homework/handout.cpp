@@ -7,6 +7,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "sim/classroom/markdown.hpp"
+#include "sim/homework/asked_text.hpp"
 #include "sim/homework/assess.hpp"
 #include "sim/pages/page.hpp"
 #include "sim/pages/pictures.hpp"
@@ -120,7 +121,7 @@ std::string scene_html(const Method& method, const Task& task, const Trace& refe
 }  // namespace
 
 std::string handout_html(const Homework& homework, std::string_view markdown) {
-  std::string html = page_begin(homework.title) + markdown_html(markdown);
+  std::string html = page_begin(homework.title) + markdown_html(without_block_lines(markdown));
   const References references(homework);
   std::string scenes;
   for (const Task& task : homework.tasks)

@@ -1,8 +1,6 @@
 #include "sim/homework/homework.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,13 +8,16 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "algorithms/scene/files/bytes.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/scene_file/keys.hpp"
 #include "algorithms/scene/scene_file/read_view.hpp"
 #include "algorithms/scene/scene_file/toml_depth.hpp"
 #include "sim/homework/own_scenes.hpp"
+#include "sim/homework/plain_scene.hpp"
 #include "traces/error.hpp"
 #include "traces/record/trace_recorder.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::homework {
 
@@ -30,14 +31,10 @@ constexpr std::size_t most_tasks = 200, most_parts = 50;
 
 std::string text_of(const fs::path& path) {
   std::error_code ignored;
-  std::ifstream in(path, std::ios::binary);
-  if (!in || fs::is_directory(path, ignored))
-    throw InputError(path.string(), "cannot be opened",
+  if (!fs::exists(path, ignored))
+    throw InputError(path.string(), "there is no such file",
                      "give the folder of a homework; make one with: zstep homework new z-buffer FOLDER");
-  std::string text((std::istreambuf_iterator<char>(in)), {});
-  if (text.size() > largest_homework_file)
-    throw InputError(path.string(), "is larger than 1 MiB", "a homework takes a few hundred lines");
-  return text;
+  return scene::read_bytes(path, largest_homework_file);
 }
 
 class Reader {
@@ -62,6 +59,7 @@ class Reader {
     read_free();
     read_method_options();
     homework_.digits = top_.whole("digits", 0, 17).value_or(homework_.digits);
+    convex_ = top_.choice("polygons", {"any", "convex"}).value_or(0) == 1;
     if (const toml::table* program = top_.table("program")) read_program(*program);
     const toml::array* also = top_.array("also");
     top_.find("options");  // read for each task, beside the scene's own
@@ -73,13 +71,16 @@ class Reader {
     if (parts == nullptr || parts->empty())
       throw InputError(file_, "nothing is graded", "add [[part]] with a name, steps and points");
     for (const toml::node& node : few(*parts, most_parts, "parts")) read_part(node);
+    for (const auto& [name, at] : texts(also)) printed_.insert(step_called(name, *at).name);
+    for (const StepInfo& step : page_) {
+      // Of two modules' steps of one name, as `outline`, a program prints the first.
+      if (&step != find_step(page_, std::string_view(step.name))) continue;
+      homework_.page.push_back(step);
+      if (printed_.contains(step.name)) homework_.steps.push_back(step);
+    }
     for (const toml::node& node : few(*tasks, most_tasks, "scenes")) read_task(node);
     if (homework_.tasks.empty())
       throw InputError(file_, "none of the scenes is here", "copy the files that it names beside it");
-    for (const auto& [name, at] : texts(also)) printed_.insert(step_called(name, *at).name);
-    for (const StepInfo& step : page_)  // of two modules' steps of one name, as `outline`, a program prints the first
-      if (printed_.contains(step.name) && &step == find_step(page_, std::string_view(step.name)))
-        homework_.steps.push_back(step);
     if (homework_.points() <= 0) throw InputError(file_, "all parts together are worth nothing", "give them points");
     return std::move(homework_);
   }
@@ -159,6 +160,11 @@ class Reader {
   void read_given(Keys& keys, const toml::table& table, Task task) {
     const std::string name = needed(keys, table, "file", "file = \"scenes/one.toml\"");
     keys.finish();
+    const toml::node& at = *table.get("file");
+    const fs::path within = fs::path(name).lexically_normal();
+    if (within.is_absolute() || *within.begin() == "..")
+      fail_at(at, file_, fmt::format("the scene {} lies outside the homework's folder", name),
+              "copy it into scenes/, with what it names, so that it comes along where the homework goes");
     if (task.hidden) homework_.instructors.push_back(name);
     const fs::path path = homework_.folder / name;
     std::error_code ignored;
@@ -168,10 +174,12 @@ class Reader {
       return;
     }
     if (!there)
-      fail_at(*table.get("file"), file_, fmt::format("there is no file {}", path.string()),
+      fail_at(at, file_, fmt::format("there is no file {}", path.string()),
               "name a scene file, from the homework's folder");
     task.name = path.stem().string();
-    take_scene(*table.get("file"), load_scene(path.string()), task);
+    if (const std::string why = why_no_name(task.name); !why.empty())
+      fail_at(at, file_, fmt::format("the scene's name, '{}', {}", printable(task.name), why), "call the file otherwise");
+    take_scene(at, load_scene(path.string()), task);
     homework_.tasks.push_back(std::move(task));
   }
   void take_scene(const toml::node& at, SceneFile loaded, Task& task) {
@@ -182,8 +190,22 @@ class Reader {
     Keys again(table_, file_, "a homework");
     scene::read_options(again, file_, false, task.conventions);
     for (const auto& [name, value] : method_options_) task.conventions.options[name] = value;
-    task.scene = look_at_scene(std::move(loaded.scene), {});
-    check_run(*homework_.method, task.scene, task.conventions, file_);
+    Scene scene = look_at_scene(std::move(loaded.scene), {});
+    if (const Raster& raster = scene.raster; std::int64_t{raster.width} * raster.height > most_scene_pixels)
+      fail_at(at, file_, fmt::format("the scene {} has {}x{} pixels", task.name, raster.width, raster.height),
+              fmt::format("make its raster smaller: a homework's has at most {}", most_scene_pixels));
+    check_run(*homework_.method, scene, task.conventions, file_);
+    if (const std::string why = why_not_plain(*homework_.method, scene); !why.empty())
+      fail_at(at, file_, fmt::format("the scene {} {}", task.name, why),
+              "give it another camera, or take it out: programs could not be told");
+    PolygonsAsked asked = polygons_asked(*homework_.method, task.conventions, printed_kinds(), homework_.free);
+    asked.convex = convex_;
+    task.scene = scene_for_programs(std::move(scene), task.conventions, asked);
+  }
+  std::set<std::uint8_t> printed_kinds() const {
+    std::set<std::uint8_t> kinds;
+    for (const StepInfo& step : homework_.steps) kinds.insert(step.kind);
+    return kinds;
   }
 
   /// A scene of each student's own.
@@ -234,13 +256,16 @@ class Reader {
     if (buffers && part.computation > 0)
       fail_at(*table.get("computation"), file_, "buffers are not computed from anything", "give `value` all points");
     const toml::array* steps = keys.array("steps");
+    const toml::array* needs = keys.array("needs");
     keys.finish();
+    for (const auto& [name, at] : texts(needs)) printed_.insert(step_called(name, *at).name);
     if (buffers && steps != nullptr) fail_at(*steps, file_, "buffers have no steps", "leave `steps` out");
     for (const auto& [name, at] : texts(steps)) {
       const StepInfo& step = step_called(name, *at);
       // Steps of one kind, as move and clear_horizons, are counted together.
       const bool with_another = std::find(part.kinds.begin(), part.kinds.end(), step.kind) != part.kinds.end();
-      const bool fresh = printed_.insert(step.name).second;
+      printed_.insert(step.name);
+      const bool fresh = listed_.insert(step.name).second;
       if (with_another && fresh) continue;
       part.kinds.push_back(step.kind);
       if (!graded_.insert(step.kind).second)
@@ -271,7 +296,9 @@ class Reader {
   Keys top_;
   Page page_;
   std::set<std::uint8_t> graded_;
-  std::set<std::string> printed_;  ///< the names of steps that are graded, or in `also`
+  std::set<std::string> listed_;   ///< the names of steps that are graded
+  std::set<std::string> printed_;  ///< and of those that are in `also` or that a part needs
+  bool convex_ = false;            ///< scenes' concave polygons are cut
   std::map<std::string, std::string> method_options_;
   Homework homework_;
 };
@@ -292,6 +319,11 @@ double Homework::points() const {
 
 Trace reference_run(const Method& method, const Scene& scene, const Conventions& conventions) {
   TraceRecorder recorder(header_for(method, conventions), scene);
+  recorder.on_block([&](std::int64_t steps) {
+    if (steps > most_scene_steps)
+      throw InputError(scene.source, fmt::format("a right run of it has more than {} steps", most_scene_steps),
+                       "make its raster smaller, or take fewer polygons");
+  });
   method.record(scene, conventions, recorder);
   recorder.finish();
   return Trace::from_bytes(recorder.take_bytes(), "the reference");

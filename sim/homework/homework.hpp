@@ -26,7 +26,7 @@ struct Task {
   std::string name;  ///< of its file, without extension: what a submission calls its run
   bool hidden = false;
   double weight = 1;  ///< its share of all points, beside the other tasks' weights
-  Scene scene;
+  Scene scene;        ///< as programs get it (plain_scene.hpp)
   Conventions conventions;
   std::optional<Made> made;  ///< where it is each student's own
 };
@@ -43,6 +43,7 @@ struct Homework {
   bool seeded() const;
   std::vector<grade::Part> parts;
   std::vector<StepInfo> steps;  ///< that a program prints: those of the parts, and what gives them their places
+  std::vector<StepInfo> page;   ///< all that a program could print, in the method's order
 
   int digits = 6;       ///< or decimals, that numbers are held to, however few a run prints
   std::string program;  ///< the command that runs a submission's program on the scene that follows it; or none
@@ -53,7 +54,10 @@ struct Homework {
   double points() const;  ///< of all parts
 };
 
-/// The run that a submission is held against.
+/// A scene has at most so many pixels, and the right run of it so many steps: so each command takes seconds.
+inline constexpr std::int64_t most_scene_pixels = std::int64_t{1} << 20, most_scene_steps = std::int64_t{1} << 22;
+
+/// The run that a submission is held against. Throws InputError where it has more than `most_scene_steps`.
 Trace reference_run(const Method& method, const Scene& scene, const Conventions& conventions);
 
 /// With the scenes of this student, where the folder has the key that they are made from; a student's copy has no key,

@@ -7,18 +7,14 @@
 #include <vector>
 
 #include "sim/homework/homework.hpp"
+#include "sim/homework/plain_scene.hpp"
 
 namespace zstep::homework {
 
-/// A scene as programs read it: width and height, the points, each polygon as the number of its vertices and these, and
-/// the colours, for programs that draw: of the background and of each polygon. Then, of a scene in space, the rays
-/// through the pixels' centres: X_0 of pixel (0, 0), its change by a column and by a row, the same of dX, and the least
-/// and the greatest t. For a method that draws surfaces: width and height, how many rows of how many samples, the
-/// points of these, T_v, d (0 in parallel projection), half the height of the window, near and far.
-std::string plain_numbers(const Method& method, const Scene& scene);
 /// What is made from homework.toml and the scenes, where it is missing or no longer agrees with them: the scenes in
-/// plain numbers, the files that write steps, in starter/ and solution/, and the schema of a line; each with the text
-/// that it should have.
+/// plain numbers, the files that write steps, in starter/ and solution/, the schema of a line, and the hand-out as a
+/// page; and the hand-out and the starters without what they say of steps that are not asked for (asked_text.hpp). Each
+/// with the text that it should have. Throws InputError where the hand-out's blocks are not as they must be.
 std::vector<std::pair<std::filesystem::path, std::string>> made_files(const Homework& homework);
 /// Writes these. Returns what it wrote, from the folder.
 std::vector<std::string> refresh_homework(const std::filesystem::path& folder);

@@ -10,6 +10,7 @@
 #include "sim/homework/reports.hpp"
 #include "sim/homework/seeds.hpp"
 #include "sim/homework/student_folders.hpp"
+#include "sim/homework/unfinished_folder.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
@@ -59,9 +60,11 @@ Assessment stopped(const Homework& homework) {
 }
 
 void fill(const Homework& homework, Service service, const fs::path& folder) {
-  const fs::path inside = service == Service::github ? folder / ".zstep" : folder;
-  if (service == Service::github) copy_for_students(homework, inside / "homework");
+  const bool for_students = service == Service::github;
+  const fs::path inside = for_students ? folder / ".zstep" : folder;
+  if (for_students) copy_for_students(homework, inside / "homework");
   else copy_to_grade(homework, inside / "homework");
+  const Homework copy = load_copy(homework, inside / "homework", for_students);
   carry_program(inside / "zstep");
   switch (service) {
     case Service::gradescope:
@@ -74,11 +77,11 @@ void fill(const Homework& homework, Service service, const fs::path& folder) {
       write_script(folder / "Dockerfile", prairielearn_dockerfile(homework), false);
       write_script(folder / "grade.sh", prairielearn_run(homework));
       write_script(folder / "info.json", prairielearn_info(homework), false);
+      write_script(folder / "question.html", prairielearn_question(homework), false);
       break;
     case Service::github:
       // Students have only the scenes that are theirs, and so has the workflow in their repository.
-      write_script(folder / ".github/workflows/classroom.yml", github_workflow(load_homework(inside / "homework")),
-                   false);
+      write_script(folder / ".github/workflows/classroom.yml", github_workflow(copy), false);
       break;
   }
 }
@@ -94,8 +97,8 @@ std::vector<std::string> notes_of(const Homework& homework, Service service, con
       break;
     case Service::prairielearn:
       notes.push_back(
-          fmt::format("In {}: docker build -t NAME . && docker push NAME; then put the lines of info.json, "
-                      "with that name, into the question's info.json.",
+          fmt::format("In {}: docker build -t NAME . && docker push NAME; write that name into info.json, and put it "
+                      "and question.html into a folder of the course's questions/.",
                       out));
       break;
     case Service::github:
@@ -123,24 +126,23 @@ std::vector<std::string> pack_homework(const fs::path& folder, Service service, 
     throw InputError(out.string(), "is no zip file's name", "Gradescope takes a zip: give -o autograder.zip");
   if (!fs::is_directory(fs::absolute(out / "").parent_path().parent_path(), ignored))
     throw InputError(out.string(), "lies in a folder that is not there", "make the folder first");
-  const fs::path partial = (out / "").parent_path().string() + ".part";
-  if (fs::exists(partial, ignored))
-    throw InputError(partial.string(), "is in the way: the pack is made under this name", "move it away");
+  const fs::path from_home = fs::weakly_canonical(out, ignored).lexically_relative(fs::weakly_canonical(folder, ignored));
+  if (!from_home.empty() && *from_home.begin() != "..")
+    throw InputError(out.string(), "lies in the folder of the homework", "choose a place beside it");
   try {
-    fill(homework, service, partial);
+    UnfinishedFolder made(out);
     if (service == Service::gradescope) {
-      zip(partial, out);
-      fs::remove_all(partial);
+      const fs::path zipped = made.path() / "pack.zip";
+      fill(homework, service, made.path() / "pack");
+      zip(made.path() / "pack", zipped);
+      fs::rename(zipped, out);
     } else {
-      fs::rename(partial, out);
+      fill(homework, service, made.path());
+      made.finish();
     }
   } catch (const fs::filesystem_error& error) {
-    fs::remove_all(partial, ignored);
     throw InputError(out.string(), fmt::format("cannot be made: {}", error.code().message()),
                      "check the folder it lies in, and the room on the disk");
-  } catch (...) {
-    fs::remove_all(partial, ignored);
-    throw;
   }
   return notes_of(homework, service, out.string());
 }

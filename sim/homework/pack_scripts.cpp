@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "sim/homework/seeds.hpp"
+#include "sim/pages/page.hpp"
 #include "sim/words/shell_word.hpp"
 
 namespace zstep::homework {
@@ -107,24 +112,95 @@ std::string prairielearn_run(const Homework& homework) {
 }
 
 std::string prairielearn_info(const Homework& homework) {
-  return fmt::format(
-      "{{\n"
-      "  \"externalGradingOptions\": {{\n"
-      "    \"enabled\": true,\n"
-      "    \"image\": \"NAME\",\n"
-      "    \"entrypoint\": \"/zstep/grade.sh\",\n"
-      "    \"timeout\": {}\n"
-      "  }}\n"
-      "}}\n",
-      seconds_for(homework));
+  const std::string whose = homework.title + "\n" + std::string(homework.method->id);
+  const std::uint64_t high = keyed_number({0, 0}, whose), low = keyed_number({0, 1}, whose);
+  // Version 4, and the variant that RFC 9562 describes.
+  const std::string uuid = fmt::format("{:08x}-{:04x}-4{:03x}-{:04x}-{:012x}", high >> 32, high >> 16 & 0xffff,
+                                       high & 0xfff, (low >> 48 & 0x3fff) | 0x8000, low & 0xffff'ffff'ffff);
+  const nlohmann::ordered_json info{
+      {"uuid", uuid},
+      {"title", homework.title},
+      {"topic", "Visible surfaces"},
+      {"tags", nlohmann::ordered_json::array()},
+      {"type", "v3"},
+      {"gradingMethod", "External"},
+      {"singleVariant", true},
+      {"showCorrectAnswer", false},
+      {"partialCredit", true},
+      {"externalGradingOptions",
+       {{"enabled", true}, {"image", "NAME"}, {"entrypoint", "/zstep/grade.sh"}, {"timeout", seconds_for(homework)}}}};
+  return info.dump(2) + "\n";
 }
+
+namespace {
+
+/// Text in a question's page, which is HTML, and before that a Mustache template.
+std::string in_question(std::string_view text) {
+  std::string html;
+  for (const char c : shown(text)) html += c == '{' ? "&#123;" : c == '}' ? "&#125;" : std::string(1, c);
+  return html;
+}
+
+}  // namespace
+
+std::string prairielearn_question(const Homework& homework) {
+  std::string files, what;
+  if (homework.program.empty()) {
+    for (const Task& task : homework.tasks)
+      if (!task.hidden) what += (what.empty() ? "" : ", ") + fmt::format("<code>{}.jsonl</code>", in_question(task.name));
+    what = "Hand in what your program prints on each scene: " + what + ".";
+    files = "*.jsonl, *.png, *.npy, *.pfm";
+  } else {
+    what = fmt::format("Hand in your program, all files of it. On each scene it is run by <code>{} SCENE.txt</code>.",
+                       in_question(homework.program));
+    files = "*";
+  }
+  return fmt::format(
+      "<pl-question-panel>\n"
+      "  <h2>{}</h2>\n"
+      "  <p>{}</p>\n"
+      "  <pl-file-upload optional-file-patterns=\"{}\"></pl-file-upload>\n"
+      "</pl-question-panel>\n"
+      "<pl-submission-panel>\n"
+      "  <pl-external-grader-results></pl-external-grader-results>\n"
+      "  <pl-file-preview></pl-file-preview>\n"
+      "</pl-submission-panel>\n",
+      in_question(homework.title), what, files);
+}
+
+namespace {
+
+/// The scenes' points in whole numbers that add up to all of them, rounded: those that lose most by being cut off get
+/// one more.
+std::vector<std::int64_t> whole_points(const Homework& homework) {
+  const double all = homework.points();
+  std::vector<std::int64_t> points;
+  std::vector<std::pair<double, std::size_t>> lost;
+  std::int64_t given = 0;
+  for (const Task& task : homework.tasks) {
+    const double exact = homework.share(task) * all;
+    points.push_back(static_cast<std::int64_t>(std::floor(exact)));
+    given += points.back();
+    lost.emplace_back(std::floor(exact) - exact, lost.size());
+  }
+  std::sort(lost.begin(), lost.end());
+  for (std::size_t k = 0; given < std::llround(all); ++given, ++k) ++points[lost[k % lost.size()].second];
+  return points;
+}
+
+/// A text in a workflow. JSON's texts are YAML's, too.
+std::string in_yaml(const std::string& text) { return nlohmann::json(text).dump(); }
+
+}  // namespace
 
 std::string github_workflow(const Homework& homework) {
   std::string steps, runners, results;
-  for (const Task& task : homework.tasks) {
-    const std::string scene = shell_word(task.name),
-                      id = fmt::format("scene-{}",
-                                       runners.empty() ? 1 : 1 + std::count(runners.begin(), runners.end(), ',') + 1);
+  const std::vector<std::int64_t> points = whole_points(homework);
+  for (std::size_t k = 0; k < homework.tasks.size(); ++k) {
+    const Task& task = homework.tasks[k];
+    const std::string id = fmt::format("scene-{}", k + 1),
+                      command = ".zstep/zstep/zstep grade --homework .zstep/homework \"$RUNNER_TEMP/runs\" --scene " +
+                                shell_word(task.name);
     steps += fmt::format(
         "      - name: {0}\n"
         "        id: {1}\n"
@@ -132,10 +208,10 @@ std::string github_workflow(const Homework& homework) {
         "        uses: classroom-resources/autograding-command-grader@v1\n"
         "        with:\n"
         "          test-name: {0}\n"
-        "          command: .zstep/zstep/zstep grade --homework .zstep/homework \"$RUNNER_TEMP/runs\" --scene {2}\n"
+        "          command: {2}\n"
         "          timeout: 5\n"
         "          max-score: {3}\n",
-        task.name, id, scene, std::lround(homework.share(task) * homework.points()));
+        in_yaml(task.name), id, in_yaml(command), points[k]);
     std::string upper = id;
     std::transform(upper.begin(), upper.end(), upper.begin(),
                    [](char c) { return static_cast<char>(std::toupper(c)); });

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
+
+#include <fmt/format.h>
 
 #include "sim/homework/new_homework.hpp"
 #include "sim/homework/seeds.hpp"
+#include "sim/homework/unfinished_folder.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::homework {
@@ -43,25 +47,45 @@ void copy_for_students(const Homework& homework, const fs::path& to) {
   }
 }
 
+Homework load_copy(const Homework& homework, const fs::path& copy, bool for_students) {
+  const auto missing = [&](const std::string& what) -> InputError {
+    return {homework.folder.string(), "cannot be copied whole: " + what,
+            "keep all that its scenes need in its folder, as files and not as links, and not in solution/, class/ or "
+            "starter/"};
+  };
+  std::optional<Homework> loaded;
+  try {
+    loaded = load_homework(copy);
+  } catch (const InputError& error) {
+    std::string what = error.what();
+    const std::string place = copy.string();
+    for (std::size_t at = what.find(place); at != std::string::npos; at = what.find(place))
+      what.replace(at, place.size(), homework.folder.string());
+    throw missing(what);
+  }
+  for (const Task& task : homework.tasks) {
+    if (for_students && task.hidden) continue;
+    if (std::none_of(loaded->tasks.begin(), loaded->tasks.end(), [&](const Task& one) { return one.name == task.name; }))
+      throw missing(fmt::format("the scene {} is not in it", task.name));
+  }
+  return std::move(*loaded);
+}
+
 Homework make_student_folder(const fs::path& folder, const std::string& student, const fs::path& out) {
   Homework homework = load_homework(folder, student);
-  const fs::path partial = out / (student + ".part");
-  std::error_code ignored;
   try {
-    copy_for_students(homework, partial);
+    UnfinishedFolder made(out / student);
+    copy_for_students(homework, made.path());
     for (const Task& task : homework.tasks) {
       if (!task.made || task.hidden) continue;
-      put_text(partial / "scenes" / (task.name + ".toml"), task.made->text);
-      put_text(partial / "scenes" / (task.name + ".txt"), plain_numbers(*homework.method, task.scene));
+      put_text(made.path() / "scenes" / (task.name + ".toml"), task.made->text);
+      put_text(made.path() / "scenes" / (task.name + ".txt"), plain_numbers(*homework.method, task.scene));
     }
-    fs::rename(partial, out / student);
+    load_copy(homework, made.path(), true);
+    made.finish();
   } catch (const fs::filesystem_error& error) {
-    fs::remove_all(partial, ignored);
     throw InputError((out / student).string(), "cannot be made: " + error.code().message(),
                      "check the folder it lies in");
-  } catch (...) {
-    fs::remove_all(partial, ignored);
-    throw;
   }
   return homework;
 }

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "algorithms/scene/files/bytes.hpp"
 #include "sim/homework/assess.hpp"
 #include "sim/homework/handout_words.hpp"
 #include "sim/homework/new_homework.hpp"
@@ -34,9 +33,12 @@ bool tool_is_there(const std::string& tool) {
   return false;
 }
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+constexpr std::size_t largest_text = std::size_t{1} << 30;
+
+/// Whether a file has this text.
+bool has_text(const fs::path& path, const std::string& text) {
+  std::error_code error;
+  return fs::file_size(path, error) == text.size() && !error && scene::read_bytes(path, largest_text) == text;
 }
 
 class Trial {
@@ -127,7 +129,7 @@ class Trial {
       if (!task.hidden) continue;
       any = true;
       const std::string numbers = plain_numbers(*homework_.method, task.scene),
-                        source = bytes_of(task.scene.source);
+                        source = scene::read_bytes(task.scene.source, largest_text);
       if (const auto same = public_scenes.find(numbers); same != public_scenes.end())
         lies_open(fmt::format("the hidden scene {} is the same as {}, which students have", task.name, same->second),
                   "change one of them");
@@ -135,8 +137,7 @@ class Trial {
         std::error_code ignored;
         for (const auto& entry : fs::recursive_directory_iterator(place, ignored)) {
           if (!entry.is_regular_file(ignored)) continue;
-          const std::string text = bytes_of(entry.path());
-          if (text.empty() || (text != numbers && text != source)) continue;
+          if (!has_text(entry.path(), numbers) && !has_text(entry.path(), source)) continue;
           lies_open(fmt::format("{} is the hidden scene {}, and lies where students look", in_folder(entry.path()),
                                 task.name),
                     "move it to a folder of its own, as hidden/");
@@ -153,7 +154,15 @@ class Trial {
       say_(Tried::note, "there is no handout.md");
       return;
     }
-    const auto missing = missing_in_handout(bytes_of(handout), folder_);
+    const std::string text = scene::read_bytes(handout, largest_text);
+    for (const grade::Part& part : homework_.parts)
+      for (const StepInfo& step : homework_.steps)
+        if (std::find(part.kinds.begin(), part.kinds.end(), step.kind) != part.kinds.end() &&
+            text.find('`' + step.name + '`') == std::string::npos)
+          say_(Tried::note, fmt::format("handout.md does not name the step {}, of the part '{}'; where the part was put "
+                                        "back, take the text from a new homework",
+                                        step.name, part.name));
+    const auto missing = missing_in_handout(text, folder_);
     for (const auto& [line, name] : missing)
       wrong(fmt::format("handout.md:{}: names {}, which is not there", line, name), "write the name of a file that is");
     if (missing.empty()) say_(Tried::right, "handout.md names files that are there");

@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -156,7 +158,8 @@ TEST_CASE("homework pack: PrairieLearn's grader has an image, a script and the l
   const Outcome packed = run(folder, "homework pack hw --prairielearn -o grader");
   CAPTURE(packed.err);
   REQUIRE(packed.code == 0);
-  const json options = json::parse(text_of(folder / "grader/info.json"))["externalGradingOptions"];
+  const json info = json::parse(text_of(folder / "grader/info.json"));
+  const json& options = info["externalGradingOptions"];
   CHECK(options["enabled"] == true);
   CHECK(options["entrypoint"] == "/zstep/grade.sh");
   CHECK(options["timeout"].get<int>() <= 600);
@@ -191,6 +194,66 @@ TEST_CASE("homework pack: PrairieLearn's grader has an image, a script and the l
   write_text(folder / "grade/student/zbuffer.py", "while True:\n    pass\n");
   in_a_root(folder, "--bind grader /zstep --bind grade /grade", "timeout -s KILL 2 /zstep/grade.sh");
   check_left();
+}
+
+TEST_CASE("homework pack: PrairieLearn's question is whole, and the same one when it is packed again") {
+  const Folder folder;
+  homework_of_programs(folder);
+  for (const char* out : {"one", "two"})
+    REQUIRE(run(folder, std::string("homework pack hw --prairielearn -o ") + out).code == 0);
+  const std::string text = text_of(folder / "one/info.json"), question = text_of(folder / "one/question.html");
+  CHECK(text == text_of(folder / "two/info.json"));
+  const json info = json::parse(text);
+  // What apps/prairielearn/src/schemas/infoQuestion.ts requires, and what the grading needs beside: left out, the
+  // method would be Internal.
+  const std::regex uuid("[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}");
+  CHECK(std::regex_match(info["uuid"].get<std::string>(), uuid));
+  CHECK(info["title"] == "The Z-buffer");
+  CHECK_FALSE(info["topic"].get<std::string>().empty());
+  CHECK(info["type"] == "v3");
+  CHECK(info["gradingMethod"] == "External");
+  CHECK(info["singleVariant"] == true);
+  CHECK(info["partialCredit"] == true);
+  for (const auto& [key, value] : info.items())
+    CHECK_MESSAGE(std::set<std::string>({"uuid", "title", "topic", "tags", "type", "gradingMethod", "singleVariant",
+                                         "showCorrectAnswer", "partialCredit", "externalGradingOptions"})
+                      .contains(key),
+                  key);
+  for (const char* part : {"<pl-question-panel>", "<pl-file-upload optional-file-patterns=\"*\">",
+                           "<pl-submission-panel>", "<pl-external-grader-results>"})
+    CHECK_MESSAGE(has(question, part), part);
+  // Another homework is another question; what HTML or Mustache would take for its own is written so that it is text.
+  std::string toml = text_of(folder / "hw/homework.toml");
+  toml.replace(toml.find("title = \"The Z-buffer\""), 22, "title = \"<Z> {{buffer}} & Co\"");
+  toml.erase(toml.find("\n[program]\n"), toml.find("\n[options]\n") - toml.find("\n[program]\n"));
+  write_text(folder / "hw/homework.toml", toml);
+  REQUIRE(run(folder, "homework pack hw --prairielearn -o three").code == 0);
+  const json other = json::parse(text_of(folder / "three/info.json"));
+  CHECK(other["uuid"] != info["uuid"]);
+  CHECK(other["title"] == "<Z> {{buffer}} & Co");
+  const std::string runs = text_of(folder / "three/question.html");
+  CHECK(has(runs, "&lt;Z&gt; &#123;&#123;buffer&#125;&#125; &amp; Co"));
+  CHECK(has(runs, "<code>triangle.jsonl</code>"));
+  CHECK_FALSE(has(runs, "overlap"));
+}
+
+TEST_CASE("homework pack: the points of GitHub's scenes are whole and add up to the homework's") {
+  for (const char* weights : {"", "weight = 3\n", "weight = 0.01\n"}) {
+    const Folder folder;
+    homework_of_programs(folder);
+    std::string toml = text_of(folder / "hw/homework.toml");
+    const std::string scene = "file = \"scenes/crossing.toml\"\n";
+    toml.replace(toml.find(scene), scene.size(), scene + weights);
+    write_text(folder / "hw/homework.toml", toml);
+    REQUIRE(run(folder, "homework pack hw --github -o repository").code == 0);
+    const std::string workflow = text_of(folder / "repository/.github/workflows/classroom.yml");
+    const std::regex score("max-score: ([0-9]+)\n");
+    int all = 0, scenes = 0;
+    for (std::sregex_iterator at(workflow.begin(), workflow.end(), score), end; at != end; ++at, ++scenes)
+      all += std::stoi((*at)[1]);
+    CHECK(scenes == 3);
+    CHECK(all == 65);
+  }
 }
 
 TEST_CASE("homework pack: GitHub's repository has no hidden scene and no solution, and its zstep grades") {

@@ -43,10 +43,13 @@ int main(int argc, char** argv) {
     emit_polygon(polygon, polygon);
     // TODO: it is a piece: emit_make(…)
   }
-  // TODO: build the tree: emit_node(…), emit_plane(…) for the first piece of the list,
-  //       emit_vertex_side(…), emit_side(…) for each of the others,
-  //       emit_add(…) or emit_cut(…) and emit_part(…) for some; then the same
-  //       of those in front, and of those behind
-  // TODO: go through the tree: emit_eye_side(…) at each node; the far side; emit_draw(…) and emit_paint(…) for each
-  //       piece of the node; the near side
+  // TODO: build the tree: emit_node(…) for the first piece of the list
+  // TODO: its plane: emit_plane(…)
+  // TODO: the sides of the others: emit_vertex_side(…), emit_side(…)
+  // TODO: where one lies in the plane: emit_add(…)
+  // TODO: where one crosses it: emit_cut(…), emit_part(…)
+  // TODO: then the same of those in front, and of those behind
+  // TODO: go through the tree: first the far side, then the node, then the near side
+  // TODO: which side is the far one? emit_eye_side(…); for each piece of the node: emit_draw(…)
+  // TODO: for each pixel of the piece: emit_paint(…)
 }

@@ -24,9 +24,12 @@ polygons.forEach((corners, polygon) => {
   emit.polygon(polygon, polygon);
   // TODO: it is a piece: emit.make(…)
 });
-// TODO: build the tree: emit.node(…), emit.plane(…) for the first piece of the list,
-//       emit.vertex_side(…), emit.side(…) for each of the others,
-//       emit.add(…) or emit.cut(…) and emit.part(…) for some; then the same
-//       of those in front, and of those behind
-// TODO: go through the tree: emit.eye_side(…) at each node; the far side; emit.draw(…) and emit.paint(…) for each
-//       piece of the node; the near side
+// TODO: build the tree: emit.node(…) for the first piece of the list
+// TODO: its plane: emit.plane(…)
+// TODO: the sides of the others: emit.vertex_side(…), emit.side(…)
+// TODO: where one lies in the plane: emit.add(…)
+// TODO: where one crosses it: emit.cut(…), emit.part(…)
+// TODO: then the same of those in front, and of those behind
+// TODO: go through the tree: first the far side, then the node, then the near side
+// TODO: which side is the far one? emit.eye_side(…); for each piece of the node: emit.draw(…)
+// TODO: for each pixel of the piece: emit.paint(…)

@@ -41,14 +41,19 @@ int main(int argc, char** argv) {
   emit_tables((int)scene.polygons.size());
   for (int polygon = 0; polygon < (int)scene.polygons.size(); ++polygon) {
     emit_polygon(polygon, polygon);
-    // TODO: it is a piece: emit_outline(…) for each vertex, emit_make(…), emit_plane(…), emit_extent(…)
+    // TODO: it is a piece: emit_outline(…) for each vertex, and emit_make(…)
+    // TODO: its plane and extent: emit_plane(…), emit_extent(…)
   }
   // TODO: put each piece into the list: emit_insert(…)
-  // TODO: until the list is empty: hold the first piece P against each other piece Q: emit_pair(…);
-  //       emit_z_extents(…), or the tests: emit_test_1(…) to emit_test_5(…), up to the first that says yes;
-  //       where none does: emit_test_3_swapped(…), emit_test_4_swapped(…);
-  //       if one says yes: emit_take_out(…), emit_move(…), emit_mark(…), and Q is the new P;
-  //       if not: emit_split(…), emit_cut(…), then emit_outline(…), emit_part(…), emit_plane(…) and emit_extent(…) for
-  //       each part, emit_remove(…) and emit_insert_part(…), and the first of the list is P;
-  //       where no Q is in the way: emit_draw(…), emit_paint(…) for each pixel, emit_drawn(…)
+  // TODO: until the list is empty: hold the first piece P against each other piece Q: emit_pair(…)
+  // TODO: the tests, up to the first that says yes: emit_z_extents(…), or emit_test_1(…) to emit_test_5(…)
+  // TODO: where none does: emit_test_3_swapped(…), emit_test_4_swapped(…)
+  // TODO: if one of these says yes, Q is the new P: emit_take_out(…), emit_move(…), emit_mark(…)
+  // TODO: if not, which one is cut? emit_split(…)
+  // TODO: the cut: emit_cut(…), and for each part emit_outline(…) for each vertex, and emit_part(…)
+  // TODO: the plane and extent of each part: emit_plane(…), emit_extent(…)
+  // TODO: the list after it: emit_remove(…), emit_insert_part(…); and its first piece is P
+  // TODO: where no Q is in the way: emit_draw(…)
+  // TODO: for each pixel of it: emit_paint(…)
+  // TODO: it leaves the list: emit_drawn(…)
 }

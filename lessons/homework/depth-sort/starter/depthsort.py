@@ -26,15 +26,20 @@ def main():
     emit.tables(len(polygons))
     for polygon, corners in enumerate(polygons):
         emit.polygon(polygon, polygon)
-        # TODO: it is a piece: emit.outline(…) for each vertex, emit.make(…), emit.plane(…), emit.extent(…)
+        # TODO: it is a piece: emit.outline(…) for each vertex, and emit.make(…)
+        # TODO: its plane and extent: emit.plane(…), emit.extent(…)
     # TODO: put each piece into the list: emit.insert(…)
-    # TODO: until the list is empty: hold the first piece P against each other piece Q: emit.pair(…);
-    #       emit.z_extents(…), or the tests: emit.test_1(…) to emit.test_5(…), up to the first that says yes;
-    #       where none does: emit.test_3_swapped(…), emit.test_4_swapped(…);
-    #       if one says yes: emit.take_out(…), emit.move(…), emit.mark(…), and Q is the new P;
-    #       if not: emit.split(…), emit.cut(…), then emit.outline(…), emit.part(…), emit.plane(…) and emit.extent(…) for
-    #       each part, emit.remove(…) and emit.insert_part(…), and the first of the list is P;
-    #       where no Q is in the way: emit.draw(…), emit.paint(…) for each pixel, emit.drawn(…)
+    # TODO: until the list is empty: hold the first piece P against each other piece Q: emit.pair(…)
+    # TODO: the tests, up to the first that says yes: emit.z_extents(…), or emit.test_1(…) to emit.test_5(…)
+    # TODO: where none does: emit.test_3_swapped(…), emit.test_4_swapped(…)
+    # TODO: if one of these says yes, Q is the new P: emit.take_out(…), emit.move(…), emit.mark(…)
+    # TODO: if not, which one is cut? emit.split(…)
+    # TODO: the cut: emit.cut(…), and for each part emit.outline(…) for each vertex, and emit.part(…)
+    # TODO: the plane and extent of each part: emit.plane(…), emit.extent(…)
+    # TODO: the list after it: emit.remove(…), emit.insert_part(…); and its first piece is P
+    # TODO: where no Q is in the way: emit.draw(…)
+    # TODO: for each pixel of it: emit.paint(…)
+    # TODO: it leaves the list: emit.drawn(…)
 
 
 main()

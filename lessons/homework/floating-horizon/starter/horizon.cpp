@@ -44,6 +44,8 @@ int main(int argc, char** argv) {
   // TODO: the horizons of each column: emit_clear_horizons(…) twice
   // TODO: each curve, from the nearest to the farthest: emit_curve(…)
   // TODO: from sample to sample: emit_segment(…)
-  // TODO: at each column in between: emit_test(…), and what is visible since the column before: emit_cross(…),
-  //       emit_draw(…); where the curve is visible here, the horizons move: emit_move(…)
+  // TODO: at each column in between: emit_test(…)
+  // TODO: what is visible since the column before, from or up to where it crosses a horizon: emit_cross(…)
+  // TODO: for each pixel that is drawn: emit_draw(…)
+  // TODO: where the curve is visible here, the horizons move: emit_move(…)
 }

@@ -32,8 +32,10 @@ def main():
     # TODO: the horizons of each column: emit.clear_horizons(…) twice
     # TODO: each curve, from the nearest to the farthest: emit.curve(…)
     # TODO: from sample to sample: emit.segment(…)
-    # TODO: at each column in between: emit.test(…), and what is visible since the column before: emit.cross(…),
-    #       emit.draw(…); where the curve is visible here, the horizons move: emit.move(…)
+    # TODO: at each column in between: emit.test(…)
+    # TODO: what is visible since the column before, from or up to where it crosses a horizon: emit.cross(…)
+    # TODO: for each pixel that is drawn: emit.draw(…)
+    # TODO: where the curve is visible here, the horizons move: emit.move(…)
 
 
 main()

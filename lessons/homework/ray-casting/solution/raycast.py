@@ -54,8 +54,11 @@ def inside(polygon, normal, point):
     return within
 
 
-def depth_of(t, least, most):
+def depth_of(t, rays):
     """Pseudodepth: -1 at the least t, 1 at the greatest."""
+    least, most = rays["least"], rays["most"]
+    if any(rays["from"][1] + rays["from"][2]):  # they begin at different points: parallel rays
+        return (2 * t - most - least) / (most - least)
     return ((most + least) - 2 * most * least / t) / (most - least)
 
 
@@ -84,7 +87,7 @@ def main():
             color = background if nearest < 0 else colors[nearest]
             emit.ray_end(number, nearest, least, len(polygons), *(c / 255 for c in color))
             if nearest >= 0:
-                emit.paint(x, y, depth_of(least, rays["least"], rays["most"]), nearest)
+                emit.paint(x, y, depth_of(least, rays), nearest)
 
 
 main()

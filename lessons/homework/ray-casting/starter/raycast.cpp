@@ -53,8 +53,10 @@ int main(int argc, char** argv) {
   for (int y = 0; y < scene.height; ++y) {
     for (int x = 0; x < scene.width; ++x) {
       // TODO: the ray through the pixel's centre: emit_ray(…)
-      // TODO: for each polygon: emit_plane(…), and emit_hit(…) where t is within its limits
-      // TODO: emit_ray_end(…), and emit_paint(…) where something was met
+      // TODO: for each polygon, where the ray meets its plane: emit_plane(…)
+      // TODO: where t is within its limits: emit_hit(…)
+      // TODO: the nearest: emit_ray_end(…)
+      // TODO: where something was met: emit_paint(…)
     }
   }
 }

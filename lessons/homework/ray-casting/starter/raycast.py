@@ -35,8 +35,10 @@ def main():
     for y in range(height):
         for x in range(width):
             # TODO: the ray through the pixel's centre: emit.ray(…)
-            # TODO: for each polygon: emit.plane(…), and emit.hit(…) where t is within its limits
-            # TODO: emit.ray_end(…), and emit.paint(…) where something was met
+            # TODO: for each polygon, where the ray meets its plane: emit.plane(…)
+            # TODO: where t is within its limits: emit.hit(…)
+            # TODO: the nearest: emit.ray_end(…)
+            # TODO: where something was met: emit.paint(…)
             pass
 
 

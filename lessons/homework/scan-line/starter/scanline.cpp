@@ -48,8 +48,10 @@ int main(int argc, char** argv) {
     // TODO: the polygon's plane: emit_plane(…)
   }
   // TODO: the edge table of all polygons: emit_insert_edge(…) or emit_skip_edge(…) for each edge
-  // TODO: for each scan line: emit_scan_line(y); retire, move, sort and enter active edges
+  // TODO: for each scan line: emit_scan_line(y)
+  // TODO: its active edges: emit_retire_edge(…), emit_step_edge(…), emit_swap_edges(…), emit_enter_edge(…)
   // TODO: for each active edge: emit_flip(…), and up to the next one emit_flags(…)
   // TODO: where several flags are in: emit_depth(…), emit_implied_edge(…)
-  // TODO: what is seen: emit_winner(…), and emit_paint(…) for each pixel
+  // TODO: what is seen: emit_winner(…)
+  // TODO: for each of its pixels: emit_paint(…)
 }

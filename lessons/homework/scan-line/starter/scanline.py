@@ -32,10 +32,12 @@ def main():
         emit.make(polygon, polygon, -1)
         # TODO: the polygon's plane: emit.plane(…)
     # TODO: the edge table of all polygons: emit.insert_edge(…) or emit.skip_edge(…) for each edge
-    # TODO: for each scan line: emit.scan_line(y); retire, move, sort and enter active edges
+    # TODO: for each scan line: emit.scan_line(y)
+    # TODO: its active edges: emit.retire_edge(…), emit.step_edge(…), emit.swap_edges(…), emit.enter_edge(…)
     # TODO: for each active edge: emit.flip(…), and up to the next one emit.flags(…)
     # TODO: where several flags are in: emit.depth(…), emit.implied_edge(…)
-    # TODO: what is seen: emit.winner(…), and emit.paint(…) for each pixel
+    # TODO: what is seen: emit.winner(…)
+    # TODO: for each of its pixels: emit.paint(…)
 
 
 main()

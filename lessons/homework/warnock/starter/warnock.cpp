@@ -37,10 +37,13 @@ static Scene read_scene(const char* path) {
 }
 
 static void settle(const Scene&, const Area&) {
-  // TODO: emit_area(…); emit_disjoint(…), emit_contained(…) and so on for each polygon that may be in the area
-  // TODO: which case is it? emit_background(…), emit_one_polygon(…), emit_surrounded(…), emit_pixel(…) with
-  //       emit_center_depth(…), emit_front_surrounder(…) with emit_corner_depth(…); and emit_paint(…) for each pixel
-  // TODO: otherwise emit_subdivide(…), and settle(…) for each quarter
+  // TODO: emit_area(…)
+  // TODO: for each polygon that may be in the area: emit_disjoint(…), emit_contained(…) and so on
+  // TODO: the depths by which it is decided: emit_corner_depth(…), emit_center_depth(…)
+  // TODO: which case is it? emit_background(…), emit_one_polygon(…), emit_surrounded(…), emit_pixel(…),
+  //       emit_front_surrounder(…) or emit_subdivide(…)
+  // TODO: for each pixel that is drawn: emit_paint(…)
+  // TODO: where the area is divided: settle(…) for each quarter
 }
 
 int main(int argc, char** argv) {

@@ -18,10 +18,13 @@ function readScene(path) {
 }
 
 function settle(left, top, right, bottom) {
-  // TODO: emit.area(…); emit.disjoint(…), emit.contained(…) and so on for each polygon that may be in the area
-  // TODO: which case is it? emit.background(…), emit.one_polygon(…), emit.surrounded(…), emit.pixel(…) with
-  //       emit.center_depth(…), emit.front_surrounder(…) with emit.corner_depth(…); and emit.paint(…) for each pixel
-  // TODO: otherwise emit.subdivide(…), and settle(…) for each quarter
+  // TODO: emit.area(…)
+  // TODO: for each polygon that may be in the area: emit.disjoint(…), emit.contained(…) and so on
+  // TODO: the depths by which it is decided: emit.corner_depth(…), emit.center_depth(…)
+  // TODO: which case is it? emit.background(…), emit.one_polygon(…), emit.surrounded(…), emit.pixel(…),
+  //       emit.front_surrounder(…) or emit.subdivide(…)
+  // TODO: for each pixel that is drawn: emit.paint(…)
+  // TODO: where the area is divided: settle(…) for each quarter
 }
 
 const { width, height, polygons } = readScene(process.argv[2]);

@@ -45,9 +45,12 @@ int main(int argc, char** argv) {
   emit_clear(farthest);
   for (int polygon = 0; polygon < (int)scene.polygons.size(); ++polygon) {
     emit_polygon(polygon, polygon);
-    // TODO: the edge table: emit_insert_edge(…) or emit_skip_edge(…) for each edge of the polygon
-    // TODO: for each scan line: emit_scan_line(y); move, enter and retire active edges
-    // TODO: for each pair of active edges: emit_span(…)
-    // TODO: for each pixel of the span: emit_interpolate_z(…), emit_compare(…), and what follows from it
+    // TODO: the edge table: emit_insert_edge(…) for each edge of the polygon that meets a scan line
+    // TODO: for each other edge: emit_skip_edge(…)
+    // TODO: for each scan line: emit_scan_line(y)
+    // TODO: its active edges: emit_retire_edge(…), emit_step_edge(…), emit_enter_edge(…)
+    // TODO: for each pair of them: emit_span(…), and for each of its pixels emit_interpolate_z(…)
+    // TODO: for each pixel: emit_compare(…)
+    // TODO: where it is nearer: emit_write_depth(…), emit_write_pixel(…)
   }
 }

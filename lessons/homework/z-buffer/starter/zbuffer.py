@@ -29,10 +29,13 @@ def main():
     emit.clear(math.inf)
     for polygon, vertices in enumerate(polygons):
         emit.polygon(polygon, polygon)
-        # TODO: the edge table: emit.insert_edge(…) or emit.skip_edge(…) for each edge of the polygon
-        # TODO: for each scan line: emit.scan_line(y); move, enter and retire active edges
-        # TODO: for each pair of active edges: emit.span(…)
-        # TODO: for each pixel of the span: emit.interpolate_z(…), emit.compare(…), and what follows from it
+        # TODO: the edge table: emit.insert_edge(…) for each edge of the polygon that meets a scan line
+        # TODO: for each other edge: emit.skip_edge(…)
+        # TODO: for each scan line: emit.scan_line(y)
+        # TODO: its active edges: emit.retire_edge(…), emit.step_edge(…), emit.enter_edge(…)
+        # TODO: for each pair of them: emit.span(…), and for each of its pixels emit.interpolate_z(…)
+        # TODO: for each pixel: emit.compare(…)
+        # TODO: where it is nearer: emit.write_depth(…), emit.write_pixel(…)
 
 
 main()
