@@ -13,6 +13,7 @@
 #include "traces/file/jsonl.hpp"
 #include "traces/file/output.hpp"
 #include "traces/formulas/situation_of.hpp"
+#include "traces/grade/numbering.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -36,6 +37,20 @@ Side side_of(const Trace& trace, std::int64_t step, std::uint16_t fields) {
   const RecordedEvent recorded = trace.event(step);
   const StepInfo* info = find_step(trace.header().page, recorded.step);
   return {info ? info->name : "", subject_of(recorded.event, before), fields_in_words(recorded.event, before, fields)};
+}
+
+std::string_view text_of(grade::Numbering numbering) {
+  switch (numbering) {
+    case grade::Numbering::polygons_from_1:
+      return "Polygons are numbered from 0, in the order of the file; yours begin with 1.";
+    case grade::Numbering::vertices_from_1:
+      return "Vertices are numbered from 0, in the order of the file's points; yours begin with 1.";
+    case grade::Numbering::vertices_of_polygon:
+      return "A vertex has the number of its point in the file, the same in each polygon; yours are counted anew in each.";
+    case grade::Numbering::as_scene:
+      break;
+  }
+  return "";
 }
 
 FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std::string& file) {
@@ -74,8 +89,10 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
     for (FieldText& field : words.found) field.formula.clear();
     if (!words.what.ends_with('.')) words.what += '.';
   }
+  if (const std::string_view numbers = text_of(grade::numbering_of(runs.submission)); !numbers.empty())
+    words.what += " " + std::string(numbers);
   if (!first.parts || !first.parts->only_a()) {
-    FileLines lines(file, runs.had_header);
+    FileLines lines(file, runs.had_header, runs.passed_over.lines);
     words.where = place_of_step(file, lines, words.at);
   }
   return words;
@@ -110,7 +127,7 @@ void grade_from_pictures(const Homework& homework, const Task& task, const std::
   graded.counts = grade::judge(reference, nothing, homework.parts).parts;
   bool others = false;
   for (std::size_t part = 0; part < homework.parts.size(); ++part)
-    if (homework.parts[part].level == grade::Level::buffers) graded.counts[part] = found.pixels;
+    if (homework.parts[part].level == grade::Level::buffers) graded.counts[part] = found.count(homework.parts[part]);
     else others = others || graded.counts[part].all() > 0;
   graded.first = found.first;
   graded.from_picture = true;
@@ -152,6 +169,8 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
                             std::all_of(found.parts.begin(), found.parts.end(),
                                         [](const grade::PartCount& part) { return part.additional == 0; });
     const bool broke_off = !graded.ended.empty() || ends_early;
+    graded.passed_over = runs.passed_over;
+    graded.breaks_off = !runs.impossible.empty() || !runs.submission.warnings().empty();
     if (!runs.left_out.empty() && broke_off) {
       runs = runs_of(homework, task, file, Look::at_all, known);
       found = judged(runs);
@@ -261,10 +280,11 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, L
   const Header header = header_for(*homework.method, task.conventions);
   GivenRun given = grade::given_run(header, task.scene, homework.free);
   std::string impossible;
-  Trace submission = open_jsonl(file, &impossible, &given);
+  PassedOver passed_over;
+  Trace submission = open_given_run(file, impossible, given, passed_over);
   std::set<std::uint8_t> kinds;
   std::vector<std::string> left_out;
-  const bool broke_off = !impossible.empty() || !submission.warnings().empty();
+  const bool broke_off = !impossible.empty() || !submission.warnings().empty() || passed_over.any();
   if (look == Look::at_what_is_there && !broke_off) left_out = parts_left_out(homework, submission, kinds);
   if (!left_out.empty()) {
     given.review = [all = given.review, &kinds](const Header& declared) {
@@ -272,13 +292,13 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, L
       std::erase_if(left.page, [&](const StepInfo& step) { return kinds.contains(step.kind); });
       return left;
     };
-    submission = open_jsonl(file, &impossible, &given);
+    submission = open_given_run(file, impossible, given, passed_over);
   }
   const Conventions& conventions = submission.header().conventions;
   check_run(*homework.method, task.scene, conventions, file.string());
   std::shared_ptr<const Trace> reference = known ? known->find(task, conventions) : nullptr;
   if (!reference) reference = std::make_shared<const Trace>(reference_run(*homework.method, task.scene, conventions));
-  return {std::move(reference), std::move(submission), !given.without_header, impossible, left_out};
+  return {std::move(reference), std::move(submission), !given.without_header, impossible, left_out, passed_over};
 }
 
 std::string Graded::shown() const {
@@ -286,10 +306,25 @@ std::string Graded::shown() const {
   const auto add = [&](const std::string& more) {
     if (!more.empty()) text += (text.empty() ? "" : "\n") + more;
   };
+  if (passed_over.any() && task->hidden) {
+    add("some of its lines cannot be read, and earn nothing");
+  } else if (passed_over.any()) {
+    for (const std::string& fault : passed_over.faults) add(fault);
+    std::int64_t lines = 0;
+    for (const PassedOver::Range& range : passed_over.lines) lines += range.last - range.first + 1;
+    add((lines == 1 ? "This line cannot be read, and earns nothing"
+                    : fmt::format("{} lines cannot be read, and earn nothing", lines)) +
+        (passed_over.gave_up ? "; what comes after the last of them was not read." : "."));
+  }
   if (!task->hidden || state == State::missing || state == State::stopped || from_picture) add(why);
   else if (state == State::unreadable) add("the run cannot be read");
   else if (!why.empty()) add("the run ends early, or is judged up to a step that cannot be");
   return text;
+}
+
+bool Graded::is_whole() const {
+  return state == State::judged && std::all_of(counts.begin(), counts.end(),
+                                               [](const grade::PartCount& count) { return count.lost.empty(); });
 }
 
 double Assessment::most(const Graded& task, std::size_t part) const {

@@ -12,6 +12,7 @@
 #include "sim/homework/alike.hpp"
 #include "sim/homework/homework.hpp"
 #include "sim/words/judged.hpp"
+#include "traces/file/lenient.hpp"
 
 namespace zstep::homework {
 
@@ -41,6 +42,8 @@ struct Graded {
   std::string file;  ///< that was handed in
   std::string why;   ///< it has no grade, or ends early
   std::string ended;  ///< how the program ended that made it, where it did not end well
+  PassedOver passed_over;   ///< lines of the run that cannot be read
+  bool breaks_off = false;  ///< its run does, or comes to a step that cannot be
   std::string note;  ///< what else there is to know of it, and changes nothing
   bool from_picture = false;  ///< it has no steps: only parts of level "buffers" are graded
   std::int64_t steps = 0;
@@ -50,8 +53,12 @@ struct Graded {
   std::optional<grade::Ends> ends;  ///< where something is wrong
   std::optional<OwnRun> own;        ///< of a scene of the student's own
 
-  /// What of `ended` and `why` a student may read: of a hidden scene nothing that quotes its run.
+  /// What of `ended`, `passed_over` and `why` a student may read: of a hidden scene nothing that quotes its run.
   std::string shown() const;
+  /// Is that to be mended before any wrong step is looked at?
+  bool comes_first() const { return !ended.empty() || passed_over.any() || breaks_off; }
+  /// Has it all points?
+  bool is_whole() const;
 };
 
 struct Assessment {
@@ -92,6 +99,7 @@ struct Runs {
   bool had_header = true;
   std::string impossible;  ///< why the run's next step cannot be
   std::vector<std::string> left_out;  ///< the parts that are not looked at, as the submission has no step of them
+  PassedOver passed_over;             ///< lines of the submission
 };
 /// The right run of a task.
 Trace reference_of(const Homework& homework, const Task& task);

@@ -36,6 +36,32 @@ Sketch sketch_from(const KeptJson& json) {
   return sketch;
 }
 
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// What a scene's run is filed under: that its program crashed, a line that cannot be read, its first wrong step, or
+/// what it lacks.
+std::optional<Result::First> first_of(const KeptJson& scene, const std::string& called) {
+  if (scene.contains("ended"))
+    return Result::First{called, "", "crash", "", first_line(scene.at("ended").get<std::string>())};
+  if (scene.contains("unreadable")) {
+    const KeptJson& faults = scene.at("unreadable").at("faults");
+    return Result::First{called, "", "a line that cannot be read", "",
+                         faults.empty() ? "" : faults.front().get<std::string>()};
+  }
+  if (scene.contains("first")) {
+    const KeptJson& first = scene.at("first");
+    const auto text = [&](const char* key) { return first.at(key).get<std::string>(); };
+    return Result::First{called, text("where"), text("step"), text("subject"), text("what")};
+  }
+  for (const KeptJson& part : scene.at("parts"))
+    for (const KeptJson& loss : part.at("lost")) {
+      const std::string steps = loss.at("steps").get<std::string>();
+      return Result::First{called, "", steps.empty() ? part.at("name").get<std::string>() : steps, "",
+                           loss.at("text").get<std::string>()};
+    }
+  return std::nullopt;
+}
+
 KeptJson kept_json(const fs::path& path) {
   constexpr std::uintmax_t largest = 64 << 20;
   const std::vector<std::uint8_t> bytes = read_file(path, largest);
@@ -98,12 +124,9 @@ Result read_kept(const fs::path& path, const std::string& name, const Homework& 
         result.parts[part].points += parts[part].at("points").get<double>();
         result.parts[part].most += parts[part].at("of").get<double>();
       }
-      if (!result.first && scene.contains("first")) {
-        const KeptJson& first = scene.at("first");
-        const auto text = [&](const char* key) { return first.at(key).get<std::string>(); };
-        if (scene.contains("mistake")) result.mistake = scene.at("mistake").at("name").get<std::string>();
-        result.first = Result::First{called, text("where"), text("step"), text("subject"), text("what")};
-      }
+      if (result.mistake.empty() && scene.contains("mistake") && (!result.first || result.first->scene == called))
+        result.mistake = scene.at("mistake").at("name").get<std::string>();
+      if (!result.first) result.first = first_of(scene, called);
     }
     if (report.at("scenes").size() < scenes) result.why += "there is a run of one scene alone";
     result.state = judged == scenes                        ? Result::State::graded

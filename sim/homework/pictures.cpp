@@ -176,14 +176,20 @@ class Printed {
 };
 
 /// How far apart the two are, by pixel.
-std::vector<float> differences(const Picture& ours, const Scene& scene, const Printed& theirs) {
-  std::vector<float> apart(ours.polygon.size());
-  const auto take = [&](const diff::BufferDifference& found) {
-    for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = std::max(apart[i], found.apart[i]);
-  };
-  if (theirs.has_colors()) take(diff::compare_colors(colors_of(ours, scene), theirs.colors()));
-  if (theirs.has_depths()) take(diff::compare_depths(ours.depth, theirs.depths(), theirs.precision()));
+grade::PixelsApart differences(const Picture& ours, const Scene& scene, const Printed& theirs) {
+  grade::PixelsApart apart;
+  if (theirs.has_colors()) apart.color = diff::compare_colors(colors_of(ours, scene), theirs.colors()).apart;
+  if (theirs.has_depths()) apart.depth = diff::compare_depths(ours.depth, theirs.depths(), theirs.precision()).apart;
   return apart;
+}
+/// The first pixel that differs, of those that were handed in; as many as there are where none does.
+std::size_t first_apart(const grade::PixelsApart& apart) {
+  const auto first_in = [](const std::vector<float>& off) {
+    return static_cast<std::size_t>(std::find_if(off.begin(), off.end(), [](float one) { return one > 0; }) -
+                                    off.begin());
+  };
+  if (apart.color.empty()) return first_in(apart.depth);
+  return apart.depth.empty() ? first_in(apart.color) : std::min(first_in(apart.color), first_in(apart.depth));
 }
 
 Picture upside_down(const Picture& picture) {
@@ -229,19 +235,18 @@ PictureGrade grade_pictures(const Trace& reference, const std::vector<fs::path>&
   const Picture& ours = end.state().picture;
   const Scene& scene = reference.scene();
   const Printed theirs(reference, files);
-  const std::vector<float> apart = differences(ours, scene, theirs);
-  PictureGrade graded{grade::count_pixels(grade::drawn(ours), theirs.drawn(), apart), std::nullopt};
-  const auto wrong = std::find_if(apart.begin(), apart.end(), [](float off) { return off > 0; });
-  if (wrong == apart.end()) return graded;
+  PictureGrade graded{grade::drawn(ours), theirs.drawn(), differences(ours, scene, theirs), grade::has_depths(ours),
+                      std::nullopt};
+  const std::size_t pixel = first_apart(graded.apart);
+  if (pixel == ours.polygon.size()) return graded;
 
   FirstWrong& first = graded.first.emplace();
-  const auto pixel = static_cast<std::size_t>(wrong - apart.begin()), width = static_cast<std::size_t>(ours.width);
+  const auto width = static_cast<std::size_t>(ours.width);
   std::vector<std::string> names;
   for (const fs::path& file : files) names.push_back(file.filename().string());
   first.where = fmt::format("{}", fmt::join(names, ", "));
   first.step = fmt::format("pixel ({}, {})", pixel % width, pixel / width);
-  const std::vector<float> turned = differences(upside_down(ours), scene, theirs);
-  first.what = std::all_of(turned.begin(), turned.end(), [](float off) { return off == 0; })
+  first.what = first_apart(differences(upside_down(ours), scene, theirs)) == ours.polygon.size()
                    ? "The picture is upside down: its first row should be the top one."
                    : "This pixel is the first that differs.";
   std::string expected;

@@ -16,8 +16,13 @@ std::vector<std::filesystem::path> pictures_of(const std::filesystem::path& subm
 std::string scene_of(const std::filesystem::path& file);
 
 struct PictureGrade {
-  grade::PartCount pixels;
+  std::vector<bool> expected, drawn;  ///< by pixel: by the reference, and in what was handed in
+  grade::PixelsApart apart;
+  bool keeps_depths = false;
   std::optional<FirstWrong> first;
+  grade::PartCount count(const grade::Part& part) const {
+    return grade::count_pixels(part, expected, drawn, apart, keeps_depths);
+  }
 };
 /// Holds the frame or the depths, or both, against the reference's at its end, pixel by pixel. Throws InputError where
 /// a file is no picture of this scene's size.

@@ -44,7 +44,15 @@ std::string message(const Assessment& all, const Graded& task, std::size_t part)
   const std::string steps = of.level == grade::Level::buffers ? "pixels" : "steps";
   std::string text = fmt::format("{} of {} {} are right", count.same, count.all(), steps);
   if (of.computation > 0) text += fmt::format(", {} follow from their own operands", count.computed);
+  if (const std::string lost = losses_text(*all.homework, count, false); !lost.empty()) text += ". " + lost;
   return text;
+}
+
+/// The same of a scene that students do not have: nothing is counted.
+std::string hidden_message(const Assessment& all, const Graded& task, std::size_t part) {
+  const std::string shown = task.shown();
+  const std::string lost = part < task.counts.size() ? losses_text(*all.homework, task.counts[part], true) : "";
+  return shown + (shown.empty() || lost.empty() ? "" : "\n") + lost;
 }
 
 /// Calls visit(name, task, part) for each part of each task.
@@ -63,15 +71,20 @@ std::string shown_line(const Graded& task) {
 
 /// The first thing that is wrong and may be shown, or why nothing could be graded.
 std::string overview(const Assessment& all) {
-  const std::string begin =
-      all.homework->left_out > 0 ? "The hidden scenes are not here; their points are not counted.\n" : "";
+  std::string begin = said_first_text(all);
+  if (!begin.empty()) begin += "\n";
+  if (all.homework->left_out > 0) begin += "The hidden scenes are not here; their points are not counted.\n";
   if (const Graded* task = first_to_mend(all))
     return begin + fmt::format("The first thing to look at, in {}:\n{}{}", task->task->name, first_text(*task->first),
-                               shown_line(*task));
+                               task == said_first(all) ? "" : shown_line(*task));
   if (const std::string next = next_part_text(all); !next.empty()) return begin + next;
   for (const Graded& task : all.tasks)
-    if (const std::string why = task.shown(); !why.empty()) return begin + fmt::format("{}: {}", task.task->name, why);
-  return begin + (all.points() > 0 ? "Every step that is shown is right." : "");
+    if (const std::string why = task.shown(); !why.empty() && &task != said_first(all))
+      return begin + fmt::format("{}: {}", task.task->name, why);
+  const bool shown_right = std::all_of(all.tasks.begin(), all.tasks.end(), [](const Graded& task) {
+    return is_right(task) || (task.task->hidden && task.state == Graded::State::judged);
+  });
+  return begin + (shown_right ? "Every step that is shown is right." : "");
 }
 
 }  // namespace
@@ -87,6 +100,11 @@ std::string report_json(const Assessment& all) {
     if (!task.why.empty()) one["why"] = task.why;
     if (!task.ended.empty()) one["ended"] = task.ended;
     if (!task.note.empty()) one["note"] = task.note;
+    if (task.passed_over.any())
+      one["unreadable"] = {{"lines", task.passed_over.lines.size()},
+                           {"faults", task.passed_over.faults},
+                           {"rest_not_read", task.passed_over.gave_up}};
+    if (task.breaks_off) one["breaks_off"] = true;
     if (task.from_picture) one["from_picture"] = true;
     if (!task.left_out.empty()) one["left_out"] = task.left_out;
     Json parts = Json::array();
@@ -99,6 +117,15 @@ std::string report_json(const Assessment& all) {
                        {"right", count.same},
                        {"points", all.points(task, part)},
                        {"of", all.most(task, part)}});
+      if (count.halves)
+        parts.back()["right_colors"] = count.halves->colors, parts.back()["right_depths"] = count.halves->depths;
+      Json lost = Json::array();
+      for (const grade::Loss& loss : count.lost)
+        lost.push_back({{"why", word_of(loss.why)},
+                        {"steps", steps_of(*all.homework, loss)},
+                        {"count", loss.count},
+                        {"text", loss_text(*all.homework, loss, false)}});
+      parts.back()["lost"] = lost;
     }
     one["parts"] = parts;
     if (task.first)
@@ -135,8 +162,8 @@ std::string report_gradescope(const Assessment& all, double seconds) {
     tests.push_back({{"name", name},
                      {"score", points},
                      {"max_score", most},
-                     {"status", points >= most ? "passed" : "failed"},
-                     {"output", task.task->hidden ? task.shown() : message(all, task, part)},
+                     {"status", part < task.counts.size() && task.counts[part].lost.empty() ? "passed" : "failed"},
+                     {"output", task.task->hidden ? hidden_message(all, task, part) : message(all, task, part)},
                      {"output_format", "text"},
                      {"visibility", "visible"}});
   });
@@ -168,11 +195,12 @@ std::string report_prairielearn(const Assessment& all) {
     tests.push_back({{"name", name},
                      {"points", all.points(task, part)},
                      {"max_points", all.most(task, part)},
-                     {"message", shared(task.task->hidden ? task.shown() : message(all, task, part), count)}});
+                     {"message", shared(task.task->hidden ? hidden_message(all, task, part) : message(all, task, part), count)}});
   });
   Json result{{"gradable", true},
               {"score", all.points() / all.most()},
-              {"message", fmt::format("{} of {} points", points_text(all.points()), points_text(all.most()))},
+              {"message",
+               fmt::format("{} of {} points", points_text(all.points(), all.most()), points_text(all.most()))},
               {"output", overview(all)}};
   if (count <= 2000) result["tests"] = tests;
   else result["output"] = fmt::format("There are too many parts to list their points.\n{}", overview(all));
@@ -185,7 +213,7 @@ std::string report_junit(const Assessment& all) {
   for_each_test(all, [&](const std::string&, const Graded& task, std::size_t part) {
     ++count;
     const bool unread = task.state != Graded::State::judged;
-    const bool right = all.points(task, part) >= all.most(task, part);
+    const bool right = part < task.counts.size() && task.counts[part].lost.empty();
     cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", markup(task.task->name),
                          markup(all.homework->parts[part].name));
     if (right && !unread) {
@@ -193,8 +221,8 @@ std::string report_junit(const Assessment& all) {
       return;
     }
     (unread ? errors : failures)++;
-    std::string more = task.task->hidden || !task.first ? "" : first_text(*task.first);
-    if (!unread) more += shown_line(task);
+    std::string more = unread ? "" : shown_line(task);
+    if (!task.task->hidden && task.first) more += first_text(*task.first);
     cases += fmt::format("><{0} message=\"{1}\">{2}</{0}></testcase>\n", unread ? "error" : "failure",
                          markup(printable(message(all, task, part))), markup(printable_lines(more)));
   });

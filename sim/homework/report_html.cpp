@@ -132,7 +132,7 @@ std::string what_works(const Assessment& all) {
     std::string names;
     std::size_t count = 0;
     for (std::size_t part = 0; part < homework.parts.size(); ++part) {
-      if (all.points(task, part) < all.most(task, part)) continue;
+      if (!task.counts[part].lost.empty()) continue;
       names += (names.empty() ? "" : ", ") + homework.parts[part].name;
       ++count;
     }
@@ -151,6 +151,16 @@ std::string share_cell(std::int64_t of, std::int64_t count, double most) {
   return fmt::format("<td class=\"n\">{}/{} × {} = {}</td>", of, count, points_text(most), points_text(share * most));
 }
 
+/// Colours and depths, each half of the points: "(60 + 30)/120 × 5 = 3.75"
+std::string halves_cell(const grade::PartCount& count, double most) {
+  if (most <= 0 || count.all() == 0) return share_cell(count.same, count.all(), most);
+  const std::int64_t both = count.halves->colors + count.halves->depths;
+  if (both == 2 * count.same) return share_cell(count.same, count.all(), most);
+  return fmt::format("<td class=\"n\">({} + {})/{} × {} = {}</td>", count.halves->colors, count.halves->depths,
+                     2 * count.all(), points_text(most),
+                     points_text(static_cast<double>(both) / static_cast<double>(2 * count.all()) * most));
+}
+
 std::string task_table(const Assessment& all, const Graded& task) {
   const Homework& homework = *all.homework;
   double points = 0, most = 0;
@@ -158,7 +168,7 @@ std::string task_table(const Assessment& all, const Graded& task) {
     points += all.points(task, part), most += all.most(task, part);
   std::string text = fmt::format(
       "<h3>{}{}: {}{} points</h3>\n", shown(task.task->name), task.task->hidden ? " (a hidden scene)" : "",
-      task.state == Graded::State::judged ? points_text(points) + " of " : "no grade, of ", points_text(most));
+      task.state == Graded::State::judged ? points_text(points, most) + " of " : "no grade, of ", points_text(most));
   if (task.state == Graded::State::missing)
     return text + fmt::format("<p>Nothing was handed in: {}.</p>\n", shown(task.why));
   if (const std::string why = task.shown(); !why.empty()) {
@@ -177,10 +187,12 @@ std::string task_table(const Assessment& all, const Graded& task) {
     rows += fmt::format("<tr><th scope=\"row\">{}</th>", shown(part.name));
     if (!task.task->hidden)
       rows += share_cell(count.computed, count.all(), share * part.computation) +
-              share_cell(count.same, count.all(), share * part.value);
+              (count.halves ? halves_cell(count, share * part.value)
+                            : share_cell(count.same, count.all(), share * part.value));
     const double earned = all.points(task, index), possible = all.most(task, index);
-    rows += fmt::format("<td class=\"n\">{} of {}</td><td>{}</td></tr>\n", points_text(earned), points_text(possible),
-                        earned >= possible ? "all right" : "");
+    const std::string lost = losses_text(homework, count, task.task->hidden);
+    rows += fmt::format("<td class=\"n\">{} of {}</td><td>{}</td></tr>\n", points_text(earned, possible),
+                        points_text(possible), lost.empty() ? "all right" : shown(lost));
   }
   const char* columns = task.task->hidden ? ""
                                           : "<th scope=\"col\" class=\"n\">for computation: c/n</th>"
@@ -212,8 +224,11 @@ std::string report_html(const Assessment& all, const std::string& command, const
   page += fmt::format("<h1>{}: {}</h1>\n", shown(homework.title), shown(all.submission));
   page +=
       all.gradable()
-          ? fmt::format("<p><strong>{} of {} points</strong></p>\n", points_text(all.points()), points_text(all.most()))
+          ? fmt::format("<p><strong>{} of {} points</strong></p>\n", points_text(all.points(), all.most()),
+                        points_text(all.most()))
           : "<p><strong>Nothing here could be graded, so there are no points yet; why is said below.</strong></p>\n";
+  if (const std::string first = said_first_text(all); !first.empty() && all.gradable())
+    page += fmt::format("<h2>Before all else</h2>\n<pre>{}</pre>\n", shown(first));
   if (homework.left_out > 0) page += "<p>The hidden scenes are not here; their points are not counted.</p>\n";
   if (all.gradable()) page += what_works(all);
   if (const Graded* wrong = first_to_mend(all)) page += first_wrong(*wrong, command, steps_page);

@@ -21,10 +21,18 @@ std::string shares_text(const Homework& homework, const Graded& task, std::size_
   const auto add = [&](const char* word, std::int64_t of, double points, double most) {
     if (most > 0)
       text += fmt::format("{}{} {} of {}: {} of {}", text.empty() ? "" : "; ", word, of, count.all(),
-                          points_text(share * points), points_text(share * most));
+                          points_text(share * points, share * most), points_text(share * most));
   };
   add("computed", count.computed, count.computation_points(part), part.computation);
-  add(part.level == grade::Level::buffers ? "right pixels" : "right", count.same, count.value_points(part), part.value);
+  const bool each_half = count.halves && (count.halves->colors != count.same || count.halves->depths != count.same);
+  if (each_half && part.value > 0)
+    text += fmt::format("right colours {}, right depths {}, of {} each: {} of {}", count.halves->colors,
+                        count.halves->depths, count.all(), points_text(share * count.value_points(part), share * part.value),
+                        points_text(share * part.value));
+  else
+    add(part.level == grade::Level::buffers ? "right pixels" : "right", count.same, count.value_points(part), part.value);
+  if (const std::string lost = losses_text(homework, count, task.task->hidden); !lost.empty())
+    text += fmt::format("\n{:28}{}", "", lost);
   return text;
 }
 
@@ -41,16 +49,17 @@ std::string task_text(const Assessment& all, const Graded& task) {
   for (std::size_t part = 0; part < homework.parts.size(); ++part)
     points += all.points(task, part), most += all.most(task, part);
   std::string text = fmt::format("{}: {}{} points\n", printable(task.task->name),
-                                 task.state == Graded::State::judged ? points_text(points) + " of " : "no grade, of ",
+                                 task.state == Graded::State::judged ? points_text(points, most) + " of "
+                                                                     : "no grade, of ",
                                  points_text(most));
   if (task.state == Graded::State::missing) return text + fmt::format("  Nothing was handed in: {}.\n", task.shown());
   if (task.state == Graded::State::unreadable)
     return text + "  This cannot be graded:\n" + indented(task.shown());
   if (task.state == Graded::State::stopped) return text + indented(task.shown());
-  if (!task.shown().empty()) text += indented(task.shown());
+  if (!task.shown().empty() && &task != said_first(all)) text += indented(task.shown());
   if (!task.note.empty()) text += indented(task.note);
   for (std::size_t part = 0; part < homework.parts.size(); ++part)
-    text += fmt::format("  {} {:<22} {}\n", all.points(task, part) >= all.most(task, part) ? "ok" : "  ",
+    text += fmt::format("  {} {:<22} {}\n", task.counts[part].lost.empty() ? "ok" : "  ",
                         printable(homework.parts[part].name), shares_text(homework, task, part));
   return text;
 }
@@ -70,7 +79,7 @@ std::string what_works_text(const Assessment& all) {
     if (++count > room) continue;
     std::string parts;
     for (std::size_t part = 0; part < homework.parts.size(); ++part)
-      if (all.points(task, part) >= all.most(task, part))
+      if (part < task.counts.size() && task.counts[part].lost.empty())
         parts += (parts.empty() ? "" : ", ") + printable(homework.parts[part].name);
     lines += fmt::format("{}: {}\n", name,
                          task.state != Graded::State::judged ? "no grade; why is said below"
@@ -99,8 +108,10 @@ std::string first_wrong_text(const Graded& wrong, const std::string& command) {
 std::string report_text(const Assessment& all, const std::string& command) {
   const Homework& homework = *all.homework;
   std::string text = fmt::format("{}: {}\n", printable(homework.title), printable(all.submission));
-  text += all.gradable() ? fmt::format("{} of {} points\n\n", points_text(all.points()), points_text(all.most()))
+  text += all.gradable() ? fmt::format("{} of {} points\n\n", points_text(all.points(), all.most()), points_text(all.most()))
                          : "Nothing here could be graded, so there are no points yet.\n\n";
+  if (const std::string first = said_first_text(all); !first.empty() && all.gradable())
+    text += printable_lines(first) + "\n\n";
   if (homework.left_out > 0) text += "The hidden scenes are not here; their points are not counted.\n\n";
   if (all_right(all)) text += "Every step is right.\n";
   else if (all.gradable()) text += what_works_text(all);

@@ -11,6 +11,7 @@
 #include "algorithms/scene/files/bytes.hpp"
 #include "sim/homework/assess.hpp"
 #include "sim/homework/handout_words.hpp"
+#include "sim/homework/losses.hpp"
 #include "sim/homework/new_homework.hpp"
 #include "sim/homework/run_programs.hpp"
 #include "sim/homework/temporary_folder.hpp"
@@ -205,13 +206,21 @@ class Trial {
       if (graded.state != Graded::State::judged)
         return wrong(fmt::format("what {} prints on {} cannot be graded: {}", name, graded.task->name, graded.why),
                      "mend the program");
+      if (graded.passed_over.any())
+        return wrong(fmt::format("what {} prints on {} cannot be graded whole: {}", name, graded.task->name,
+                                 graded.passed_over.faults.front()),
+                     "mend the program");
       if (is_solution && graded.first)
         return wrong(fmt::format("{} gets {}; on {} its {} is wrong: {}", name, points, graded.task->name,
                                  graded.first->step, graded.first->what),
                      "mend the solution, or what homework.toml says of conventions");
     }
-    if (is_solution && all.points() < most - 1e-9)
-      return wrong(fmt::format("{} gets {}", name, points), "mend the solution");
+    for (const Graded& graded : all.tasks)
+      for (std::size_t part = 0; is_solution && part < graded.counts.size(); ++part)
+        if (const std::string lost = losses_text(homework_, graded.counts[part], false); !lost.empty())
+          return wrong(fmt::format("{} gets {}; on {} it lacks points of {}: {}", name, points, graded.task->name,
+                                   homework_.parts[part].name, lost),
+                       "mend the solution");
     say_(Tried::right, fmt::format("{} runs and gets {}", name, points));
   }
 

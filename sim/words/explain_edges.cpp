@@ -89,22 +89,25 @@ void tell(Telling& t, const EdgeTableSkip& e) {
   const std::string edge = fmt::format("edge from vertex {} to vertex {}", vertex_label(t.scene, e.vertex_0),
                                        vertex_label(t.scene, e.vertex_1));
   const bool horizontal = e.why == EdgeSkip::horizontal;
-  t.say(horizontal ? fmt::format("The {} is horizontal: it meets no scan line in one point and is left out.", edge)
-                   : fmt::format("The {} lies between two scan lines and meets none: it is left out.", edge));
   const auto a = t.at.on_raster(e.vertex_0), b = t.at.on_raster(e.vertex_1);
-  if (!a || !b) return;
-  const double from = std::min(a->y, b->y), to = std::max(a->y, b->y), height = t.scene.raster.height;
+  const double from = a && b ? std::min(a->y, b->y) : 0, to = a && b ? std::max(a->y, b->y) : 0;
   // Half-open: an edge that ends on a scan line does not meet it.
-  const double first = std::ceil(from), end = std::ceil(to), first_within = std::clamp(first, 0.0, height);
+  const double first = std::ceil(from), end = std::ceil(to), height = t.scene.raster.height;
+  const double first_within = std::clamp(first, 0.0, height);
+  const bool beside = !horizontal && first < end && first_within >= std::min(end, height);
+  if (beside)
+    t.say(fmt::format("The {} lies {} the raster and meets none of its scan lines: it is left out.", edge,
+                      to <= 0 ? "above" : "below"));
+  else
+    t.say(horizontal ? fmt::format("The {} is horizontal: it meets no scan line in one point and is left out.", edge)
+                     : fmt::format("The {} lies between two scan lines and meets none: it is left out.", edge));
+  if (!a || !b) return;
   if (horizontal && from != to)
     t.contradict(fmt::format("The trace leaves out the {} as horizontal, but it is not: {} \u2260 {}.", edge,
                              number(a->y), number(b->y)));
   if (!horizontal && first_within < std::min(end, height))
     t.contradict(fmt::format("The trace leaves out the {} as lying between two scan lines, but it meets scan line {}.",
                              edge, number(first_within)));
-  else if (!horizontal && first < end)
-    t.say(fmt::format("The {} lies {} the raster and meets none of its scan lines: it is left out.", edge,
-                      to <= 0 ? "above" : "below"));
   t.formula(fmt::format("y_0 = {}, y_1 = {}", number(a->y), number(b->y)));
 }
 

@@ -8,7 +8,8 @@
 
 namespace zstep {
 
-FileLines::FileLines(const std::string& path, bool header) : objects_(header ? 0 : 1) {
+FileLines::FileLines(const std::string& path, bool header, std::vector<PassedOver::Range> passed_over)
+    : passed_over_(std::move(passed_over)), objects_(header ? 0 : 1) {
   if (std::filesystem::path(path).extension() == ".jsonl") in_.emplace(InputFile(path));
 }
 
@@ -16,6 +17,8 @@ std::int64_t FileLines::of(std::int64_t step) {
   std::string text;
   while (in_ && objects_ < step + 1 && std::getline(*in_, text)) {
     ++line_;
+    while (next_ < passed_over_.size() && passed_over_[next_].last < line_) ++next_;
+    if (next_ < passed_over_.size() && passed_over_[next_].first <= line_) continue;
     for (const char c : text) look_at(c);
   }
   return objects_ >= step + 1 ? line_ : 0;

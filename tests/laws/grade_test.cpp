@@ -136,3 +136,39 @@ TEST_CASE("grade: steps in another order count where the order is free, and not 
   CHECK(found.parts[1].same < found.parts[1].all());
   CHECK(found.parts[1].same > 0);
 }
+
+TEST_CASE("grade: of an ordered part, steps that are exchanged cost computation and value alike, each its share") {
+  const zoo::Task task = test::triangles(3, 3, 18);
+  const std::string text = zoo::edge_table(task);
+  const Trace right = test::trace_of(test::head(task, "float64", "increments") + text);
+  // The first two compares of one span change places, with nothing else between them that is about either.
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  std::vector<std::size_t> compares_at;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].find("\"compare\"") != std::string::npos) compares_at.push_back(i);
+  REQUIRE(compares_at.size() > 2);
+  std::swap(lines[compares_at[0]], lines[compares_at[1]]);
+  std::string other;
+  for (const std::string& line : lines) other += line + "\n";
+  const Trace run = test::trace_of(test::head(task, "float64", "increments") + other);
+  const Trace reference = test::recorded_by("z-buffer", right.scene(), right.header().conventions);
+  const std::vector<std::uint8_t> kinds{kind_of<DepthCompare>};
+  const Part free{"free", Level::matched, kinds, 10, 20}, ordered{"in order", Level::ordered, kinds, 10, 20};
+  const grade::Judgement before = grade::judge(reference, right, {free, ordered}),
+                         after = grade::judge(reference, run, {free, ordered});
+  CHECK(before.parts[1].lost.empty());
+  const grade::PartCount &loose = after.parts[0], &strict = after.parts[1];
+  CHECK(strict.computed == loose.computed - 1);
+  CHECK(strict.same == loose.same - 1);
+  CHECK(strict.computation_points(ordered) ==
+        doctest::Approx(10.0 * static_cast<double>(strict.computed) / static_cast<double>(strict.all())));
+  CHECK(strict.value_points(ordered) ==
+        doctest::Approx(20.0 * static_cast<double>(strict.same) / static_cast<double>(strict.all())));
+  CHECK(std::any_of(strict.lost.begin(), strict.lost.end(),
+                    [](const grade::Loss& loss) { return loss.why == grade::Loss::Why::order && loss.count == 1; }));
+}

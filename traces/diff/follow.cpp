@@ -189,8 +189,9 @@ class Follow {
     const bool alone = difference.only_a() || difference.only_b();
     if constexpr (std::is_same_v<E, PairBegin>) finding.idle = alone && undecided_ >= 0;
     else if constexpr (tests_pair<E>()) finding.idle = alone && is_undecided();
+    bool empty = false;  // what has no pixels does not follow from the span before it
     if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>)
-      finding.idle = alone && e.first > e.last;
+      empty = finding.idle = alone && e.first > e.last;
     bool either_way = false;  // where two edges meet, either may be the left one
     if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
     // Of a plane whose normal has another length; of opposite signs they would be off by more than the larger one.
@@ -210,7 +211,7 @@ class Follow {
     finding.comes_from = reads.from_different;
     // Where the depth of a compare is as it should be, the verdict follows from what is stored there.
     if (!alone && numbers_near && finding.comes_from == no_difference) finding.comes_from = reads.stored_different;
-    if (alone && finding.comes_from == no_difference)
+    if (alone && !empty && finding.comes_from == no_difference)
       for (const std::int32_t scope : scopes_)
         if (scope != no_difference && !findings_[static_cast<std::size_t>(scope)].rounding) finding.comes_from = scope;
     if (finding.comes_from != no_difference || (finding.wrong && !alone)) return;
@@ -219,7 +220,7 @@ class Follow {
     // Whether a step is done at all hangs on what was decided, not on digits.
     std::int32_t from = reads.from_rounding;
     if (alone && from != no_difference && !findings_[static_cast<std::size_t>(from)].decides) from = no_difference;
-    if (alone && from == no_difference)
+    if (alone && !empty && from == no_difference)
       for (const std::int32_t scope : scopes_)
         if (scope != no_difference && findings_[static_cast<std::size_t>(scope)].decides) from = scope;
     const bool decided = exact_fields<E>(difference.fields);

@@ -66,7 +66,7 @@ void Identity::edge_used(std::int32_t edge, std::int32_t row) {
 }
 
 void Identity::edge_enters(std::int32_t edge) {
-  edges_.edit(edge) = Edge{0, 0, false, edges_[edge].polygon};
+  edges_.edit(edge) = Edge{0, 0, false, edges_[edge].polygon, edges_[edge].end_row, scan_line_};
   edge_used(edge, scan_line_);
 }
 
@@ -114,11 +114,16 @@ auto Identity::parts(const E& e) {
   });
   if constexpr (it.either_way) found.add(ends);
   if constexpr (std::is_same_v<E, ListInsert>) found.add(whole(compares_));
+  // Spans without pixels may be left out: where a line of the polygon has several spans, each is known by its left edge.
+  if constexpr (std::is_same_v<E, SpanBegin>)
+    found.add(turns_ && active_ > 2 && e.first > e.last ? name_in<E, 0>(e) : 0);
   // An edge moves once to each of its scan lines, and leaves the list before the first one that it does not meet.
   if constexpr (std::is_same_v<E, EdgeStep>) found.add(whole(edges_[e.edge].next_row));
   if constexpr (std::is_same_v<E, EdgeRetire>) {
     const Edge edge = edges_[e.edge];
-    found.add(edge.in_span ? whole(std::max(edge.beyond, scan_line_)) : ~Key{0} >> 1);
+    // What moved to this line, or entered on it, and does not end here was used on it, though perhaps by no pixel.
+    const bool used_here = edge.moved_to == scan_line_ && edge.end_row > scan_line_;
+    found.add(edge.in_span ? whole(std::max(edge.beyond, scan_line_ + used_here)) : ~Key{0} >> 1);
   }
   return found;
 }
@@ -170,9 +175,9 @@ void Identity::take_note(const E& e, Key key) {
     const Key name = mix(key, whole(made_[key]++));
     names_[static_cast<std::size_t>(made)].edit(number) = name;
     numbers_[static_cast<std::size_t>(made)][name] = number;
-    if constexpr (made == Thing::edge) edges_.edit(number) = Edge{0, 0, false, e.polygon};
+    if constexpr (made == Thing::edge) edges_.edit(number) = Edge{0, 0, false, e.polygon, e.end_row, -1};
   }
-  if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) polygon_ = e.polygon, turns_ = true;
+  if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) polygon_ = e.polygon, turns_ = true, active_ = 0;
   if constexpr (std::is_same_v<E, SpanWinner>) polygon_ = trace_->polygon_of_piece(e.piece);
   if constexpr (std::is_same_v<E, SplitVertex>) polygon_ = no_polygon;  // of which it is, its piece says
   if constexpr (std::is_same_v<E, TablesBegin> || std::is_same_v<E, AreaBegin>) polygon_ = no_polygon, turns_ = false;
@@ -189,11 +194,13 @@ void Identity::take_note(const E& e, Key key) {
   if constexpr (std::is_same_v<E, LineBegin>) curve_ = name_of(Thing::line, e.line);
   if constexpr (std::is_same_v<E, AreaDecide>) polygon_ = trace_->polygon_of_piece(e.piece);
   if constexpr (std::is_same_v<E, PairBegin>) compares_ = true;
-  if constexpr (std::is_same_v<E, EdgeEnter>) edge_enters(e.edge);
-  if constexpr (std::is_same_v<E, SpanBegin>) edge_used(e.left_edge, e.y), edge_used(e.right_edge, e.y),
-      edges_.edit(e.left_edge).in_span = true, edges_.edit(e.right_edge).in_span = true;
+  if constexpr (std::is_same_v<E, EdgeEnter>) edge_enters(e.edge), ++active_;
+  if constexpr (std::is_same_v<E, EdgeRetire>) --active_;
+  if constexpr (std::is_same_v<E, SpanBegin>)
+    for (const std::int32_t edge : {e.left_edge, e.right_edge})
+      if (e.first <= e.last) edge_used(edge, e.y), edges_.edit(edge).in_span = true;
   if constexpr (std::is_same_v<E, FlagFlip>) edge_used(e.edge, scan_line_);
-  if constexpr (std::is_same_v<E, EdgeStep>) ++edges_.edit(e.edge).next_row;
+  if constexpr (std::is_same_v<E, EdgeStep>) ++edges_.edit(e.edge).next_row, edges_.edit(e.edge).moved_to = scan_line_;
 }
 
 template <class E>

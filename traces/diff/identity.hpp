@@ -88,8 +88,10 @@ class Identity {
   struct Edge {
     std::int32_t next_row = 0;  ///< the scan line that it moves to next
     std::int32_t beyond = 0;    ///< the scan line after the last one that it was used on
-    bool in_span = false;       ///< it was used by a span
+    bool in_span = false;       ///< it was used by a span with pixels, which all programs have
     std::int32_t polygon = no_polygon;
+    std::int32_t end_row = 0;   ///< as the edge table has it
+    std::int32_t moved_to = -1; ///< the scan line at work when it moved or entered last
   };
   template <class E>
   auto parts(const E& e);
@@ -108,6 +110,7 @@ class Identity {
   std::int32_t polygon_ = no_polygon, scan_line_ = -1;
   Pass pass_ = Pass::eye;
   Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0;
+  std::int32_t active_ = 0;  ///< edges of the polygon at work that have entered its list and not left it
   bool turns_ = true;  ///< polygons are worked on one after another
   bool compares_ = false;  ///< pieces are compared: what enters the list now was in it before, or is a part
   bool edges_told_;

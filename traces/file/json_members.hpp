@@ -110,6 +110,7 @@ class Parts {
       faults_.push_back(fault);
     }
   }
+  bool any() const { return !faults_.empty(); }
   void done() const {
     if (!faults_.empty()) throw MalformedParts(faults_);
   }

@@ -21,6 +21,8 @@ namespace zstep {
 inline constexpr std::size_t line_limit = std::size_t{24} << 20;
 
 inline constexpr std::size_t most_faults = 10;  ///< that are reported of one file
+/// That are passed over of a run that is judged: it takes long to say of a line why it cannot be read.
+inline constexpr std::size_t most_passed_over = 100'000;
 
 /// A file's lines, of at most line_limit + 1 characters each: what comes from others may have no line end at all.
 class TextLines {
@@ -62,11 +64,13 @@ class TornTail {
   };
   void add(std::int64_t line, std::string_view text, const json_text::Fault& fault) {
     if (count_++ == 0) line_ = line;
+    last_line_ = line;
     if (first_.size() < most_faults) first_.push_back({line, std::string(text.substr(0, kept)), fault});
     last_ = json_text::shown(text, 80);
   }
   bool empty() const { return count_ == 0; }
   std::int64_t line() const { return line_; }
+  std::int64_t last_line() const { return last_line_; }
   /// "Traceback (most recent call last):", …, "ZeroDivisionError: division by zero"
   std::string quoted() const {
     std::string text = fmt::format("\u201c{}\u201d", json_text::shown(first_.front().text, 80));
@@ -83,7 +87,7 @@ class TornTail {
 
  private:
   static constexpr std::size_t kept = 4096;
-  std::int64_t line_ = 0, count_ = 0;
+  std::int64_t line_ = 0, last_line_ = 0, count_ = 0;
   std::vector<Line> first_;
   std::string last_;
 };

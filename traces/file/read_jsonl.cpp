@@ -1,17 +1,24 @@
 // JSON Lines in: line by line, with what is wrong gathered and the torn end of a crashed program's file set apart.
+#include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "traces/events/fields.hpp"
 #include "traces/file/check_events.hpp"
 #include "traces/file/event_json.hpp"
 #include "traces/file/header_json.hpp"
+#include "traces/file/input.hpp"
 #include "traces/file/json_members.hpp"
 #include "traces/file/json_text.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/jsonl_lines.hpp"
+#include "traces/file/lenient.hpp"
 #include "traces/file/quick_line.hpp"
+#include "traces/formulas/coverage.hpp"
+#include "traces/formulas/lines.hpp"
 #include "traces/near_word.hpp"
 #include "traces/outcome.hpp"
 #include "traces/text.hpp"
@@ -25,6 +32,22 @@ namespace {
 constexpr const char* mend_header = "the first line must be a trace's header, as docs/trace-format.md shows it";
 constexpr const char* mend_event = "see the fields of each event in docs/trace-format.md";
 
+bool ends_value(char c) { return c == ',' || c == '}' || c == ' ' || c == '\t' || c == '\r'; }
+
+std::optional<double> number_in(const json& line, const char* key) {
+  const auto found = line.find(key);
+  if (found == line.end() || !found->is_number()) return std::nullopt;
+  return found->get<double>();
+}
+
+/// Not there, null, or called what languages call 0/0.
+bool is_no_number(const json& line, const char* key) {
+  const auto found = line.find(key);
+  if (found == line.end() || found->is_null()) return true;
+  return found->is_string() && std::find(words_of_no_number.begin(), words_of_no_number.end(),
+                                         found->get_ref<const std::string&>()) != words_of_no_number.end();
+}
+
 /// A step that is well written, but no run on this scene can have.
 struct ImpossibleStep : MalformedJson {
   using MalformedJson::MalformedJson;
@@ -34,8 +57,8 @@ class Reader {
  public:
   using Begin = std::function<TraceRecorder&(const Header&, Scene)>;
   Reader(std::istream& in, const std::string& name, const Begin& begin, std::string* impossible,
-         GivenRun* given)
-      : lines_(in), name_(name), begin_(begin), given_(given), impossible_(impossible) {}
+         GivenRun* given, PassedOver* passed_over)
+      : lines_(in), name_(name), begin_(begin), given_(given), passed_over_(passed_over), impossible_(impossible) {}
 
   std::optional<std::string> read() {
     std::string line;
@@ -44,14 +67,21 @@ class Reader {
       if (line.size() > line_limit) {
         add(number_, {0, false, "the line is longer than 24 MiB",
                       "write one event a line; large scenes are recorded straight to a .ztrace"}, "");
+        if (passed_over_) passed_over_->gave_up = true;
         break;  // what follows is the rest of it
       }
       if (recorder_ != nullptr && read_quickly(line)) continue;
       if (line.find_first_not_of(" \t\r") != std::string::npos) take(line);
       if (ended_ || faults_.size() >= most_faults || (recorder_ == nullptr && !faults_.empty())) break;
+      if (passed_over_ && passed_over_->lines.size() >= most_passed_over) {
+        passed_over_->gave_up = true;
+        break;
+      }
     }
-    if (recorder_ == nullptr && faults_.empty()) add(1, {0, false, "there is no header line", mend_header}, "");
     if (events_ == 0) give_up_tail();
+    if (passed_over_ && events_ == 0) faults_ = passed_over_->faults;
+    if (recorder_ == nullptr && faults_.empty())
+      faults_.push_back(fault_text(1, {0, false, "there is no header line", mend_header}, ""));
     if (!faults_.empty()) {
       if (faults_.size() >= most_faults) faults_.push_back(name_ + ": there may be more mistakes; mend these first");
       throw InputErrors(faults_);
@@ -84,10 +114,19 @@ class Reader {
 
   /// A mistake in a text that begins at this line.
   void add(std::int64_t first, const json_text::Fault& fault, std::string_view text) {
-    if (faults_.size() >= most_faults) return;
+    if (passed_over_) pass_over({first, first + std::count(text.begin(), text.end(), '\n')});
+    std::vector<std::string>& faults = passed_over_ ? passed_over_->faults : faults_;
+    if (faults.size() < most_faults) faults.push_back(fault_text(first, fault, text));
+  }
+  std::string fault_text(std::int64_t first, const json_text::Fault& fault, std::string_view text) const {
     const auto [line, column] = json_text::line_and_column(text, fault.place, first);
-    faults_.push_back(
-        printable(InputError(fmt::format("{}:{}:{}", name_, line, column), fault.what, fault.mend).what()));
+    return printable(InputError(fmt::format("{}:{}:{}", name_, line, column), fault.what, fault.mend).what());
+  }
+  /// Of a line there may be more than one thing to say.
+  void pass_over(PassedOver::Range range) {
+    std::vector<PassedOver::Range>& lines = passed_over_->lines;
+    if (lines.empty() || lines.back().last < range.first) lines.push_back(range);
+    else lines.back().last = std::max(lines.back().last, range.last);
   }
 
   void check_encoding(std::string& line) const {
@@ -107,11 +146,19 @@ class Reader {
   /// Takes a line as nearly all are; false where something about it is to be said.
   bool read_quickly(std::string& line) {
     if (!tail_.empty() || cut_off_ || !quick_->read(line, quick_event_)) return false;
+    give_numbers_of_span(quick_event_.event);
     EventCheck of_one = *check_;
     if (!visit_event([&](const auto& event) { return of_one(event).empty(); }, quick_event_.event)) return false;
     ++events_;
     if (faults_.empty()) record_any(*recorder_, quick_event_.step, quick_event_.event);
     return true;
+  }
+
+  void give_numbers_of_span(Event& event) const {
+    if (!passed_over_) return;
+    const Conventions::Coverage coverage = header_.conventions.coverage;
+    if (auto* span = get_if<SpanBegin>(&event)) give_numbers_of_empty(*span, width_, coverage);
+    if (auto* interval = get_if<SpanFlags>(&event)) give_numbers_of_empty(*interval, width_, coverage);
   }
 
   /// One line, or the several on which a pretty-printed object stands.
@@ -120,6 +167,7 @@ class Reader {
     json document;
     if (!parse(text, document)) return;
     give_up_tail();  // a whole object comes after it, so it is no end
+    at_header_ = recorder_ == nullptr;
     if (cut_off_)
       add(*cut_off_, {0, false, "the recording is said to be cut off here, but it goes on", "take this line out"}, "");
     cut_off_.reset();
@@ -139,10 +187,8 @@ class Reader {
     } catch (const MalformedParts& parts) {
       for (const MalformedJson& part : parts.all) add_in(first, text, document, part);
     } catch (const ImpossibleStep& error) {
-      add_in(first, text, document, error);
-      if (impossible_ == nullptr || faults_.size() != 1) return;
-      *impossible_ = std::move(faults_.back());
-      faults_.clear();
+      if (impossible_ == nullptr || !faults_.empty()) return add_in(first, text, document, error);
+      *impossible_ = fault_text(first, fault_in(text, document, error), text);
       ended_ = true;
     } catch (const MalformedJson& error) {
       add_in(first, text, document, error);
@@ -150,10 +196,13 @@ class Reader {
   }
 
   void add_in(std::int64_t first, std::string_view text, const json& document, const MalformedJson& error) {
-    const std::size_t place = json_text::place_of(text, document, error.at, error.key);
-    add(first, {place, false, error.what(), error.mend.empty() ? usual_mend() : error.mend}, text);
+    add(first, fault_in(text, document, error), text);
   }
-  const char* usual_mend() const { return recorder_ == nullptr ? mend_header : mend_event; }
+  json_text::Fault fault_in(std::string_view text, const json& document, const MalformedJson& error) const {
+    const std::size_t place = json_text::place_of(text, document, error.at, error.key);
+    return {place, false, error.what(), error.mend.empty() ? usual_mend() : error.mend};
+  }
+  const char* usual_mend() const { return at_header_ ? mend_header : mend_event; }
 
   /// False where a text is no JSON, which is noted.
   bool parse(std::string& text, json& document) {
@@ -161,6 +210,7 @@ class Reader {
       document = parse_bounded(text);
       return true;
     } catch (const json::parse_error& error) {
+      if (passed_over_ && parse_span_of_no_width(text, document)) return true;
       const json_text::Fault fault = json_text::fault_at(text, error.byte > 0 ? error.byte - 1 : 0);
       const std::int64_t first = number_;
       if (fault.unfinished && gather(text)) return parse_gathered(first, text, document);
@@ -179,6 +229,22 @@ class Reader {
     return false;
   }
 
+  /// What 0/0 is called stands bare in it.
+  bool parse_span_of_no_width(std::string& text, json& document) const {
+    auto quoted = with_words_quoted(text);
+    if (!quoted) return false;
+    try {
+      json line = parse_bounded(*quoted);
+      if (!as_trace_has_it(line, page())) return false;
+      document = std::move(line), text = std::move(*quoted);
+      return true;
+    } catch (const json::exception&) {
+    } catch (const MalformedJson&) {
+    }
+    return false;
+  }
+  const Page& page() const { return recorder_ == nullptr && given_ ? given_->header->page : header_.page; }
+
   /// Adds the lines on which an object goes on that ends at none; false where it does not go on.
   bool gather(std::string& text) {
     if (const std::string* more = peek(); more == nullptr || !json_text::goes_on(*more)) return false;
@@ -189,27 +255,34 @@ class Reader {
     }
     return true;
   }
-  /// Says that it stands on several lines, and reads it all the same: what comes after it can be checked then.
+  /// Says that it stands on several lines, and reads it all the same: what comes after it can be checked then. Who judges
+  /// a run takes it as it is.
   bool parse_gathered(std::int64_t first, const std::string& text, json& document) {
     give_up_tail();
-    add(first, {0, false, "the object goes on over several lines",
-                "write each object on one line; in Python: json.dumps(event), without indent"}, text);
+    const auto complain = [&] {
+      add(first, {0, false, "the object goes on over several lines",
+                  "write each object on one line; in Python: json.dumps(event), without indent"}, text);
+    };
+    if (!passed_over_) complain();
     try {
       document = parse_bounded(text);
       return true;
     } catch (const json::exception&) {
-      return false;
     } catch (const MalformedJson&) {
-      return false;
     }
+    if (passed_over_) complain();
+    return false;
   }
 
   /// What looked like the file's end was none: its lines are mistakes.
   void give_up_tail() {
+    if (tail_.empty()) return;
+    const PassedOver::Range all{tail_.line(), tail_.last_line()};
     for (const TornTail::Line& line : tail_.give_up()) add(line.number, line.fault, line.text);
+    if (passed_over_) pass_over(all);
   }
 
-  void begin(const json& document) {
+  void begin(json& document) {
     const bool no_header = document.contains("step") && !document.contains("ztrace");
     if (no_header && given_ == nullptr)
       throw MalformedJson("the header line is missing: this is an event already", mend_header);
@@ -220,21 +293,25 @@ class Reader {
       if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
       scene = scene_from_json(document.at("scene"));
     });
-    parts.done();
+    if (passed_over_ == nullptr) parts.done();
     if (given_ != nullptr) {
-      given_->without_header = no_header;
-      if (no_header) header_ = *given_->header, header_.undeclared = 0xff;
+      given_->without_header = no_header || parts.any();
+      if (given_->without_header) header_ = *given_->header, header_.undeclared = 0xff;
       header_ = given_->review(header_);
       scene = *given_->scene;
     }
+    at_header_ = !no_header;
+    width_ = scene.raster.width;
     check_.emplace(scene);
     for (const StepInfo& step : header_.page) step_names_.push_back(step.name);
     quick_.emplace(header_.page);
     recorder_ = &begin_(header_, std::move(scene));
+    parts.done();
+    at_header_ = false;
     if (no_header) record(document);
   }
 
-  void record(const json& document) {
+  void record(json& document) {
     const auto found = document.find("step");
     if (found == document.end())
       throw MalformedJson(document, "", "\"step\" is missing", "an event names a step of the header's list");
@@ -245,10 +322,13 @@ class Reader {
     if (step == nullptr)
       throw MalformedJson(document, "step", fmt::format("there is no step \"{}\" in the header's list", name),
                           near_word_or_list(name, {step_names_.data(), step_names_.size()}, "its steps are"));
-    const Event event = event_from_json(step->kind, document);
+    if (passed_over_) as_trace_has_it(document, header_.page);
+    Event event = event_from_json(step->kind, document);
+    give_numbers_of_span(event);
     EventCheck of_one = *check_;  // how often buffers are cleared is held against a block, once it is read
     if (const std::string fault = visit_event([&](const auto& e) { return of_one(e); }, event); !fault.empty())
-      throw ImpossibleStep(document, std::string(of_one.field()), fault, "it must be one of the scene's");
+      throw ImpossibleStep(document, std::string(of_one.field()), fault,
+                           "it must be one of the scene's, numbered from 0");
     ++events_;
     if (faults_.empty()) record_any(*recorder_, step->id, event);
   }
@@ -257,14 +337,17 @@ class Reader {
   const std::string& name_;
   const Begin& begin_;
   GivenRun* given_;
+  PassedOver* passed_over_;  ///< for who judges: then a line that cannot be read is noted here, and costs itself alone
   std::optional<std::string> ahead_;
   std::int64_t number_ = 0;  ///< of the line that was read last
   Header header_;
   std::vector<std::string_view> step_names_;
+  std::int32_t width_ = 0;  ///< of the raster
   std::optional<EventCheck> check_;
   std::optional<QuickLine> quick_;
   RecordedEvent quick_event_{};
   TraceRecorder* recorder_ = nullptr;
+  bool at_header_ = true;
   std::optional<std::int64_t> cut_off_;  ///< the line that says so
   std::int64_t events_ = 0;
   std::string* impossible_;
@@ -278,7 +361,102 @@ class Reader {
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
                                       const std::function<TraceRecorder&(const Header&, Scene)>& begin,
                                       std::string* impossible, GivenRun* given) {
-  return Reader(in, name, begin, impossible, given).read();
+  return Reader(in, name, begin, impossible, given, nullptr).read();
+}
+
+Trace open_given_run(const std::filesystem::path& path, std::string& impossible, GivenRun& given,
+                     PassedOver& passed_over) {
+  InputStream in{InputFile(path)};
+  passed_over = {};
+  Scene kept;
+  std::optional<TraceRecorder> recorder;
+  const auto begin = [&](const Header& header, Scene scene) -> TraceRecorder& {
+    kept = std::move(scene);
+    return recorder.emplace(header, kept);
+  };
+  const std::string name = path.string();
+  const auto cut = Reader(in, name, begin, &impossible, &given, &passed_over).read();
+  recorder->finish(!cut);
+  return Trace::from_bytes(recorder->take_bytes(), name, cut.value_or(""));
+}
+
+std::optional<std::string> with_words_quoted(std::string_view text) {
+  std::string quoted;
+  bool in_text = false, any = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    quoted += c;
+    if (in_text && c == '\\' && at + 1 < text.size()) {
+      quoted += text[++at];
+      continue;
+    }
+    in_text = in_text != (c == '"');
+    if (in_text || c != ':') continue;
+    std::size_t begin = at + 1;
+    while (begin < text.size() && text[begin] == ' ') ++begin;
+    for (const std::string_view word : words_of_no_number) {
+      const std::size_t end = begin + word.size();
+      if (end >= text.size() || text.substr(begin, word.size()) != word || !ends_value(text[end])) continue;
+      quoted += '"' + std::string(word) + '"';
+      at = end - 1;
+      any = true;
+      break;
+    }
+  }
+  if (!any) return std::nullopt;
+  return quoted;
+}
+
+bool as_trace_has_it(json& line, const Page& page) {
+  if (!line.is_object()) return false;
+  const auto name = line.find("step");
+  if (name == line.end() || !name->is_string()) return false;
+  const StepInfo* step = find_step(page, std::string_view(name->get_ref<const std::string&>()));
+  if (step == nullptr) return false;
+  bool changed = false;
+  for (const OtherWord& other : other_words) {
+    if (text_of_kind(step->kind).name != other.kind) continue;
+    const auto found = line.find(std::string(other.field));
+    if (found == line.end() || !found->is_string() || found->get_ref<const std::string&>() != other.word) continue;
+    *found = std::string(other.as), changed = true;
+  }
+  if (step->kind == kind_of<SpanBegin> && is_no_number(line, "dz_dx")) {
+    const auto left = number_in(line, "x_left"), right = number_in(line, "x_right");
+    if (left && right && *left == *right) line["dz_dx"] = 0.0, changed = true;
+  }
+  return changed;
+}
+
+namespace {
+
+/// The pixels between two edges, within the raster.
+struct Pixels {
+  std::int32_t first, last;
+};
+Pixels pixels_between(double x_left, double x_right, std::int32_t width, Conventions::Coverage coverage) {
+  return {std::max(0, formulas::limited_column(formulas::first_pixel(x_left, coverage), width)),
+          formulas::limited_column(formulas::last_pixel(x_right, coverage) + 1, width) - 1};
+}
+
+/// True where it has changed.
+template <class E>
+bool give_pixels_of_empty(E& event, std::int32_t width, Conventions::Coverage coverage) {
+  if (event.first <= event.last && event.last >= 0 && event.first < width) return false;
+  const Pixels pixels = pixels_between(event.x_left, event.x_right, width, coverage);
+  if (pixels.first <= pixels.last) return false;  // it has some
+  event.first = pixels.first, event.last = pixels.last;
+  return true;
+}
+
+}  // namespace
+
+void give_numbers_of_empty(SpanBegin& span, std::int32_t width, Conventions::Coverage coverage) {
+  if (!give_pixels_of_empty(span, width, coverage)) return;
+  const bool of_no_width = span.x_left == span.x_right;
+  span.dz_dx = of_no_width ? 0 : formulas::slope(span.z_left, span.z_right, span.x_left, span.x_right);
+}
+void give_numbers_of_empty(SpanFlags& interval, std::int32_t width, Conventions::Coverage coverage) {
+  give_pixels_of_empty(interval, width, coverage);
 }
 
 }  // namespace zstep

@@ -2,11 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "traces/diff/parting.hpp"
+#include "traces/events/fields.hpp"
+#include "traces/events/vocabulary.hpp"
+#include "traces/formulas/follows.hpp"
+#include "traces/formulas/of_events.hpp"
 #include "traces/formulas/walk.hpp"
+#include "traces/grade/numbering.hpp"
 #include "traces/mistakes/name.hpp"
 #include "traces/mistakes/turned.hpp"
 
@@ -34,55 +43,257 @@ std::array<std::int64_t, kind_count> steps_by_kind(const Trace& trace) {
   return counts;
 }
 
-class Counter {
+void lose(PartCount& count, Loss::Why why, std::uint8_t kind, std::int64_t steps) {
+  if (steps > 0) count.lost.push_back({why, kind, steps});
+}
+
+}  // namespace
+
+std::vector<bool> drawn(const Picture& picture) {
+  std::vector<bool> pixels(picture.polygon.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] = picture.polygon[i] != no_polygon || (!picture.ink.empty() && picture.ink[i] != no_ink);
+  return pixels;
+}
+
+bool has_depths(const Picture& picture) {
+  return std::any_of(picture.depth.begin(), picture.depth.end(), [](double z) { return std::isfinite(z); });
+}
+
+PartCount count_pixels(const Part& part, const std::vector<bool>& reference, const std::vector<bool>& other,
+                       const PixelsApart& apart, bool keeps_depths) {
+  PartCount count;
+  PartCount::Halves right;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    const bool color = !apart.color.empty() && apart.color[i] == 0, depth = !apart.depth.empty() && apart.depth[i] == 0;
+    count.expected += reference[i];
+    count.additional += other[i] && !reference[i];
+    right.colors += reference[i] && color;
+    right.depths += reference[i] && depth;
+    count.same += reference[i] && color && (depth || !keeps_depths);
+  }
+  count.computed = count.same;
+  if (keeps_depths) count.halves = right;
+  if (part.value <= 0) return count;
+  using enum Loss::Why;
+  lose(count, apart.color.empty() ? no_colors : colors, 0, count.expected - right.colors);
+  if (keeps_depths) lose(count, apart.depth.empty() ? no_depths : depths, 0, count.expected - right.depths);
+  lose(count, beyond, 0, count.additional);
+  return count;
+}
+
+Counter::Counter(const Trace& reference, const Trace& run, const diff::DiffReport& difference,
+                 const std::vector<bool>& not_computed, const std::set<std::uint8_t>& aside)
+    : run_(run), difference_(difference), aside_(aside), expected_(steps_by_kind(reference)) {
+  run.each(0, run.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
+    if (not_computed[static_cast<std::size_t>(position)] && difference.alignment.in_a(position) != 0)
+      ++not_computed_[recorded.event.index()];
+    return true;
+  });
+}
+
+PartCount Counter::steps(const Part& part) const {
+  PartCount count;
+  using enum Loss::Why;
+  for (const std::uint8_t kind : part.kinds) {
+    const diff::KindDifference& of = difference_.kinds[kind];
+    const std::int64_t expected = expected_[kind] - of.idle_a, more = of.only_b - of.idle_b;
+    count.expected += expected;
+    if (aside_.contains(kind)) {
+      lose(count, unknown_edges, kind, expected);
+      continue;
+    }
+    const std::int64_t right = of.same + of.rounding, there = right + of.different;
+    // Beyond as many as causes are looked for, steps that differ earn nothing.
+    const std::int64_t unlike = of.different + of.not_followed, uncomputed = not_computed_[kind] + of.not_followed;
+    count.additional += more;
+    count.same += right;
+    count.computed += there - not_computed_[kind];
+    lose(count, run_.has(kind) ? missing : never, kind, expected - there - of.not_followed);
+    lose(count, additional, kind, more);
+    if (part.value > 0) lose(count, numbers, kind, unlike);
+    if (part.computation > 0) lose(count, computation, kind, uncomputed);
+  }
+  if (part.level == Level::ordered) {
+    const std::int64_t moved = out_of_order(part);
+    count.same = std::max<std::int64_t>(0, count.same - moved);
+    count.computed = std::max<std::int64_t>(0, count.computed - moved);
+    lose(count, order, 0, moved);
+  }
+  if (part.points() <= 0) count.lost.clear();
+  return count;
+}
+
+/// How many of a part's steps would have to be moved for the rest to be in the reference's order.
+std::int64_t Counter::out_of_order(const Part& part) const {
+  const std::set<std::uint8_t> kinds(part.kinds.begin(), part.kinds.end());
+  std::vector<std::int64_t> matched;
+  run_.each(0, run_.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
+    if (!kinds.contains(static_cast<std::uint8_t>(recorded.event.index()))) return true;
+    if (const std::int64_t a = difference_.alignment.in_a(position); a != 0) matched.push_back(a);
+    return true;
+  });
+  return static_cast<std::int64_t>(matched.size()) - longest_ascending(matched);
+}
+
+namespace {
+
+/// The vertices of each polygon of a scene, in their order.
+class Outlines {
  public:
-  Counter(const Trace& reference, const Trace& run, const diff::DiffReport& difference, const CheckMarks& marks,
-          const std::set<std::uint8_t>& aside)
-      : run_(run), difference_(difference), aside_(aside), expected_(steps_by_kind(reference)) {
-    std::int64_t last = 0;
-    for (const Fault& fault : marks.faults) {
-      if (fault.step == last || difference.alignment.in_a(fault.step) == 0) continue;
-      last = fault.step;
-      ++miscomputed_[fault.kind];
+  explicit Outlines(const Scene& scene) : scene_(scene), facets_(scene.polygons.size(), nullptr) {
+    for (const Facet& facet : scene.facets) {
+      const Facet*& first = facets_[static_cast<std::size_t>(facet.polygon)];
+      if (!first) first = &facet;
     }
   }
-
-  PartCount steps(const Part& part) const {
-    PartCount count;
-    for (const std::uint8_t kind : part.kinds) {
-      const diff::KindDifference& of = difference_.kinds[kind];
-      count.expected += expected_[kind] - of.idle_a;
-      if (aside_.contains(kind)) continue;
-      count.additional += of.only_b - of.idle_b;
-      count.same += of.same + of.rounding;
-      count.computed += of.same + of.rounding + of.different - miscomputed_[kind];
-    }
-    if (part.level == Level::ordered) {
-      const std::int64_t moved = out_of_order(part);
-      count.same = std::max<std::int64_t>(0, count.same - moved);
-      count.computed = std::max<std::int64_t>(0, count.computed - moved);
-    }
-    return count;
+  /// None where there is no such polygon.
+  std::span<const std::int32_t> of(std::int32_t polygon) const {
+    if (polygon < 0 || static_cast<std::size_t>(polygon) >= facets_.size()) return {};
+    const Facet* facet = facets_[static_cast<std::size_t>(polygon)];
+    if (!facet) return {};
+    return std::span(scene_.corners).subspan(static_cast<std::size_t>(facet->first_corner),
+                                             static_cast<std::size_t>(facet->corner_count));
   }
 
  private:
-  /// How many of a part's steps would have to be moved for the rest to be in the reference's order.
-  std::int64_t out_of_order(const Part& part) const {
-    const std::set<std::uint8_t> kinds(part.kinds.begin(), part.kinds.end());
-    std::vector<std::int64_t> matched;
-    run_.each(0, run_.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
-      if (!kinds.contains(static_cast<std::uint8_t>(recorded.event.index()))) return true;
-      if (const std::int64_t a = difference_.alignment.in_a(position); a != 0) matched.push_back(a);
-      return true;
-    });
-    return static_cast<std::int64_t>(matched.size()) - longest_ascending(matched);
-  }
-
-  const Trace& run_;
-  const diff::DiffReport& difference_;
-  const std::set<std::uint8_t>& aside_;
-  std::array<std::int64_t, kind_count> expected_, miscomputed_{};
+  const Scene& scene_;
+  std::vector<const Facet*> facets_;  ///< the first of each polygon
 };
+
+bool joins(std::span<const std::int32_t> outline, std::int32_t a, std::int32_t b) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const std::int32_t from = outline[i], to = outline[(i + 1) % outline.size()];
+    if ((from == a && to == b) || (from == b && to == a)) return true;
+  }
+  return false;
+}
+
+/// The ways in which the numbers of an edge may be meant.
+struct Meanings {
+  bool as_scene = true, polygons_from_1 = true, vertices_from_1 = true, vertices_of_polygon = true;
+  bool any = false;  ///< an edge was named
+
+  void look_at(const Outlines& outlines, std::int32_t polygon, std::int32_t a, std::int32_t b) {
+    any = true;
+    const auto outline = outlines.of(polygon);
+    const auto place = [&](std::int32_t vertex) {
+      return vertex >= 0 && static_cast<std::size_t>(vertex) < outline.size() ? outline[static_cast<std::size_t>(vertex)]
+                                                                              : -1;
+    };
+    as_scene = as_scene && joins(outline, a, b);
+    polygons_from_1 = polygons_from_1 && joins(outlines.of(polygon - 1), a, b);
+    vertices_from_1 = vertices_from_1 && joins(outline, a - 1, b - 1);
+    vertices_of_polygon = vertices_of_polygon && joins(outline, place(a), place(b));
+  }
+};
+
+}  // namespace
+
+Numbering numbering_of(const Trace& run) {
+  const Outlines outlines(run.scene());
+  Meanings meanings;
+  std::int32_t polygon = no_polygon, least = no_polygon;
+  run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (const auto* begin = get_if<PolygonBegin>(&recorded.event)) {
+      polygon = begin->polygon;
+      least = least == no_polygon ? polygon : std::min(least, polygon);
+    }
+    if (const auto* edge = get_if<EdgeTableInsert>(&recorded.event))
+      meanings.look_at(outlines, edge->polygon, edge->vertex_0, edge->vertex_1);
+    if (const auto* edge = get_if<EdgeTableSkip>(&recorded.event); edge && polygon != no_polygon)
+      meanings.look_at(outlines, polygon, edge->vertex_0, edge->vertex_1);
+    return true;
+  });
+  if (!meanings.any) return least == 1 ? Numbering::polygons_from_1 : Numbering::as_scene;
+  if (meanings.as_scene) return Numbering::as_scene;
+  if (meanings.polygons_from_1) return Numbering::polygons_from_1;
+  if (meanings.vertices_from_1) return Numbering::vertices_from_1;
+  return meanings.vertices_of_polygon ? Numbering::vertices_of_polygon : Numbering::as_scene;
+}
+
+namespace {
+
+using formulas::Follows, formulas::Place, formulas::Situation;
+
+/// Takes note of the fields of a step that a formula gives.
+template <class E>
+struct Given {
+  using Number = double;
+  const E& e;
+  std::uint32_t fields = 0;
+
+  double number(const auto&, double value, const Place&) { return value; }
+  double named(std::string_view, double formula) { return formula; }
+  void reads(const Place&) {}
+  bool trusts(const Place&) const { return false; }
+  bool equal(double one, double other) const { return one == other; }
+  void rule(formulas::Rule, bool) {}
+  void gives(Follows<E, double> field, double) { fields |= 1u << field.number; }
+  void near(Follows<E, double> field, const formulas::Rounded&) { fields |= 1u << field.number; }
+  void whole(Follows<E, std::int32_t> field, double, std::int32_t) { fields |= 1u << field.number; }
+  template <class Value>
+  void is(std::type_identity_t<Follows<E, Value>> field, Value) {
+    fields |= 1u << field.number;
+  }
+  void verdict(Follows<E, bool> field, double, double) { fields |= 1u << field.number; }
+};
+
+/// Is one of the differing fields a number that should follow from something, and does from nothing, or is it none? What
+/// the number format alone lets it be off is no difference.
+template <class E>
+bool from_nothing(const E& e, const Situation& at, const diff::Difference& differing, const Precision& precision) {
+  Given<E> given{e};
+  if constexpr (formulas::Derived<E, Given<E>>) formulas::derive(e, at, given);
+  bool found = false;
+  for_each_index<E>([&]<std::size_t I>() {
+    if constexpr (std::is_same_v<FieldValue<E, I>, double>) {
+      const double value = e.*field_at<E, I>.member;
+      if ((differing.fields >> I & 1u) == 0 ||
+          differing.off <= precision.relative + 2 * precision.absolute / std::abs(value))
+        return;
+      // What is as long as a plane's normal may have any length.
+      const bool should_follow = formulas::origin_of(kind_of<E>, field_at<E, I>.name) == formulas::Origin::formula &&
+                                 !diff::as_long_as_normal(field_at<E, I>.name);
+      found = found || !std::isfinite(value) || (should_follow && (given.fields >> I & 1u) == 0);
+    }
+  });
+  return found;
+}
+
+/// Of a kind, the fields that are numbers.
+std::uint32_t number_fields(std::uint8_t kind) {
+  std::uint32_t fields = 0;
+  const auto all = fields_of_kind(kind);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].type == FieldOfKind::Type::real) fields |= 1u << i;
+  return fields;
+}
+
+/// By step of the run, from 1: whether it does not follow from the run's own operands. A step that has the reference's
+/// numbers does unless one of `faults` is its; of a number that is not the reference's a formula must say what it follows
+/// from, and it must be finite: NaN follows from NaN, and anything from nothing.
+std::vector<bool> not_computed(const Trace& run, const diff::DiffReport& difference,
+                               const std::vector<Fault>& faults) {
+  std::vector<bool> found(static_cast<std::size_t>(run.size()) + 1);
+  for (const Fault& fault : faults) found[static_cast<std::size_t>(fault.step)] = true;
+  // By the steps of the run, as the walk goes.
+  std::vector<const diff::Difference*> differing;
+  for (const diff::Difference& one : difference.alignment.differences)
+    if (one.a != 0 && one.b != 0 && (one.fields & number_fields(one.kind)) != 0) differing.push_back(&one);
+  if (differing.empty()) return found;
+  std::sort(differing.begin(), differing.end(), [](const auto* one, const auto* other) { return one->b < other->b; });
+  auto next = differing.begin();
+  formulas::walk(
+      run,
+      [&](std::int64_t step, const auto& e, const Situation& at) {
+        if (step < (*next)->b) return true;
+        if (from_nothing(e, at, **next, difference.precision)) found[static_cast<std::size_t>(step)] = true;
+        return ++next != differing.end();
+      },
+      [](std::int64_t, const Impossible&) {});
+  return found;
+}
 
 /// What is in the buffers at the end. A step that cannot be does nothing.
 Picture picture_of(const Trace& trace) {
@@ -90,6 +301,18 @@ Picture picture_of(const Trace& trace) {
              trace, [](std::int64_t, const auto&, const formulas::Situation&) { return true; },
              [](std::int64_t, const Impossible&) {})
       .picture;
+}
+
+/// How far the two are apart at the end. A run that wrote no depth anywhere has none.
+PixelsApart pixels_apart(const Ends& ends, const Trace& reference, const Trace& run, const Precision& precision) {
+  PixelsApart apart;
+  for (std::size_t i = 0; i < ends.reference.polygon.size(); ++i)
+    apart.color.push_back(color_at(ends.reference, reference.scene(), i) == color_at(ends.run, run.scene(), i) ? 0 : 1);
+  const std::vector<double>& written = ends.run.depth;
+  if (std::any_of(written.begin(), written.end(), [](double z) { return z != no_depth; }))  // NaN is one, and wrong
+    apart.depth = diff::compare_depths(ends.reference.depth, ends.run.depth, precision,
+                                       diff::buffers_of(reference, ends.reference).empty).apart;
+  return apart;
 }
 
 /// Where a cause of a difference shows in the run: at its step, or before the one where something is missing.
@@ -133,25 +356,6 @@ bool depth_is_wrong(const Divergence& first) {
 
 }  // namespace
 
-std::vector<bool> drawn(const Picture& picture) {
-  std::vector<bool> pixels(picture.polygon.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    pixels[i] = picture.polygon[i] != no_polygon || (!picture.ink.empty() && picture.ink[i] != no_ink);
-  return pixels;
-}
-
-PartCount count_pixels(const std::vector<bool>& reference, const std::vector<bool>& other,
-                       const std::vector<float>& apart) {
-  PartCount count;
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    count.expected += reference[i];
-    count.additional += other[i] && !reference[i];
-    count.same += reference[i] && apart[i] == 0;
-  }
-  count.computed = count.same;
-  return count;
-}
-
 std::set<std::uint8_t> kinds_of_unknown_edges(const Trace& run) {
   std::set<std::uint8_t> kinds;
   if (!run.has(kind_of<EdgeTableInsert>))
@@ -171,14 +375,13 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
   ends.apart =
       diff::compare_pictures(diff::buffers_of(reference, ends.reference), diff::buffers_of(run, ends.run),
                              found.difference.precision);
-  const Counter counter(reference, run, found.difference, marks, aside);
-  for (const Part& part : parts) {
-    if (part.level != Level::buffers) {
-      found.parts.push_back(counter.steps(part));
-      continue;
-    }
-    found.parts.push_back(count_pixels(drawn(ends.reference), drawn(ends.run), ends.apart.apart));
-  }
+  const Counter counter(reference, run, found.difference, not_computed(run, found.difference, marks.faults), aside);
+  for (const Part& part : parts)
+    found.parts.push_back(part.level == Level::buffers
+                              ? count_pixels(part, drawn(ends.reference), drawn(ends.run),
+                                             pixels_apart(ends, reference, run, found.difference.precision),
+                                             has_depths(ends.reference))
+                              : counter.steps(part));
   found.first = first_divergence(found, aside);
   return found;
 }

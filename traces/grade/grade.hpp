@@ -18,40 +18,10 @@
 #include "traces/diff/diff.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/trace.hpp"
+#include "traces/grade/count.hpp"
 #include "traces/mistakes/mistake.hpp"
 
 namespace zstep::grade {
-
-enum class Level : std::uint8_t {
-  matched,  ///< steps may come in another order, as far as they can be matched by what they are about
-  ordered,  ///< what comes in another order than the reference's does not count
-  buffers,  ///< nothing but the picture and the depths at the end; these may also come from an image
-};
-
-/// A part of a method, and what it is worth.
-struct Part {
-  std::string name;  ///< "edge table"
-  Level level = Level::matched;
-  std::vector<std::uint8_t> kinds;  ///< of the events it consists of; none of the buffers
-  double computation = 0;           ///< points; none of the buffers
-  double value = 0;                 ///< points
-  double points() const { return computation + value; }
-};
-
-/// What was found of a part in one scene, in steps; of buffers, in pixels.
-struct PartCount {
-  std::int64_t expected = 0;    ///< the reference has, without those that right programs do or leave out
-  std::int64_t additional = 0;  ///< the run has besides
-  std::int64_t computed = 0;    ///< of the expected ones, the run has and computes from its own operands
-  std::int64_t same = 0;        ///< of the expected ones, the run has with the reference's numbers, but for rounding
-  std::int64_t all() const { return expected + additional; }
-  /// Points of the part; where there is nothing to be done and nothing was, all of them.
-  double computation_points(const Part& part) const { return part.computation * share(computed); }
-  double value_points(const Part& part) const { return part.value * share(same); }
-
- private:
-  double share(std::int64_t of) const { return all() == 0 ? 1 : static_cast<double>(of) / static_cast<double>(all()); }
-};
 
 /// Where a run first goes wrong: at a step that parts from the reference for a reason of its own, or that does not
 /// follow from its own operands.
@@ -98,14 +68,6 @@ struct Likely {
 /// of the program may tell which.
 std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const Judgement& found,
                                  std::vector<mistakes::Mistake>* either = nullptr);
-
-/// By pixel, whether a picture has a polygon there, or ink.
-std::vector<bool> drawn(const Picture& picture);
-
-/// What is counted of a picture that a program printed instead of its steps: by pixel, whether something was drawn by
-/// the reference and by the program, and whether the two differ.
-PartCount count_pixels(const std::vector<bool>& reference, const std::vector<bool>& other,
-                       const std::vector<float>& apart);
 
 /// How a submission is read: its scene is the grader's, and so are its conventions but for those that it may choose.
 /// `reference` must live as long as what is returned.

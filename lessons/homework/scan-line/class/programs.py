@@ -12,8 +12,8 @@ CLASS = [
     ("right", "", ""),
     ("z_slope_of_x", "dz_dy = (b[3] - a[3])", "dz_dy = (b[1] - a[1])"),
     ("z_not_swapped", "a, b = b, a", "a, b = (*b[:3], a[3]), (*a[:3], b[3])"),
-    ("ends_one_late", "math.ceil(b[2])\n", "math.ceil(b[2]) + 1\n"),
-    ("starts_one_early", "math.ceil(a[2]), math", "math.floor(a[2]), math"),
+    ("ends_one_late", "min(height, math.ceil(b[2]))\n", "min(height, math.ceil(b[2]) + 1)\n"),
+    ("starts_one_early", "math.ceil(a[2])), min", "math.floor(a[2])), min"),
     ("x_at_vertex", "            move_to(edge, first)\n", '            edge["x"], edge["z"] = a[1], a[3]\n'),
     ("horizontal_inserted", '                emit.skip_edge(a[0], b[0], "horizontal")\n                continue\n',
      '                b = (b[0], b[1], b[2] + 1, b[3])\n'),
@@ -27,8 +27,8 @@ CLASS = [
      "                  if i == 0 or (e[\"x\"], e[\"polygon\"]) !=\n"
      "                  (active[i - 1][\"x\"], active[i - 1][\"polygon\"])]\n"
      "        inside = []"),
-    ("right_end_included", "math.ceil(right) - 1", "math.floor(right)"),
-    ("left_end_excluded", "math.ceil(left), math", "math.floor(left) + 1, math"),
+    ("right_end_included", "math.ceil(right))) - 1", "math.floor(right) + 1)) - 1"),
+    ("left_end_excluded", "math.ceil(left))", "math.floor(left) + 1)"),
     ("right", "", ""),
     ("wrong_of_two", "depths[polygon] = self.depth(polygon, x, y)\n"
      "                emit.depth(polygon, x, y, depths[polygon])",

@@ -34,7 +34,7 @@ def plane_of(vertices):
     return a, b, c, -(a * x + b * y + c * z)
 
 
-def edge_table(polygons):
+def edge_table(polygons, height):
     """The edges of all polygons, numbered in one go."""
     edges = []
     for polygon, vertices in enumerate(polygons):
@@ -45,9 +45,9 @@ def edge_table(polygons):
             if a[2] > b[2]:
                 a, b = b, a
             # A scan line at y crosses the edge if y_0 <= y < y_1: the lower end belongs to the next edge.
-            first, end = math.ceil(a[2]), math.ceil(b[2])
-            if first == end:
-                emit.skip_edge(a[0], b[0], "between_rows")
+            first, end = max(0, math.ceil(a[2])), min(height, math.ceil(b[2]))
+            if first >= end:
+                emit.skip_edge(a[0], b[0], "between_rows" if math.ceil(a[2]) == math.ceil(b[2]) else "outside")
                 continue
             dx_dy = (b[1] - a[1]) / (b[2] - a[2])
             dz_dy = (b[3] - a[3]) / (b[2] - a[2])
@@ -92,8 +92,8 @@ def update(active, edges, y):
 
 
 class Picture:
-    def __init__(self, polygons):
-        self.planes = [plane_of(vertices) for vertices in polygons]
+    def __init__(self, polygons, width):
+        self.planes, self.width = [plane_of(vertices) for vertices in polygons], width
 
     def depth(self, polygon, x, y):
         a, b, c, d = self.planes[polygon]
@@ -111,7 +111,8 @@ class Picture:
             if following is None or edge["x"] == following["x"]:
                 continue
             left, right = edge["x"], following["x"]
-            first, last = math.ceil(left), math.ceil(right) - 1
+            first = max(0, min(self.width, math.ceil(left)))
+            last = max(-1, min(self.width, math.ceil(right))) - 1
             emit.flags(y, left, right, first, last, len(inside))
             if inside and first <= last:
                 self.interval(inside, y, left, right, first, last)
@@ -156,14 +157,14 @@ def main():
     width, height, polygons = read_scene(sys.argv[1])
     emit.clear(math.inf)
     emit.tables(len(polygons))
-    picture = Picture(polygons)
+    picture = Picture(polygons, width)
     for polygon, plane in enumerate(picture.planes):
         emit.polygon(polygon, polygon)
         emit.make(polygon, polygon, -1)
         emit.plane(polygon, *plane)
-    edges = edge_table(polygons)
+    edges = edge_table(polygons, height)
     active = []
-    for y in range(min(edge["first"] for edge in edges), max(edge["end"] for edge in edges)):
+    for y in range(min((edge["first"] for edge in edges), default=0), max((edge["end"] for edge in edges), default=0)):
         update(active, edges, y)
         picture.sweep(active, y)
     for edge in active:

@@ -34,7 +34,7 @@ def edge_table(polygon, vertices, height):
         # A scan line at y crosses the edge if y_0 <= y < y_1: the upper end belongs to the next edge.
         first, end = max(0, math.ceil(a[2])), min(height, math.ceil(b[2]))
         if first >= end:
-            emit.skip_edge(a[0], b[0], "between_rows")
+            emit.skip_edge(a[0], b[0], "between_rows" if math.ceil(a[2]) == math.ceil(b[2]) else "outside")
             continue
         dx_dy = (b[1] - a[1]) / (b[2] - a[2])
         dz_dy = (b[3] - a[3]) / (b[2] - a[2])
@@ -56,8 +56,10 @@ def move_to(edge, y):
 def draw_span(polygon, left, right, y, width, depth):
     # A pixel is inside if x_L <= x < x_R.
     first, last = max(0, math.ceil(left["x"])), min(width, math.ceil(right["x"])) - 1
+    if first > last:
+        return  # no pixel lies between the two edges
     across = right["x"] - left["x"]
-    dz_dx = (right["z"] - left["z"]) / across if across > 0 else 0.0
+    dz_dx = (right["z"] - left["z"]) / across
     emit.span(left["number"], right["number"], y, first, last, left["x"], left["z"], right["x"], right["z"], dz_dx)
     for x in range(first, last + 1):
         z = left["z"] + (right["z"] - left["z"]) * (x - left["x"]) / across
@@ -95,6 +97,8 @@ def main():
                 draw_span(polygon, left, right, y, width, depth)
             if not active and y >= max(buckets):
                 break
+        for edge in [edge for edge in active if edge["end"] == height]:  # they end with the picture
+            emit.retire_edge(edge["number"])
 
 
 main()
