@@ -42,8 +42,8 @@ std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 ori
   const auto within = [&](float x, float wide) {
     return std::round(std::clamp(x, origin.x, std::max(origin.x, origin.x + static_cast<float>(map.box_width) - wide)));
   };
-  const float x_left = within(ends.left - one.x / 2 - near, one.x),
-              x_right = std::max(within(ends.right - other.x / 2 + near, other.x), x_left + one.x + gap);
+  const float x_right = within(std::max(ends.right - other.x / 2 + near, origin.x + one.x + gap), other.x),
+              x_left = std::min(within(ends.left - one.x / 2 - near, one.x), std::floor(x_right - gap - one.x));
   ends.names =
       std::array{SpanEnds::Name{{x_left, std::round(y)}, one}, SpanEnds::Name{{x_right, std::round(y)}, other}};
   return ends;
