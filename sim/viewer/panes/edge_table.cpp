@@ -115,8 +115,8 @@ void draw_edge_table(Ui& ui) {
 }
 
 std::string note_of_edge_table(Ui& ui) {
-  const MethodState& machine = ui.session.state().machine;
-  return machine.edge_table.empty() ? "" : fmt::format("{} edges", machine.edge_table.size());
+  const std::size_t edges = ui.session.state().machine.edge_table.size();
+  return edges == 0 ? "" : edges == 1 ? "1 edge" : fmt::format("{} edges", edges);
 }
 
 // A method with a shadow buffer, a list of pieces, a tree or a polygon table needs the room for that. An edge table of

@@ -120,7 +120,8 @@ void draw_depth_legend(Ui& ui, float bottom, const DepthRange& range) {
     const auto [near, far] = ends_of(range, by_hand(ui));
     return draw_scale(ui, bottom, near, far, nothing_there(range));
   }
-  const std::string all = range.known ? fmt::format("every depth is {}", number(range.near)) : "no depth is known yet";
+  const std::string all = range.known ? fmt::format("every depth is {} or {}", number(range.near), nothing_there(range))
+                                      : "no depth is known yet";
   const ImVec2 at{ImGui::GetCursorScreenPos().x, bottom - legend_height(ui) + 2};
   if (text_size(ui, ui.fonts.small, all).x <= ImGui::GetContentRegionAvail().x)
     draw_text(ui, at, ui.fonts.small, ui.colors().muted, all);

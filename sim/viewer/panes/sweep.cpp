@@ -206,9 +206,10 @@ void draw_sweep(Ui& ui) {
 
 std::string note_of_sweep(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
-  return m.scan_line        ? fmt::format("y = {}", *m.scan_line)
-         : m.pieces.empty() ? ""
-                            : fmt::format("{} polygons", m.pieces.size());
+  return m.scan_line            ? fmt::format("y = {}", *m.scan_line)
+         : m.pieces.empty()     ? ""
+         : m.pieces.size() == 1 ? "1 polygon"
+                                : fmt::format("{} polygons", m.pieces.size());
 }
 
 bool serves_sweep(const Header& header) { return has_step_of<FlagFlip>(header); }
