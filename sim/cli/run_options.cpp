@@ -204,7 +204,8 @@ Run prepare_with(const RunOptions& options, bool notes) {
     for (const std::string& note : file.notes) complain("note: " + note);
   Run run{look_at_scene(std::move(file.scene), options.view), file.conventions, &method(options.algorithm)};
   options.conventions.apply(run.conventions);
-  if (options.no_cull && !run.method->culls)
+  // Where back faces are drawn anyhow, as of a surface, it asks for what is so.
+  if (options.no_cull && run.conventions.cull && !run.method->culls)
     throw InputError("--no-cull", fmt::format("means nothing to {}, which drops no back faces by it", run.method->id),
                      "leave it out");
   if (options.no_cull) run.conventions.cull = false;
