@@ -158,7 +158,7 @@ TEST_CASE("what the machine refuses is one line about the machine, and no mistak
     CHECK(times(outcome.err, "\n") <= 2);  // with a note of what does not protect
   };
   for (const std::string walls : {"", "limits"})
-    one_line("TMPDIR=/nowhere/at/all ZSTEP_SANDBOX=" + walls + " \"$zstep\" homework run hw program -o runs",
+    one_line("TMPDIR=/nowhere/at/all ZSTEP_SANDBOX=" + walls + " \"$zstep\" homework run hw program -o runs" + walls,
              "/nowhere/at/all: no folder can be made there");
   one_line("TMPDIR=/nowhere/at/all \"$zstep\" homework try hw", "/nowhere/at/all: no folder can be made there");
   if (!std::filesystem::exists("/proc/self/mem")) return;

@@ -94,9 +94,9 @@ TEST_CASE("templates: the picture alone earns the first part, in each") {
       if (entry.path().extension() == ".toml") scene = entry.path().stem().string();
     const bool lines = method == "floating-horizon";  // it has no polygons and no depths
     const Outcome drawn =
-        run(folder, "render hw/scenes/" + scene + ".toml --no-cull --algorithm " + method +
+        run(folder, "render hw/scenes/" + scene + ".toml --algorithm " + method +
                         (lines ? " --option sides=off --save " + scene + ".png"
-                               : " --save-ids " + scene + ".npy --save-depth-raw " + scene + ".depth.npy"));
+                               : " --no-cull --save-ids " + scene + ".npy --save-depth-raw " + scene + ".depth.npy"));
     CAPTURE(drawn.err);
     REQUIRE(drawn.code == 0);
     REQUIRE(shell(folder, "mkdir runs && mv " + scene + ".* runs").code == 0);

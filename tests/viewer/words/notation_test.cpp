@@ -189,6 +189,7 @@ TEST_CASE("law: what is set in type gives what is printed, and in symbols and nu
   CHECK(numbers > 10'000);
   std::string names;
   for (const std::string& name : differ) names += name + ";";
-  CHECK(names == "t;");  // of a ray: the sums above and below the line are told as they are
+  // Of a ray the sums above and below the line are told as they are, of a fan the products that are added up.
+  CHECK(names == "sum over the fan;t;");
   for (const char* name : {"scan-line", "ray-tracing", "transparency"}) CHECK_MESSAGE(fractions[name] > 0, name);
 }
