@@ -37,7 +37,9 @@ inline void open_page(viewer::App& app, viewer::Drawer page, viewer::Cell cell) 
       app.session().go_to(step);
       app.explain_step();
     }
-    return;
+    if (app.drawer() == page) return;  // else the selected pixel has no depth yet
+    app.session().go_to(app.session().size());
+    return app.explain_step();
   }
   app.open(page);
   if (page != Drawer::query) return;
