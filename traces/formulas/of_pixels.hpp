@@ -249,7 +249,7 @@ void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
     out.rule(Rule::write_after_win, *fragment->nearer);
   }
   if (!at.header.declares(Convention::depth) || at.header.conventions.attribute == Conventions::Attribute::none) return;
-  const bool divides = attribute_over_depth(at.scene, at.header.conventions);
+  const bool divides = at.header.conventions.attribute == Conventions::Attribute::perspective;
   const Place event{};
   const auto above = out.number(divides ? "a/z" : "a", e.over_z, event["over_z"]);
   out.gives(&AttributeInterpolate::attribute,
@@ -257,6 +257,8 @@ void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
   const auto& span = at.method().span;
   if (!span || span->y != e.y) return;
   out.rule(Rule::pixel_in_span, e.x >= span->first && e.x <= span->last);
+  // Of points on the screen only the program knows z_v.
+  if (divides && !attribute_over_depth(at.scene, at.header.conventions)) return;
   const auto left = detail::over_depth_on_edge(out, at, span->left_edge, e.y, "0", "1"),
              right = detail::over_depth_on_edge(out, at, span->right_edge, e.y, "2", "3");
   if (!left || !right) return;

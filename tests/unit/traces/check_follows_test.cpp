@@ -5,8 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include "algorithms/scene/load.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
+#include "tests/zoo/runs.hpp"
 #include "traces/check/check.hpp"
 
 using namespace zstep;
@@ -116,6 +118,21 @@ TEST_CASE("check: how dark a shadow is may be another program's own, but not ano
     CHECK(check(darkened(0.7, 0.7)).causes.empty());
     CHECK_FALSE(check(darkened(0.7, 0.3)).causes.empty());
   });
+}
+
+TEST_CASE("check: an attribute of points on the screen is divided by the 1/z that the program has") {
+  const Scene scene = load_scene("delhi").scene;
+  Conventions conventions;
+  conventions.attribute = Conventions::Attribute::perspective;
+  const auto judged = [&](const char* attribute) {
+    return check(test::trace_of(test::head("z-buffer", scene, conventions) + R"({"step":"polygon","polygon":0,"facet":0}
+{"step":"compare","x":3,"y":4,"z":0.225,"nearer":true}
+{"step":"attribute","x":3,"y":4,"over_z":2.25,"one_over_z":1.25,"attribute":)" + attribute + "}\n"));
+  };
+  CHECK(judged("1.8").causes.empty());
+  REQUIRE(judged("2.25").causes.size() == 1);
+  CHECK(judged("2.25").causes[0].first.field == "attribute");
+  CHECK(judged("2.25").causes[0].first.expected == doctest::Approx(1.8));
 }
 
 }  // namespace
