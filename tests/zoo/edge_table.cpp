@@ -19,7 +19,8 @@ struct Program {
   const Task& task;
   std::string out;
   std::vector<double> depth;
-  int edges = 0, steps = 0, roundings = 0, retirements = 0, inserted = 0, spans = 0;  // places where a mistake can be made once
+  // Places where a mistake can be made once.
+  int edges = 0, steps = 0, roundings = 0, retirements = 0, inserted = 0, spans = 0;
 
   double first_dz = 0;
 
@@ -132,7 +133,11 @@ struct Program {
   void span(const Polygon& polygon, const Edge& left, const Edge& right, int y) {
     if (is("spans_of_even_lines") && y % 2 == 1) return;
     double dz = right.x != left.x ? (right.z - left.z) / (right.x - left.x) : 0;
-    if (is("dz_dx_of_first_span")) dz = std::exchange(spans, spans + 1) == 0 ? first_dz = dz : first_dz;
+    if (is("dz_dx_of_first_span")) {
+      // In a plane all spans have one slope, but for rounding; those without a length have none.
+      if (std::exchange(spans, spans + 1) == 0) first_dz = dz;
+      else if (right.x != left.x && std::abs(dz - first_dz) > 1e-9) dz = first_dz;
+    }
     int first = std::max(0, static_cast<int>(std::ceil(left.x)));
     int last = std::min(task.width, static_cast<int>(std::ceil(right.x))) - 1;
     if (is("right_end_included")) last = std::min(task.width - 1, static_cast<int>(std::floor(right.x) + 1));
