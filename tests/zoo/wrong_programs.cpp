@@ -233,7 +233,8 @@ PairsNamed pairs_of_edge_table() {
                          second = first_difference(right, printed(scene, other));
       if (first == 0 || second == 0) continue;
       const std::string name = found_in(edge_table_program, scenes[scene], one + "+" + other).name;
-      const bool is_right = (name == one && first <= second) || (name == other && second <= first);
+      const bool both = name == one + "+" + other || name == other + "+" + one;
+      const bool is_right = both || (name == one && first <= second) || (name == other && second <= first);
       (is_right ? pairs.right : name.empty() ? pairs.none : pairs.wrong)++;
       if (!is_right) pairs.others += fmt::format("\n{}+{}: {}", one, other, name.empty() ? "no name" : name);
     }

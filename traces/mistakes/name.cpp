@@ -1,5 +1,6 @@
 #include "traces/mistakes/name.hpp"
 
+#include <map>
 #include <tuple>
 
 #include "traces/formulas/walk.hpp"
@@ -30,6 +31,7 @@ void suppose_all(const Trace& run, Supposed& supposed) {
       },
       [](std::int64_t, const Impossible&) {});
   if (run.has(kind_of<ListInsert>) && end.machine.list.empty()) detail::suppose_put_back(supposed);
+  detail::suppose_retired(false, supposed);
   supposed.settle();
 }
 
@@ -75,8 +77,10 @@ std::optional<Pair> pair_of(const Trace& run, std::int64_t first, const Precisio
   Supposed supposed(precision, faults, true);
   suppose_all(run, supposed);
   constexpr std::int64_t enough = 2;  // one number may be as two mistakes make it by chance
+  std::map<Pair, Fit> pairs = supposed.pairs_beside();
+  pairs.insert(supposed.pairs().begin(), supposed.pairs().end());
   const std::pair<const Pair, Fit>* best = nullptr;
-  for (const auto& one : supposed.pairs()) {
+  for (const auto& one : pairs) {
     const Fit& fit = one.second;
     if (fit.first != first || fit.against_before + fit.against_after > 0 || fit.as_made < enough) continue;
     if (best && best->second.as_made == fit.as_made) return std::nullopt;  // either would do

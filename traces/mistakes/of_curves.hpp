@@ -64,7 +64,12 @@ inline void suppose(const HorizonCross& e, const Situation& at, Supposed& out) {
                 d_1 = y_1 - Rounded(e.upper ? to.upper : to.lower);
   if (!std::isfinite(d_0.value) || !std::isfinite(d_1.value)) return;
   const Rounded t = formulas::where_zero(d_0, d_1), other = formulas::where_zero(d_1, d_0);
-  out.number(crossing_from_end, "x_at", e.x_at, {formulas::part_of_way(x_0, x_1, other)}, formulas::part_of_way(x_0, x_1, t));
+  const auto part = [&](std::string_view field, double recorded, const Rounded& begin, const Rounded& end) {
+    out.number(crossing_from_end, field, recorded, {formulas::part_of_way(begin, end, other)},
+               formulas::part_of_way(begin, end, t));
+  };
+  part("x_at", e.x_at, x_0, x_1);
+  part("y_at", e.y_at, y_0, y_1);
 }
 
 inline void suppose(const ColorWrite& e, const Situation& at, Supposed& out) {

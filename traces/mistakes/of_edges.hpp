@@ -9,6 +9,7 @@
 
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/of_polygons.hpp"
 #include "traces/mistakes/of_vertices.hpp"
 #include "traces/mistakes/supposed.hpp"
 
@@ -16,18 +17,34 @@ namespace zstep::mistakes {
 
 namespace detail {
 
-/// The edge goes upwards in its outline, so that its ends have to be exchanged; false where that is not known.
-inline bool is_turned(const Situation& at, std::int32_t upper, std::int32_t lower) {
-  std::span<const std::int32_t> outline = at.method().outline;
-  const std::int32_t facet = at.method().facet;
-  if (outline.empty() && facet >= 0 && static_cast<std::size_t>(facet) < at.scene.facets.size()) {
-    const Facet& of = at.scene.facets[static_cast<std::size_t>(facet)];
-    outline = std::span(at.scene.corners)
-                  .subspan(static_cast<std::size_t>(of.first_corner), static_cast<std::size_t>(of.corner_count));
-  }
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    if (outline[i] == lower && outline[(i + 1) % outline.size()] == upper) return true;
-  return false;
+/// The edge goes upwards in an outline of its polygon, so that its ends have to be exchanged; false where that is not
+/// known.
+inline bool is_turned(const Situation& at, std::int32_t polygon, std::int32_t upper, std::int32_t lower) {
+  const auto goes_up = [&](std::span<const std::int32_t> outline) {
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      if (outline[i] == lower && outline[(i + 1) % outline.size()] == upper) return true;
+    return false;
+  };
+  const MethodState& method = at.method();
+  if (!method.keeps_all)
+    return goes_up(method.outline.empty() ? formulas::detail::corners_of(at, method.facet)
+                                          : std::span<const std::int32_t>(method.outline));
+  // In a table of all polygons it may be the edge of another one than the last; they come in order.
+  const auto any_of_polygon = [&](const auto& all, auto&& outline) {
+    std::size_t first = 0;
+    for (std::size_t end = all.size(); first < end;) {
+      const std::size_t middle = (first + end) / 2;
+      if (all[middle].polygon < polygon) first = middle + 1;
+      else end = middle;
+    }
+    for (; first < all.size() && all[first].polygon == polygon; ++first)
+      if (goes_up(outline(first))) return true;
+    return false;
+  };
+  return any_of_polygon(method.pieces, [&](std::size_t i) { return std::span(method.pieces[i].outline); }) ||
+         any_of_polygon(at.scene.facets, [&](std::size_t i) {
+           return formulas::detail::corners_of(at, static_cast<std::int32_t>(i));
+         });
 }
 
 /// The edges of this polygon are done: is the one from its last vertex back to the first among them, if all others are?
@@ -65,6 +82,13 @@ inline bool any_ended(const Situation& at, std::int32_t y, std::int32_t lines) {
     const EdgeTableInsert* entry = at.edge(one.edge);
     return entry && entry->end_row + lines <= y;
   });
+}
+
+/// Edges have left the list, and another step comes. Who never retires one may still empty the list at the end, edges
+/// that ended long before together with the last ones.
+inline void suppose_retired(bool goes_on, Supposed& out) {
+  const bool late = std::exchange(out.retired_late, false), in_time = std::exchange(out.retired_in_time, false);
+  if (goes_on ? late || in_time : in_time && !late) out.says(never_retired, false, true);
 }
 
 /// The list is out of order, and the span lies between two neighbours as if it were not.
@@ -138,7 +162,7 @@ inline void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out
   out.follows("x_edge", "dx_dy", e.x_edge, x_0 + Rounded(e.dx_dy) * (row - y_0));
   for (const Rounded& from : {z_0, z_1})
     out.follows("z_edge", "dz_dy", e.z_edge, from + Rounded(e.dz_dy) * (row - y_0));
-  const bool turned = detail::is_turned(at, upper, lower);
+  const bool turned = detail::is_turned(at, e.polygon, upper, lower);
   if (turned) {
     out.number(z_not_swapped, "dz_dy", e.dz_dy, {-dz_dy}, dz_dy);
     out.number(z_not_swapped, "z_edge", e.z_edge, {formulas::on_line(z_1, z_0, row, y_0, y_1)}, z);
@@ -181,7 +205,7 @@ inline void suppose(const EdgeRetire& e, const Situation& at, Supposed& out) {
   const EdgeTableInsert* entry = at.edge(e.edge);
   if (!entry || !at.method().scan_line) return;
   const std::int32_t y = *at.method().scan_line;
-  out.says(never_retired, false, true);
+  (y > entry->end_row + 1 ? out.retired_late : out.retired_in_time) = true;
   out.says(retired_one_late, y == entry->end_row + 1, y == entry->end_row || y + 1 == entry->end_row);
 }
 
@@ -209,6 +233,7 @@ inline void suppose(const EdgeStep& e, const Situation& at, Supposed& out) {
 inline void suppose(const EdgeSwap&, const Situation&, Supposed& out) { out.says(not_sorted, false, true); }
 
 inline void suppose(const SpanBegin& e, const Situation& at, Supposed& out) {
+  detail::suppose_retired(true, out);
   if (detail::paired_unsorted(at, e)) out.says(not_sorted, true, false);
   for (const Mistake mistake : {retired_one_late, never_retired})
     if (detail::any_ended(at, e.y, 0)) out.says(mistake, true, false);

@@ -5,6 +5,7 @@
 
 #include "traces/formulas/lines.hpp"
 #include "traces/formulas/planes.hpp"
+#include "traces/mistakes/of_edges.hpp"
 #include "traces/mistakes/supposed.hpp"
 
 namespace zstep::mistakes {
@@ -84,7 +85,10 @@ inline void suppose_place(const E& e, const Situation& at, Supposed& out) {
 
 }  // namespace detail
 
-inline void suppose(const PolygonBegin&, const Situation& at, Supposed& out) { detail::suppose_last_written(at, out); }
+inline void suppose(const PolygonBegin&, const Situation& at, Supposed& out) {
+  detail::suppose_last_written(at, out);
+  detail::suppose_retired(false, out);
+}
 
 inline void suppose(const BuffersClear& e, const Situation& at, Supposed& out) {
   const double empty = at.header.empty_depth();

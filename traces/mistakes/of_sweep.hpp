@@ -3,27 +3,33 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
+#include <string_view>
 
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/mistakes/of_edges.hpp"
+#include "traces/mistakes/of_pixels.hpp"
 #include "traces/mistakes/supposed.hpp"
 
 namespace zstep::mistakes {
 
 namespace detail {
 
-/// Does the polygon of this piece have two of these edges at one x, as at a vertex that they share?
-inline bool shares_vertex(const Situation& at, std::span<const ActiveEdge> passed, std::int32_t polygon) {
+/// How many of these edges of a polygon lie at the x of another one of them, as at a vertex that they share?
+inline int at_shared_vertices(const Situation& at, std::span<const ActiveEdge> passed, std::int32_t polygon) {
   std::set<double> places;
+  int count = 0;
   for (const ActiveEdge& one : passed)
     if (const EdgeTableInsert* entry = at.edge(one.edge); entry && entry->polygon == polygon)
-      if (!places.insert(one.x).second) return true;
-  return false;
+      count += !places.insert(one.x).second;
+  return count;
 }
 
-/// Is the flag of each polygon that has passed two edges at one x as it should be after these edges?
-inline void suppose_flags(const Situation& at, std::span<const ActiveEdge> passed, Supposed& out) {
+/// Is the flag of each polygon that has passed two edges at one x as it should be after these edges? `fields`: what is
+/// wrong where it is not.
+inline void suppose_flags(const Situation& at, std::span<const ActiveEdge> passed, std::string_view fields,
+                          Supposed& out) {
   std::set<std::int32_t> polygons, should_be, are;
   for (const ActiveEdge& one : passed)
     if (const EdgeTableInsert* entry = at.edge(one.edge)) {
@@ -33,9 +39,11 @@ inline void suppose_flags(const Situation& at, std::span<const ActiveEdge> passe
   for (const std::int32_t number : at.method().sweep.inside)
     if (const Piece* piece = at.piece(number)) are.insert(piece->polygon);
   for (const std::int32_t polygon : polygons)
-    if (shares_vertex(at, passed, polygon))
-      out.says(flag_missed, should_be.contains(polygon) != are.contains(polygon),
-               should_be.contains(polygon) == are.contains(polygon));
+    if (const int missed = at_shared_vertices(at, passed, polygon); missed > 0) {
+      // Who misses two of them has the right flag again.
+      const bool right = should_be.contains(polygon) == are.contains(polygon);
+      out.says(flag_missed, right == (missed % 2 == 0), right, fields);
+    }
 }
 
 }  // namespace detail
@@ -80,13 +88,21 @@ inline void suppose(const SpanFlags& e, const Situation& at, Supposed& out) {
   // All edges up to here, those at the same place among them.
   auto beyond = here + 1;
   while (beyond != active.end() && beyond->x == here->x) ++beyond;
-  detail::suppose_flags(at, std::span(active.begin(), beyond), out);
+  // Who leaves out an edge goes from the one before it to the one behind it.
+  const bool to_the_next =
+      beyond != here + 1 && beyond != active.end() && out.equal(e.x_right, Rounded(beyond->x));
+  detail::suppose_flags(at, std::span(active.begin(), beyond), to_the_next ? "x_right" : "", out);
 }
 
 inline void suppose(const ScanLineBegin& e, const Situation& at, Supposed& out) {
   detail::suppose_closed(at, out);
-  if (at.method().sweep.flip) detail::suppose_flags(at, at.method().active, out);  // of the line before
-  if (detail::any_ended(at, e.y, 1)) out.says(never_retired, true, false);
+  detail::suppose_last_written(at, out);
+  detail::suppose_retired(true, out);
+  if (at.method().sweep.flip) detail::suppose_flags(at, at.method().active, "", out);  // of the line before
+  if (detail::any_ended(at, e.y, 1)) {
+    out.says(never_retired, true, false);
+    out.says(retired_one_late, !detail::any_ended(at, e.y, 2), false);
+  }
 }
 
 inline void suppose(const PlaneEquation& e, const Situation& at, Supposed& out) {
@@ -98,6 +114,7 @@ inline void suppose(const PlaneEquation& e, const Situation& at, Supposed& out) 
 }
 
 inline void suppose(const FlagFlip&, const Situation& at, Supposed& out) {
+  detail::suppose_retired(true, out);
   if (at.method().scan_line) detail::suppose_ended(at, *at.method().scan_line, out);
 }
 

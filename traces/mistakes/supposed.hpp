@@ -95,6 +95,7 @@ class Supposed {
       fit.explains_first = fit.explains_first || step_ == first_wrong_;
       fit.numbers += std::bit_cast<std::uint64_t>(one.number) ^ static_cast<std::uint64_t>(step_);
     }
+    if (with_pairs_) settle_beside();
     for (const auto& [pair, as_made, fields] : made_by_pairs_) {
       std::uint32_t explained = fields;
       for (const Made& one : made_)
@@ -109,6 +110,7 @@ class Supposed {
   bool won_empty = false, lost_empty = false;  ///< a pixel where nothing was drawn yet
   std::vector<double> one_line;                ///< a depth buffer of a single line, by column
   std::vector<std::int32_t> winners;           ///< by pixel, the polygon that won the last compare there
+  bool retired_late = false, retired_in_time = false;  ///< edges, since the last step of another kind
   bool asks_other_way = false;          ///< a pair's tests are done, and those of the pair the other way round begin
   std::set<std::int32_t> cut_off;       ///< pieces that are not in the list yet
   std::int32_t edges_of = no_polygon;   ///< the polygon whose edge came last, until a scan line begins
@@ -125,7 +127,7 @@ class Supposed {
   void says(Mistake mistake, bool as_made, bool as_right, std::string_view fields = {}, double number = 0) {
     if (as_made && as_right) return;
     if (as_made) return made_.push_back({mistake, fields_called(fields), number});
-    against_.set(static_cast<std::size_t>(mistake));
+    against_.set(static_cast<std::size_t>(mistake)), ever_against_.set(static_cast<std::size_t>(mistake));
     count(fits_[static_cast<std::size_t>(mistake)], false);
   }
   static constexpr std::string_view whole_step = "*";
@@ -142,7 +144,10 @@ class Supposed {
     if (in_plane_ != 0 && fit.first == 0) fit.first = in_plane_;
   }
   /// The mistake is not made: it would have shown from the beginning.
-  void rules_out(Mistake mistake) { ++fits_[static_cast<std::size_t>(mistake)].against_after; }
+  void rules_out(Mistake mistake) {
+    ++fits_[static_cast<std::size_t>(mistake)].against_after;
+    ever_against_.set(static_cast<std::size_t>(mistake));
+  }
   void number(Mistake mistake, std::string_view field, double recorded, std::initializer_list<Rounded> made,
               const Rounded& right) {
     says(mistake, std::any_of(made.begin(), made.end(), [&](const auto& one) { return equal(recorded, one); }),
@@ -168,6 +173,19 @@ class Supposed {
       }
   }
   const std::map<Pair, Fit>& pairs() const { return pairs_; }
+  /// Mistakes that are made in one step, each in other fields of it, where they explain together what neither does
+  /// alone, at each step that is as one of them would have it.
+  std::map<Pair, Fit> pairs_beside() const {
+    std::map<Pair, Fit> found = beside_;
+    std::erase_if(found, [&](const auto& one) {
+      const auto is_whole = [&](Mistake mistake) {
+        const auto k = static_cast<std::size_t>(mistake);
+        return !ever_against_.test(k) && unexplained_[k] == one.second.as_made;
+      };
+      return !is_whole(one.first.first) || !is_whole(one.first.second);
+    });
+    return found;
+  }
   /// The same where a program may do without this number: then it says nothing against the mistake.
   void shows(Mistake mistake, std::string_view field, double recorded, std::initializer_list<Rounded> made,
              const Rounded& right) {
@@ -214,6 +232,17 @@ class Supposed {
       if ((from & ~fields) == 0) fields |= field;
     return (wrong_ & ~fields) == 0;
   }
+  /// Of what is said of a step: do two mistakes explain it together?
+  void settle_beside() {
+    std::map<Mistake, std::uint32_t> explained;
+    for (const Made& one : made_) explained[one.mistake] |= one.fields;
+    std::erase_if(explained, [&](const auto& one) { return explains(one.second); });
+    for (auto one = explained.begin(); one != explained.end(); ++one) {
+      ++unexplained_[static_cast<std::size_t>(one->first)];
+      for (auto other = std::next(one); other != explained.end(); ++other)
+        if (explains(one->second | other->second)) count(beside_[{one->first, other->first}], true);
+    }
+  }
   void count(Fit& fit, bool as_made) const {
     if (as_made) {
       if (fit.first == 0) fit.first = step_;
@@ -233,7 +262,9 @@ class Supposed {
   std::bitset<mistake_count> against_{};
   std::vector<MadeByPair> made_by_pairs_{};
   std::vector<std::pair<std::uint32_t, std::uint32_t>> follows_{};
-  std::map<Pair, Fit> pairs_{};
+  std::map<Pair, Fit> pairs_{}, beside_{};
+  std::bitset<mistake_count> ever_against_{};                ///< a step is not as it would have been
+  std::array<std::int64_t, mistake_count> unexplained_{};  ///< steps that are as it would have been, and wrong beyond it
   std::int64_t step_ = 0;
   std::int64_t in_plane_ = 0;  ///< the first step that may be a mistake with what lies in one plane
   std::array<Fit, mistake_count> fits_{};
