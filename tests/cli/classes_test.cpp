@@ -208,8 +208,8 @@ const FirstSteps warnock_steps{
 
 /// Mistakes that leave no name in some scenes, where what they change cannot be told from what another would. Where
 /// nothing is hidden a program that prints no depths may have written them all the same.
-const std::set<std::string> seldom_told{"retired_one_late",  "never_retired", "flag_missed", "only_upper",
-                                        "spanning_not_split", "depth_not_written"};
+const std::set<std::string> seldom_told{"retired_one_late", "never_retired",      "flag_missed",
+                                        "only_upper",       "spanning_not_split", "depth_not_written"};
 
 /// In the scenes of the homework this is never told from never_retired.
 const std::set<std::string> never_told{"retired_one_late"};

@@ -19,7 +19,9 @@ namespace {
 
 /// Is there something to be said of this kind?
 template <class E>
-concept Supposable = requires(const E& e, const Situation& at, Supposed& out) { suppose(e, at, out); };
+concept Supposable = requires(const E& e, const Situation& at, Supposed& out) {
+  suppose(e, at, out);
+};
 
 void suppose_all(const Trace& run, Supposed& supposed) {
   const State end = formulas::walk(

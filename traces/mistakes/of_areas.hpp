@@ -44,8 +44,8 @@ inline std::optional<bool> in_front(const Situation& at, const AreaBegin& area, 
 inline void suppose(const AreaBegin& e, const Situation& at, Supposed& out) {
   if (e.parent < 0 || static_cast<std::size_t>(e.parent) >= at.method().areas.size()) return;
   const AreaBegin& parent = at.method().areas[static_cast<std::size_t>(e.parent)].entry;
-  detail::suppose_half({e.first_column, e.end_column}, {parent.first_column, parent.end_column}, "first_column end_column",
-                       out);
+  detail::suppose_half({e.first_column, e.end_column}, {parent.first_column, parent.end_column},
+                       "first_column end_column", out);
   detail::suppose_half({e.first_row, e.end_row}, {parent.first_row, parent.end_row}, "first_row end_row", out);
 }
 

@@ -42,9 +42,8 @@ inline bool is_turned(const Situation& at, std::int32_t polygon, std::int32_t up
     return false;
   };
   return any_of_polygon(method.pieces, [&](std::size_t i) { return std::span(method.pieces[i].outline); }) ||
-         any_of_polygon(at.scene.facets, [&](std::size_t i) {
-           return formulas::detail::corners_of(at, static_cast<std::int32_t>(i));
-         });
+         any_of_polygon(at.scene.facets,
+                        [&](std::size_t i) { return formulas::detail::corners_of(at, static_cast<std::int32_t>(i)); });
 }
 
 /// The edges of this polygon are done: is the one from its last vertex back to the first among them, if all others are?
@@ -148,13 +147,14 @@ inline void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out
   if (past == end || at.header.declares(Convention::coverage))
     out.whole(ends_one_late, "end_row", e.end_row, {end + 1, detail::whole_of(std::floor(q.y)) + 1}, {end, past});
   const std::int32_t begin = formulas::row_from(p.y, height);
-  out.whole(starts_one_early, "first_row", e.first_row, {std::max(0, detail::whole_of(std::floor(p.y))), std::max(0, begin - 1)},
-            {begin});
+  out.whole(starts_one_early, "first_row", e.first_row,
+            {std::max(0, detail::whole_of(std::floor(p.y))), std::max(0, begin - 1)}, {begin});
 
   const Rounded x_0 = p.x, y_0 = p.y, z_0 = p.z, x_1 = q.x, y_1 = q.y, z_1 = q.z, row = e.first_row;
   const Rounded dx_dy = formulas::slope(x_0, x_1, y_0, y_1), dz_dy = formulas::slope(z_0, z_1, y_0, y_1);
   if (p.x != q.x) out.number(slope_inverted, "dx_dy", e.dx_dy, {formulas::slope(y_0, y_1, x_0, x_1)}, dx_dy);
-  out.number(slope_whole, "dx_dy", e.dx_dy,
+  out.number(
+      slope_whole, "dx_dy", e.dx_dy,
       {std::trunc(dx_dy.value), std::floor(dx_dy.value), std::trunc(std::trunc(q.x - p.x) / std::trunc(q.y - p.y))},
       dx_dy);
   out.number(z_slope_of_x, "dz_dy", e.dz_dy, {Rounded(e.dx_dy)}, dz_dy);
@@ -191,8 +191,8 @@ inline void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out
       return made(z_v_for_depth) ? z_from(from->view.z, to->view.z, made) : z_from(z_0, z_1, made);
     });
   if (at.header.conventions.depth != Conventions::Depth::view)
-    out.number(z_v_for_depth, "z_edge", e.z_edge, {formulas::on_line(Rounded(from->view.z), Rounded(to->view.z), row, y_0, y_1)},
-               z);
+    out.number(z_v_for_depth, "z_edge", e.z_edge,
+               {formulas::on_line(Rounded(from->view.z), Rounded(to->view.z), row, y_0, y_1)}, z);
   const bool before = detail::is_before_near(at, upper) || detail::is_before_near(at, lower);
   out.says(not_clipped_near, before, !before);
 }

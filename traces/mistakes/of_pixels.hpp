@@ -51,14 +51,15 @@ inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
   const bool adds = how == increments && last;
   const Rounded right = adds ? Rounded(last->z) + dz_dx : directly;
   if (const EdgeTableInsert* left = at.edge(span->left_edge); left && !adds)
-    out.together("z", e.z, {z_not_to_centre, z_stepped_before_use, z_by_slope_of_x, z_by_slope_of_edge}, [&](auto made) {
-      const Rounded slope = made(z_by_slope_of_x)      ? Rounded(left->dx_dy)
-                            : made(z_by_slope_of_edge) ? Rounded(left->dz_dy)
-                                                       : (z_right - z_left) / (x_right - x_left);
-      const Rounded from = made(z_not_to_centre) ? Rounded(span->first) : x_left,
-                    ahead = made(z_stepped_before_use) ? 1 : 0;
-      return z_left + slope * (x - from + ahead);
-    });
+    out.together("z", e.z, {z_not_to_centre, z_stepped_before_use, z_by_slope_of_x, z_by_slope_of_edge},
+                 [&](auto made) {
+                   const Rounded slope = made(z_by_slope_of_x)      ? Rounded(left->dx_dy)
+                                         : made(z_by_slope_of_edge) ? Rounded(left->dz_dy)
+                                                                    : (z_right - z_left) / (x_right - x_left);
+                   const Rounded from = made(z_not_to_centre) ? Rounded(span->first) : x_left,
+                                 ahead = made(z_stepped_before_use) ? 1 : 0;
+                   return z_left + slope * (x - from + ahead);
+                 });
   if (!adds) {
     const Rounded from_first = z_left + (z_right - z_left) * (x - Rounded(span->first)) / (x_right - x_left);
     out.number(z_not_to_centre, "z", e.z, {from_first}, right);

@@ -89,8 +89,7 @@ inline void suppose(const SpanFlags& e, const Situation& at, Supposed& out) {
   auto beyond = here + 1;
   while (beyond != active.end() && beyond->x == here->x) ++beyond;
   // Who leaves out an edge goes from the one before it to the one behind it.
-  const bool to_the_next =
-      beyond != here + 1 && beyond != active.end() && out.equal(e.x_right, Rounded(beyond->x));
+  const bool to_the_next = beyond != here + 1 && beyond != active.end() && out.equal(e.x_right, Rounded(beyond->x));
   detail::suppose_flags(at, std::span(active.begin(), beyond), to_the_next ? "x_right" : "", out);
 }
 

@@ -50,7 +50,7 @@ struct Fit {
   std::int64_t first = 0;    ///< the first step that is as the mistake would have it, and wrong; 0 where none is
   std::int64_t as_made = 0;  ///< all of them
   std::int64_t against_before = 0, against_after = 0;  ///< steps that the mistake would have made otherwise
-  std::uint64_t numbers = 0;  ///< a sum over the numbers that are as the mistake would have them
+  std::uint64_t numbers = 0;    ///< a sum over the numbers that are as the mistake would have them
   bool explains_first = false;  ///< it is made in the first step that is wrong, or nothing is said to be wrong there
 
   /// Does the mistake make the numbers of the run, from where it shows on?
@@ -65,10 +65,12 @@ using Pair = std::pair<Mistake, Mistake>;
 
 class Supposed {
  public:
-  /// `faults`: what is wrong in the run, in its order. `with_pairs`: what two mistakes at once make of a number is looked
-  /// at, too.
+  /// `faults`: what is wrong in the run, in its order. `with_pairs`: what two mistakes at once make of a number is
+  /// looked at, too.
   explicit Supposed(const Precision& precision, std::span<const Fault> faults = {}, bool with_pairs = false)
-      : precision_(precision), faults_(faults), first_wrong_(faults.empty() ? 0 : faults.front().step),
+      : precision_(precision),
+        faults_(faults),
+        first_wrong_(faults.empty() ? 0 : faults.front().step),
         with_pairs_(with_pairs) {}
 
   /// What is said from here on is of this step.
@@ -106,15 +108,15 @@ class Supposed {
     }
     made_.clear(), against_.reset(), made_by_pairs_.clear(), follows_.clear();
   }
-  std::optional<SideTest> side;                ///< the last one, until the next test
-  bool won_empty = false, lost_empty = false;  ///< a pixel where nothing was drawn yet
-  std::vector<double> one_line;                ///< a depth buffer of a single line, by column
-  std::vector<std::int32_t> winners;           ///< by pixel, the polygon that won the last compare there
+  std::optional<SideTest> side;                        ///< the last one, until the next test
+  bool won_empty = false, lost_empty = false;          ///< a pixel where nothing was drawn yet
+  std::vector<double> one_line;                        ///< a depth buffer of a single line, by column
+  std::vector<std::int32_t> winners;                   ///< by pixel, the polygon that won the last compare there
   bool retired_late = false, retired_in_time = false;  ///< edges, since the last step of another kind
-  bool asks_other_way = false;          ///< a pair's tests are done, and those of the pair the other way round begin
-  std::set<std::int32_t> cut_off;       ///< pieces that are not in the list yet
-  std::int32_t edges_of = no_polygon;   ///< the polygon whose edge came last, until a scan line begins
-  std::set<std::int32_t> spanning;             ///< pieces that were found on both sides of a plane, and not cut yet
+  bool asks_other_way = false;         ///< a pair's tests are done, and those of the pair the other way round begin
+  std::set<std::int32_t> cut_off;      ///< pieces that are not in the list yet
+  std::int32_t edges_of = no_polygon;  ///< the polygon whose edge came last, until a scan line begins
+  std::set<std::int32_t> spanning;     ///< pieces that were found on both sides of a plane, and not cut yet
   const Fit& fit(Mistake mistake) const { return fits_[static_cast<std::size_t>(mistake)]; }
 
   bool equal(double recorded, const Rounded& formula) const {
@@ -122,8 +124,8 @@ class Supposed {
     return formulas::gives(formula, recorded, precision_.relative) ||
            std::abs(recorded - formula.value) <= precision_.absolute;
   }
-  /// `fields`: names, with blanks between, of what the mistake explains in this step; `whole_step` where there should be
-  /// no such step.
+  /// `fields`: names, with blanks between, of what the mistake explains in this step; `whole_step` where there should
+  /// be no such step.
   void says(Mistake mistake, bool as_made, bool as_right, std::string_view fields = {}, double number = 0) {
     if (as_made && as_right) return;
     if (as_made) return made_.push_back({mistake, fields_called(fields), number});
@@ -199,8 +201,8 @@ class Supposed {
   void whole(Mistake mistake, std::string_view field, std::int32_t recorded, std::initializer_list<std::int32_t> made,
              std::initializer_list<std::int32_t> right) {
     const auto is_one = [&](std::int32_t one) { return one == recorded; };
-    says(mistake, std::any_of(made.begin(), made.end(), is_one), std::any_of(right.begin(), right.end(), is_one),
-         field, recorded);
+    says(mistake, std::any_of(made.begin(), made.end(), is_one), std::any_of(right.begin(), right.end(), is_one), field,
+         recorded);
   }
 
  private:
@@ -257,14 +259,15 @@ class Supposed {
   std::int64_t first_wrong_;
   bool with_pairs_;
   std::uint8_t kind_ = 0;
-  std::uint32_t wrong_ = 0;  ///< fields of this step
+  std::uint32_t wrong_ = 0;   ///< fields of this step
   std::vector<Made> made_{};  ///< said of this step
   std::bitset<mistake_count> against_{};
   std::vector<MadeByPair> made_by_pairs_{};
   std::vector<std::pair<std::uint32_t, std::uint32_t>> follows_{};
   std::map<Pair, Fit> pairs_{}, beside_{};
-  std::bitset<mistake_count> ever_against_{};                ///< a step is not as it would have been
-  std::array<std::int64_t, mistake_count> unexplained_{};  ///< steps that are as it would have been, and wrong beyond it
+  std::bitset<mistake_count> ever_against_{};  ///< a step is not as it would have been
+  std::array<std::int64_t, mistake_count>
+      unexplained_{};  ///< steps that are as it would have been, and wrong beyond it
   std::int64_t step_ = 0;
   std::int64_t in_plane_ = 0;  ///< the first step that may be a mistake with what lies in one plane
   std::array<Fit, mistake_count> fits_{};
