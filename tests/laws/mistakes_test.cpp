@@ -179,9 +179,10 @@ TEST_CASE("mistakes: those of the Z-buffer are named as what they are") {
   CHECK(right >= 0.95 * (right + none + wrong));
 }
 
-TEST_CASE("mistakes: two in one number are named together, where none does alone") {
+TEST_CASE("mistakes: two in one number, or in one step, are named together, where none does alone") {
   for (const auto& two : {std::pair("z_slope_of_x_inverted", "slope_inverted+z_slope_of_x"),
-                          {"z_at_vertex+z_not_swapped", "z_not_swapped+z_at_vertex"}}) {
+                          {"z_at_vertex+z_not_swapped", "z_not_swapped+z_at_vertex"},
+                          {"x_at_vertex+z_at_vertex", "x_at_vertex+z_at_vertex"}}) {
     const char *const made = two.first, *const name = two.second;
     CAPTURE(std::string(made));
     std::map<std::string, int> names;
