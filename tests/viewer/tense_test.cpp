@@ -133,7 +133,7 @@ TEST_CASE("from a changed run N goes on with the lesson that waits, and what was
 }
 
 TEST_CASE(
-    "a lesson that was read to its end, or is shown to a class, begins at its first stop; else where it was left") {
+    "a lesson that was read to its end, or is shown to a class, begins at its first stop, and else where it was left") {
   InLesson in("z-buffer");
   Settings settings;
   const auto place = [&](int stop) {

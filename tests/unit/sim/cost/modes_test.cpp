@@ -56,7 +56,7 @@ TEST_CASE("float32 with reversed depth keeps thousands of times more of z_v than
   CHECK(fixed_reversed < 2 * fixed_forward);
 }
 
-TEST_CASE("rounding turns only compares that go the other way in exact numbers; z_v that is not linear bends others") {
+TEST_CASE("rounding turns only compares that go the other way in exact numbers, and z_v that is not linear bends others") {
   const Scene scene = look_at_scene(load_scene(test::in_checkout("tests/data/crossed-boxes.toml")).scene, {});
   const ModeErrors linear = errors_of_mode(scene, mode_of(NumberFormat::float64, Conventions::Depth::view));
   CHECK(linear.wrong_pixels > 0);
