@@ -88,7 +88,7 @@ TEST_SUITE("places") {
     refused("1 \xc3\n", "cannot be shown");
     refused(std::string("1 a\0b\n", 6), "cannot be shown");
     refused("1 " + std::string(201, 'a') + "\n", "more than 200 letters");
-    refused(std::string((1u << 20) + 1, '#'), "more than 1048576 bytes");
+    refused(std::string((1u << 20) + 1, '#'), "is larger than 1 MiB");
     std::string many;
     for (int i = 0; i <= 10'000; ++i) many += "1 n" + std::to_string(i) + "\n";
     refused(many, "more than 10000 bookmarks");
