@@ -68,7 +68,7 @@ std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::in
     set_ray(state, trace, step);
     return state;
   }
-  if (is_one_of<FacingTest, ClipTest, ClipVertex, PolygonReject, BoxTest, CellVisit, CoverageAdd>(event)) return state;
+  if (is_one_of<ClipTest, PolygonReject, BoxTest, CellVisit, CoverageAdd>(event)) return state;
   return std::nullopt;
 }
 
