@@ -122,8 +122,10 @@ auto Identity::parts(const E& e) {
   if constexpr (std::is_same_v<E, EdgeRetire>) {
     const Edge edge = edges_[e.edge];
     // What moved to this line, or entered on it, and does not end here was used on it, though perhaps by no pixel.
-    const bool used_here = edge.moved_to == scan_line_ && edge.end_row > scan_line_;
-    found.add(edge.in_span ? whole(std::max(edge.beyond, scan_line_ + used_here)) : ~Key{0} >> 1);
+    const bool moved = edge.moved_to == scan_line_ || !trace_->has(kind_of<EdgeStep>);
+    const bool used_here = moved && edge.end_row > scan_line_;
+    const bool has_time = edge.in_span || (turns_ && edge.end_row > 0);
+    found.add(has_time ? whole(std::max(edge.beyond, scan_line_ + used_here)) : ~Key{0} >> 1);
   }
   return found;
 }
