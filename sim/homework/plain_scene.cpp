@@ -235,7 +235,7 @@ PolygonsAsked polygons_asked(const Method& method, const Conventions& convention
   using enum Conventions::Depth;
   PolygonsAsked asked;
   if (method.gives != Gives::surfaces || method.needs != Needs::polygons) return asked;
-  const bool by_rays = has_step(method, kind_of<RayPlane>);
+  const bool by_rays = has_step(method, kind_of<RayBegin>);
   asked.planar = by_rays || has_step(method, kind_of<PlaneEquation>);
   if (by_rays) asked.space = PolygonsAsked::Space::world;
   if (by_rays || !has_step(method, kind_of<ViewportTransform>)) return asked;
@@ -263,7 +263,7 @@ Scene scene_for_programs(Scene scene, const Conventions& conventions, const Poly
 
 std::string why_not_plain(const Method& method, const Scene& scene) {
   const Camera& camera = scene.camera;
-  if (method.gives == Gives::surfaces && has_step(method, kind_of<RayPlane>) && camera.kind == Camera::Kind::screen)
+  if (method.gives == Gives::surfaces && has_step(method, kind_of<RayBegin>) && camera.kind == Camera::Kind::screen)
     return "has no eye that rays could come from: its points are on the screen";
   if (method.needs != Needs::surface || !scene.surface) return "";
   if (camera.kind != Camera::Kind::perspective) return "is not seen in perspective";

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "traces/check/filling.hpp"
-#include "traces/check/finite.hpp"
 #include "traces/check/inheritance.hpp"
 #include "traces/check/wins.hpp"
 #include "traces/file/visit.hpp"
+#include "traces/formulas/finite.hpp"
 #include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
 #include "traces/formulas/rounding.hpp"

@@ -53,8 +53,7 @@ std::optional<std::string> with_words_quoted(std::string_view text);
 /// one that is no number, or none. True where it changed anything.
 bool as_trace_has_it(nlohmann::json& line, const Page& page);
 
-/// A span without a pixel of the raster may say by any numbers that it is empty: makes them those of its ends.
-void give_numbers_of_empty(SpanBegin& span, std::int32_t width, Conventions::Coverage coverage);
-void give_numbers_of_empty(SpanFlags& interval, std::int32_t width, Conventions::Coverage coverage);
+/// A span, or an interval between two edges, without a pixel of the raster may say by any numbers that it is empty: makes them those of its ends.
+void give_numbers_of_empty(Event& event, std::int32_t width, Conventions::Coverage coverage);
 
 }  // namespace zstep

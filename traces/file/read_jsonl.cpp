@@ -155,10 +155,7 @@ class Reader {
   }
 
   void give_numbers_of_span(Event& event) const {
-    if (!passed_over_) return;
-    const Conventions::Coverage coverage = header_.conventions.coverage;
-    if (auto* span = get_if<SpanBegin>(&event)) give_numbers_of_empty(*span, width_, coverage);
-    if (auto* interval = get_if<SpanFlags>(&event)) give_numbers_of_empty(*interval, width_, coverage);
+    if (passed_over_) give_numbers_of_empty(event, width_, header_.conventions.coverage);
   }
 
   /// One line, or the several on which a pretty-printed object stands.
@@ -438,8 +435,12 @@ Pixels pixels_between(double x_left, double x_right, std::int32_t width, Convent
           formulas::limited_column(formulas::last_pixel(x_right, coverage) + 1, width) - 1};
 }
 
-/// True where it has changed.
+/// Pixels from one x to another: what is drawn of a scan line between two edges.
 template <class E>
+concept BetweenEdges = requires(E e) { e.x_left, e.x_right, e.first, e.last; };
+
+/// True where it has changed.
+template <BetweenEdges E>
 bool give_pixels_of_empty(E& event, std::int32_t width, Conventions::Coverage coverage) {
   if (event.first <= event.last && event.last >= 0 && event.first < width) return false;
   const Pixels pixels = pixels_between(event.x_left, event.x_right, width, coverage);
@@ -450,13 +451,18 @@ bool give_pixels_of_empty(E& event, std::int32_t width, Conventions::Coverage co
 
 }  // namespace
 
-void give_numbers_of_empty(SpanBegin& span, std::int32_t width, Conventions::Coverage coverage) {
-  if (!give_pixels_of_empty(span, width, coverage)) return;
-  const bool of_no_width = span.x_left == span.x_right;
-  span.dz_dx = of_no_width ? 0 : formulas::slope(span.z_left, span.z_right, span.x_left, span.x_right);
-}
-void give_numbers_of_empty(SpanFlags& interval, std::int32_t width, Conventions::Coverage coverage) {
-  give_pixels_of_empty(interval, width, coverage);
+void give_numbers_of_empty(Event& event, std::int32_t width, Conventions::Coverage coverage) {
+  visit_event(
+      [&]<class E>(E& e) {
+        if constexpr (BetweenEdges<E>) {
+          if (!give_pixels_of_empty(e, width, coverage)) return;
+          if constexpr (requires { e.dz_dx; }) {
+            const bool of_no_width = e.x_left == e.x_right;
+            e.dz_dx = of_no_width ? 0 : formulas::slope(e.z_left, e.z_right, e.x_left, e.x_right);
+          }
+        }
+      },
+      event);
 }
 
 }  // namespace zstep
