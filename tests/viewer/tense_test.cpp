@@ -191,7 +191,7 @@ TEST_CASE("Shift+E asks where the depth of the selected pixel comes from, and no
 }
 
 TEST_CASE(
-    "law: x_L and x_R are drawn where they are, on the scale of pixel centres, and are named where pixels are large") {
+    "law: x_L and x_R are drawn where they are, on the scale of pixel centres, and cross nothing that stands in pixels") {
   const Trace trace = test::record_run("pyramid");
   App app(trace, nullptr, {}, 1280, 720);
   int spans = 0;
@@ -209,13 +209,14 @@ TEST_CASE(
     CHECK(ends->right == doctest::Approx(map.px(0) + span->x_right * map.cell));
     CHECK(ends->top < map.py(span->y));
     CHECK(ends->end > map.py(span->y));
-    REQUIRE(ends->names);
-    const auto& [left, right] = *ends->names;
-    CHECK(left.at.x + left.size.x <= right.at.x);
-    CHECK(left.at.x >= 0);
-    CHECK(right.at.x + right.size.x <= 1280);
-    // Where pixels are smaller than letters, there are none.
-    CHECK_FALSE(span_ends(app.ui(), RasterMap(trace.scene().raster, app.ui().view, 200, 200), {0, 0})->names);
+    CHECK(ends->line.at.x == doctest::Approx(ends->left));
+    CHECK(ends->line.size.x == doctest::Approx(ends->right - ends->left));
+    const float letters = app.ui().fonts.bold->FontSize / 2, middle = static_cast<float>(map.py(span->y));
+    for (const SpanEnds::Box& stroke : ends->strokes) {
+      const float x = stroke.at.x + stroke.size.x / 2;
+      CHECK(std::min(std::abs(x - ends->left), std::abs(x - ends->right)) <= 1);
+      CHECK((stroke.at.y + stroke.size.y < middle - letters || stroke.at.y > middle + letters));
+    }
     ++spans;
   }
   CHECK(spans > 20);

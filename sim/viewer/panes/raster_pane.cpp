@@ -304,9 +304,8 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   }
   ImGui::PushClipRect(origin, end, true);
   const auto ends = span_ends(ui, map, origin);
-  const TakenPlaces taken = ends ? ends->names_taken() : TakenPlaces();
-  if (!draw_numbers(ui, map, origin, cells.made, cell_text, taken) && talk.polygons)
-    draw_labels(ui, map, origin, taken);
+  if (!draw_numbers(ui, map, origin, cells.made, cell_text) && talk.polygons)
+    draw_labels(ui, map, origin, ends ? ends->taken() : TakenPlaces());
   draw_marks(ui, map, origin);
   if (ui.asks && s.marks_cells()) draw_hand_marks(ui, map, origin);
   ImGui::PopClipRect();

@@ -65,7 +65,7 @@ std::optional<int> decimals_that_fit(int most, double room, const std::function<
 }
 
 bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cells,
-                  const std::function<std::string(std::size_t, int)>& cell_text, const TakenPlaces& taken) {
+                  const std::function<std::string(std::size_t, int)>& cell_text) {
   if (map.cell < numbers_from) return false;
   const int x0 = std::max(0, static_cast<int>(-map.left / map.cell)),
             x1 = std::min(map.width - 1, static_cast<int>((map.box_width - map.left) / map.cell));
@@ -104,9 +104,6 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
         // Cells that the pane's border cuts go without.
         if (map.px(x) - size.x / 2 < 0 || map.px(x) + size.x / 2 > map.box_width || map.py(y) - size.y / 2 < 0 ||
             map.py(y) + size.y / 2 > map.box_height)
-          continue;
-        if (!taken.free({origin.x + static_cast<float>(map.px(x)) - size.x / 2,
-                         origin.y + static_cast<float>(map.py(y)) - size.y / 2}, size))
           continue;
         const Pixel32 back = cells.colors[at] == hatched_cell ? to_pixel(ui.colors().empty) : cells.colors[at];
         draw_text(ui,

@@ -23,9 +23,9 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
 std::optional<int> decimals_that_fit(int most, double room, const std::function<double(int)>& widest);
 
 /// As many decimals as fit every visible cell; none at all when two do not: a depth without decimals would mislead.
-/// True when there are any. Pixels where something else stands go without.
+/// True when there are any.
 bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cells,
-                  const std::function<std::string(std::size_t, int)>& cell_text, const TakenPlaces& taken = {});
+                  const std::function<std::string(std::size_t, int)>& cell_text);
 
 /// The letter of each polygon, once, with a rim: where pixels are too small for one each. The largest first, and none
 /// over another, over what is taken already or over the pixel at work.

@@ -9,14 +9,17 @@
 
 namespace zstep::viewer {
 
+/// A line along the scan line's lower border from x_L to x_R, and a stroke across the row's borders at each of them. What
+/// stands in pixels is not crossed.
 struct SpanEnds {
   float left = 0, right = 0, top = 0, end = 0;  ///< on screen: x_L, x_R, and the scan line's borders
-  float cell = 1;                               ///< of a pixel
-  struct Name {
+  struct Box {
     ImVec2 at, size;
   };
-  std::optional<std::array<Name, 2>> names;  ///< of x_L and of x_R, where pixels are large enough for them
-  TakenPlaces names_taken() const;
+  Box line;
+  std::array<Box, 4> strokes;
+  /// For letters that keep clear of it.
+  TakenPlaces taken() const;
 };
 /// None where no span is at work, or pixels are too small to tell.
 std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 origin);
