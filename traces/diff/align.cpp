@@ -26,10 +26,18 @@ bool may_record(const Trace& trace, std::uint8_t kind) {
          std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
 }
 
+/// Does a run say of pixels which polygon's turn it is?
+bool says_turns(const Trace& trace) {
+  constexpr std::array kinds{kind_of<PolygonBegin>, kind_of<PieceDraw>, kind_of<SpanWinner>, kind_of<AreaDecide>};
+  return std::any_of(kinds.begin(), kinds.end(), [&](std::uint8_t kind) { return trace.has(kind); });
+}
+
 Both recorded_by_both(const Trace& a, const Trace& b) {
   Both both{};
   for (std::size_t kind = 0; kind < kind_count; ++kind)
     both[kind] = may_record(a, static_cast<std::uint8_t>(kind)) && may_record(b, static_cast<std::uint8_t>(kind));
+  // A program of the same method that has no such step says nothing of turns.
+  both.turns = a.header().algorithm != b.header().algorithm && says_turns(a) && says_turns(b);
   // One list of all polygons' edges is another list than that of each polygon.
   if (a.has(kind_of<TablesBegin>) != b.has(kind_of<TablesBegin>))
     for (const std::uint8_t kind : {kind_of<ScanLineBegin>, kind_of<EdgeEnter>, kind_of<EdgeSwap>}) both[kind] = false;
@@ -40,7 +48,7 @@ class Aligner {
  public:
   Aligner(const Trace& a, const Trace& b, bool plain, std::size_t keeps)
       : both_(recorded_by_both(a, b)), a_(a, both_), b_(b, both_), in_step_(a_, b_, found_, plain), plain_(plain) {
-    found_.keeps = keeps, found_.compared = both_;
+    found_.keeps = keeps, found_.compared = both_, found_.turns = both_.turns;
   }
 
   /// In step as far as that goes; then each step by what it is about, until the runs are in step again. Which steps are

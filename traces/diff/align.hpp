@@ -39,6 +39,7 @@ struct Alignment {
   std::vector<Difference> differences;      ///< by the steps of B; what B does not have stands where it would have been
   std::array<KindCount, kind_count> kinds;  ///< of the kinds that are compared
   std::array<bool, kind_count> compared{};  ///< which these are
+  bool turns = false;                       ///< of two methods, each says whose turn it is
   std::size_t keeps = most_differences;
   std::int64_t not_kept = 0;                ///< differences beyond those, which are only counted
   bool identical = false;                   ///< byte for byte

@@ -18,7 +18,8 @@ struct Approach {
   template <class E>
   bool operator()(std::int64_t position, std::uint8_t, const E& e) {
     run.apply(position, e);
-    if (report.alignment.kinds[kind_of<E>].pairs > 0 || says_whose_turn<E>) identity.take_note_of(e);
+    if (report.alignment.kinds[kind_of<E>].pairs > 0 || (says_whose_turn<E> && report.alignment.turns))
+      identity.take_note_of(e);
     return go_on(position);
   }
   bool operator()(std::int64_t position, const codec::FragmentRun& pixels) { return pass(position, pixels); }

@@ -159,7 +159,8 @@ class Follow {
     if constexpr (begins<E>() > 0)
       for (std::size_t rank = begins<E>(); rank < scopes_.size(); ++rank)
         scopes_[rank] = rank == begins<E>() ? number : no_difference;
-    if (report_.alignment.kinds[kind_of<E>].pairs > 0 || number != no_difference || says_whose_turn<E>)
+    if (report_.alignment.kinds[kind_of<E>].pairs > 0 || number != no_difference ||
+        (says_whose_turn<E> && report_.alignment.turns))
       identity_.take_note_of(e);
   }
 

@@ -39,7 +39,8 @@ constexpr std::size_t things_among_results() {
   return count;
 }
 
-/// Does a step of this kind say which polygon the next ones are about? It is taken note of where only one run has it.
+/// Does a step of this kind say which polygon the next ones are about? It is taken note of where only one run has it, if
+/// the other one's method says that by other steps.
 template <class E>
 inline constexpr bool says_whose_turn = std::is_same_v<E, PieceDraw>;
 

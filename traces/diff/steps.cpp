@@ -22,7 +22,7 @@ struct Keep {
 
   template <class E>
   bool operator()(std::int64_t position, std::uint8_t line, const E& event) {
-    if (both[kind_of<E>] || says_whose_turn<E>)
+    if (both[kind_of<E>] || (says_whose_turn<E> && both.turns))
       steps.put(static_cast<std::uint32_t>(position - base), kind_of<E>, line, event);
     return true;
   }

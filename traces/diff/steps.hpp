@@ -12,7 +12,9 @@
 namespace zstep::diff {
 
 /// By kind: whether both runs record it.
-using Both = std::array<bool, kind_count>;
+struct Both : std::array<bool, kind_count> {
+  bool turns = false;  ///< of two methods, each says in its own way whose turn it is: such steps are read, too
+};
 
 /// function.operator()<E>(), by the number of a kind.
 template <class Function>
