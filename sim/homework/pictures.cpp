@@ -175,11 +175,15 @@ class Printed {
   std::vector<double> depths_;     ///< [pixels], empty where no depths were
 };
 
-/// How far apart the two are, by pixel.
+/// How far apart the two are, by pixel. Depths are handed in with inf where nothing is: a finite one there is wrong, also
+/// where all of these are the same, which else were taken for what the buffer was cleared to.
 grade::PixelsApart differences(const Picture& ours, const Scene& scene, const Printed& theirs) {
   grade::PixelsApart apart;
   if (theirs.has_colors()) apart.color = diff::compare_colors(colors_of(ours, scene), theirs.colors()).apart;
-  if (theirs.has_depths()) apart.depth = diff::compare_depths(ours.depth, theirs.depths(), theirs.precision()).apart;
+  if (!theirs.has_depths()) return apart;
+  apart.depth = diff::compare_depths(ours.depth, theirs.depths(), theirs.precision()).apart;
+  for (std::size_t i = 0; i < apart.depth.size(); ++i)
+    if (!std::isfinite(ours.depth[i]) && std::isfinite(theirs.depths()[i])) apart.depth[i] = 1;
   return apart;
 }
 /// The first pixel that differs, of those that were handed in; as many as there are where none does.

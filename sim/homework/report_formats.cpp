@@ -43,6 +43,9 @@ std::string message(const Assessment& all, const Graded& task, std::size_t part)
   if (task.from_picture && of.level != grade::Level::buffers && count.all() > 0) return "there are no steps";
   const std::string steps = of.level == grade::Level::buffers ? "pixels" : "steps";
   std::string text = fmt::format("{} of {} {} are right", count.same, count.all(), steps);
+  if (count.in_halves())
+    text = fmt::format("right colours {}, right depths {}, of {} {} each", count.halves->colors, count.halves->depths,
+                       count.all(), steps);
   if (of.computation > 0) text += fmt::format(", {} follow from their own operands", count.computed);
   if (const std::string lost = losses_text(*all.homework, count, false); !lost.empty()) text += ". " + lost;
   return text;

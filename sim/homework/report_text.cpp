@@ -24,8 +24,7 @@ std::string shares_text(const Homework& homework, const Graded& task, std::size_
                           points_text(share * points, share * most), points_text(share * most));
   };
   add("computed", count.computed, count.computation_points(part), part.computation);
-  const bool each_half = count.halves && (count.halves->colors != count.same || count.halves->depths != count.same);
-  if (each_half && part.value > 0)
+  if (count.in_halves() && part.value > 0)
     text += fmt::format("right colours {}, right depths {}, of {} each: {} of {}", count.halves->colors,
                         count.halves->depths, count.all(), points_text(share * count.value_points(part), share * part.value),
                         points_text(share * part.value));

@@ -60,24 +60,32 @@ std::string npy_of(const std::vector<Value>& values, const std::string& type, bo
 
 }  // namespace
 
-TEST_CASE("pictures: a frame or depths earn the picture's points, and the report says that there are no steps") {
+TEST_CASE("pictures: a frame and depths earn half of the picture's points each, and the report says that there are no steps") {
   const Folder folder;
   set_up_pictures(folder);
   const auto polygons = values_in<std::int32_t>(folder, "ids.npy");
   const auto depths = values_in<double>(folder, "depth.npy");
-  const auto expect_all = [&](const char* what) {
+  enum class Has { colors, depths, both };
+  const auto expect = [&](const char* what, Has has_what) {
     CAPTURE(what);
     const Outcome outcome = grade_pictures(folder);
     CAPTURE(outcome.out);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);  // the steps are missing
-    CHECK(has(outcome.out, "2.5 of 16.25 points"));
+    CHECK(has(outcome.out, has_what == Has::both ? "\n2.5 of 16.25 points" : "\n1.25 of 16.25 points"));
     CHECK(has(outcome.out, "there are no steps in crossing"));
-    CHECK(has(outcome.out, "ok picture and depths     right pixels 60 of 60: 2.5 of 2.5"));
+    if (has_what == Has::both)
+      CHECK(has(outcome.out, "ok picture and depths     right pixels 60 of 60: 2.5 of 2.5"));
+    else
+      CHECK(has(outcome.out, has_what == Has::colors
+                                 ? "   picture and depths     right colours 60, right depths 0, of 60 each: 1.25 of 2.5\n"
+                                   "                            there are no depths, which are half of this part\n"
+                                 : "   picture and depths     right colours 0, right depths 60, of 60 each: 1.25 of 2.5\n"
+                                   "                            no picture was handed in, which is half of this part\n"));
     CHECK(has(outcome.out, "   compares               there are no steps: 0 of 1.5"));
     CHECK_FALSE(has(outcome.out, "--view"));
   };
-  expect_all("a PNG");
+  expect("a PNG", Has::colors);
   REQUIRE(shell(folder, "rm pictures/*").code == 0);
 
   const std::vector<std::int64_t> wide(polygons.begin(), polygons.end());
@@ -89,50 +97,55 @@ TEST_CASE("pictures: a frame or depths earn the picture's points, and the report
       CAPTURE(columns_first);
       put(folder, "pictures/crossing.npy", npy_of(wide, "<i8", columns_first, version));
       put(folder, "pictures/crossing.depth.npy", npy_of(depths, "<f8", columns_first, version));
-      expect_all("both");
+      expect("both", Has::both);
     }
   put(folder, "pictures/crossing.npy", npy_of(narrow, "|i1", false));
   put(folder, "pictures/crossing.depth.npy", npy_of(single, ">f4", true));
-  expect_all("narrow and turned");
+  expect("narrow and turned", Has::both);
   REQUIRE(shell(folder, "rm pictures/crossing.depth.npy").code == 0);
   put(folder, "pictures/crossing.npy", npy_of(depths, "<f8", false));
-  expect_all("depths as SCENE.npy");
+  expect("depths as SCENE.npy", Has::depths);
   std::string map = "Pf\n14 12\n-1\n";
   for (std::size_t row = 12; row-- > 0;)
     map.append(reinterpret_cast<const char*>(single.data() + 14 * row), 14 * sizeof(float));
   REQUIRE(shell(folder, "rm pictures/*").code == 0);
   put(folder, "pictures/crossing.pfm", map);
-  expect_all("a float map");
+  expect("a float map", Has::depths);
 
   const Outcome one = run(folder, "grade --homework hw pictures/crossing.pfm");
-  CHECK(has(one.out, "right pixels 60 of 60: 2.5 of 2.5"));
+  CHECK(has(one.out, "right colours 0, right depths 60, of 60 each: 1.25 of 2.5"));
   CHECK_FALSE(has(one.out, "triangle:"));
   const json all = json::parse(grade_pictures(folder, "json").out);
-  CHECK(all["points"] == doctest::Approx(2.5));
+  CHECK(all["points"] == doctest::Approx(1.25));
+  CHECK(all["scenes"][0]["parts"][0]["lost"][0]["why"] == "no_colors");
   CHECK(all["scenes"][0]["from_picture"] == true);
   const json gradescope = json::parse(grade_pictures(folder, "gradescope").out);
-  CHECK(gradescope["tests"][0]["output"] == "60 of 60 pixels are right");
+  CHECK(gradescope["tests"][0]["output"] == "right colours 0, right depths 60, of 60 pixels each. no picture was handed in, which is half of this part");
   CHECK(gradescope["tests"][1]["output"] == "there are no steps");
   const Outcome shown = run(folder, "grade --homework hw pictures --scene crossing --view --screenshot a.png");
   CHECK(shown.code == 2);
   CHECK(has(shown.err, "there is no run that can be shown"));
 }
 
-TEST_CASE("pictures: rung 1 alone is full marks for a picture") {
+TEST_CASE("pictures: rung 1 alone is full marks for a picture with its depths") {
   const Folder folder;
   set_up_pictures(folder);
   const std::string text = text_of(folder / "hw/homework.toml");
   write_text(folder / "hw/homework.toml", text.substr(0, text.find("[[part]]\nname = \"compares\"")));
+  const Outcome half = grade_pictures(folder);
+  CHECK(half.code == 1);
+  CHECK(has(half.out, "1.25 of 2.5 points"));
+  put(folder, "pictures/crossing.depth.npy", text_of(folder / "depth.npy"));
   const Outcome outcome = grade_pictures(folder);
   CAPTURE(outcome.out);
   CHECK(outcome.code == 0);
-  CHECK(has(outcome.out, "2.5 of 2.5 points"));
+  CHECK(has(outcome.out, "\n2.5 of 2.5 points"));
   // And without any part for pictures, they are no submission.
   write_text(folder / "hw/homework.toml",
              text.substr(0, text.find("[[part]]")) + text.substr(text.find("[[part]]\nname = \"compares\"")));
   const Outcome steps = grade_pictures(folder);
   CHECK(steps.code == 2);
-  CHECK(has(steps.out, "there is no crossing.jsonl; crossing.png cannot be graded here, only steps"));
+  CHECK(has(steps.out, "there is no crossing.jsonl; crossing.png, crossing.depth.npy cannot be graded here, only steps"));
 }
 
 TEST_CASE("pictures: the first wrong pixel is shown, with both sides") {
@@ -164,7 +177,7 @@ TEST_CASE("pictures: the first wrong pixel is shown, with both sides") {
   REQUIRE(shell(folder, "rm pictures/crossing.npy").code == 0);
   put(folder, "pictures/crossing.depth.npy", npy_of(depths, "<f8", false));
   const Outcome one = grade_pictures(folder);
-  CHECK(has(one.out, "right pixels 60 of 168"));
+  CHECK(has(one.out, "right colours 0, right depths 60, of 168 each"));
   CHECK(has(one.out, "expected  z = ∞\n  yours     z = 1\n"));
 
   // Rounding to float32 and another order of operations are no mistake; the sixth digit is.
@@ -173,7 +186,7 @@ TEST_CASE("pictures: the first wrong pixel is shown, with both sides") {
     depths = right;
     for (double& z : depths) z += off;
     put(folder, "pictures/crossing.depth.npy", npy_of(depths, "<f8", false));
-    CHECK(has(grade_pictures(folder).out, "right pixels 60 of 60") == all);
+    CHECK(has(grade_pictures(folder).out, "right colours 0, right depths 60, of 60 each") == all);
   }
 
   // Upside down.

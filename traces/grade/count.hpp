@@ -66,6 +66,8 @@ struct PartCount {
   std::optional<Halves> halves = std::nullopt;
   std::vector<Loss> lost{};     ///< empty where and only where the part has all points
   std::int64_t all() const { return expected + additional; }
+  /// Its halves are to be told apart: not the same pixels are right in both.
+  bool in_halves() const { return halves && (halves->colors != same || halves->depths != same); }
   /// Points of the part; where there is nothing to be done and nothing was, all of them.
   double computation_points(const Part& part) const { return part.computation * share(computed); }
   double value_points(const Part& part) const {
