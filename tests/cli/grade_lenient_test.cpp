@@ -345,11 +345,24 @@ TEST_CASE("grade: pictures and depths are worth half of their part each") {
     CHECK(of["right"] == 0);
     CHECK(of["right_depths"] == 0);
   }
-  const json none = part([](json& step) {
+  // Who compares rightly against what was stored has depths; that their writes are not printed costs where writes are
+  // asked for. Who compares with the empty buffer only, or with none, has no depths.
+  const auto leaves_out = [](const char* other) {
+    return [other](json& step) {
+      if (step["step"] == "compare") step["nearer"] = true;
+      if (step["step"] == "write_depth" || step["step"] == other) step = nullptr;
+    };
+  };
+  const json compared = part([](json& step) {
     if (step["step"] == "write_depth") step = nullptr;
   });
-  CHECK(none["points"] == doctest::Approx(most / 2));
-  CHECK(none["lost"][0]["why"] == "no_depths");
+  CHECK(compared["points"] == doctest::Approx(most));
+  CHECK(compared["lost"].empty());
+  for (const json& none : {part(leaves_out("write_depth")), part(leaves_out("compare"))}) {
+    CHECK(none["points"] == doctest::Approx(most / 2));
+    REQUIRE(none["lost"].size() == 1);
+    CHECK(none["lost"][0]["why"] == "no_depths");
+  }
 }
 
 TEST_CASE("grade: of scenes with other weights the points are shared by these") {
