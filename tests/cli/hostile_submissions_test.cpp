@@ -8,9 +8,12 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/cli/hostile_homework.hpp"
 
 using namespace zstep::test;
+using nlohmann::json;
 namespace fs = std::filesystem;
 
 namespace {
@@ -20,6 +23,7 @@ enum class Earns {
   nothing,
   half,     ///< what the first half of the right run earns
   less,     ///< less than the right run
+  noted,    ///< as the right run: a line that cannot be read costs itself; but it is not all right, and the line is named
   as_much,  ///< as the right run: the attack is beside it
 };
 
@@ -81,18 +85,18 @@ std::vector<Case> hostile_files() {
       of_lines("an endless number", "{\"step\":\"clear\",\"z\":" + std::string(20'000'000, '9')),
       of_lines("nesting of lists", std::string(1'000'000, '[')),
       of_lines("nesting of objects", repeated("{\"a\":", 1'000'000)),
-      amid("nesting in a field", "{\"step\":\"clear\",\"z\":" + std::string(1'000'000, '['), less),
+      amid("nesting in a field", "{\"step\":\"clear\",\"z\":" + std::string(1'000'000, '['), noted),
       of_lines("an object that says nothing", repeated("{}\n", 1000)),
       of_lines("lines of other JSON", "null\n[]\n1\n\"step\"\ntrue\n"),
       of_text("NaN for every depth", less,
               [](const std::string& right) { return with_changed(right, "\"z\":0", "\"z\":\"nan\",\"w\":0"); }),
       of_text("infinity for every depth", less,
               [](const std::string& right) { return with_changed(right, "\"z\":0", "\"z\":\"inf\",\"w\":0"); }),
-      amid("NaN that is no JSON", "{\"step\":\"clear\",\"z\":NaN}", less),
-      amid("a number beyond all", "{\"step\":\"clear\",\"z\":1e999}", less),
+      amid("NaN that is no JSON", "{\"step\":\"clear\",\"z\":NaN}", noted),
+      amid("a number beyond all", "{\"step\":\"clear\",\"z\":1e999}", noted),
       amid("a number of 100000 digits", "{\"step\":\"clear\",\"z\":0." + std::string(100'000, '3') + "}", less),
       amid("a whole number of 100000 digits",
-           "{\"step\":\"write_depth\",\"x\":" + std::string(100'000, '1') + ",\"y\":1,\"z\":1}", less),
+           "{\"step\":\"write_depth\",\"x\":" + std::string(100'000, '1') + ",\"y\":1,\"z\":1}", noted),
       amid("a tiny number of 100000 digits", "{\"step\":\"clear\",\"z\":0." + std::string(100'000, '0') + "1}", less),
       of_text("every key twice, the second one right", less,
               [](const std::string& right) { return with_changed(right, "\"z\":0", "\"z\":7,\"z\":0"); }),
@@ -107,13 +111,13 @@ std::vector<Case> hostile_files() {
               [](const std::string& right) { return with_changed(right, "\"nearer\":true", "\"nearer\":\"true\""); }),
       of_text("numbers for words", less,
               [](const std::string& right) { return with_changed(right, "\"nearer\":true", "\"nearer\":1"); }),
-      amid("half a pixel", "{\"step\":\"write_depth\",\"x\":1.5,\"y\":1,\"z\":1}", less),
-      amid("null", "{\"step\":\"write_depth\",\"x\":null,\"y\":1,\"z\":1}", less),
-      amid("no UTF-8", "{\"step\":\"\xff\xfe\xc0\xaf\"}", less),
-      amid("half a surrogate", "{\"step\":\"\\ud800\"}", less),
+      amid("half a pixel", "{\"step\":\"write_depth\",\"x\":1.5,\"y\":1,\"z\":1}", noted),
+      amid("null", "{\"step\":\"write_depth\",\"x\":null,\"y\":1,\"z\":1}", noted),
+      amid("no UTF-8", "{\"step\":\"\xff\xfe\xc0\xaf\"}", noted),
+      amid("half a surrogate", "{\"step\":\"\\ud800\"}", noted),
       amid("a pixel outside", "{\"step\":\"write_depth\",\"x\":99999999,\"y\":1,\"z\":1}", less),
       amid("a pixel before the first", "{\"step\":\"write_depth\",\"x\":-1,\"y\":-1,\"z\":1}", less),
-      amid("a pixel beyond 64 bits", "{\"step\":\"write_depth\",\"x\":9223372036854775808,\"y\":1,\"z\":1}", less),
+      amid("a pixel beyond 64 bits", "{\"step\":\"write_depth\",\"x\":9223372036854775808,\"y\":1,\"z\":1}", noted),
       amid("an edge of a great number",
            "{\"step\":\"retire_edge\",\"edge\":2147483647}\n{\"step\":\"step_edge\",\"edge\":2147483647,\"x_edge\":1,"
            "\"z_edge\":1}",
@@ -122,7 +126,7 @@ std::vector<Case> hostile_files() {
       amid("vertices that are none", "{\"step\":\"skip_edge\",\"vertex_0\":99999,\"vertex_1\":-7,\"why\":\"outside\"}",
            less),
       amid("points that it gives itself",
-           "{\"step\":\"score\",\"score\":100,\"points\":65,\"gradable\":true,\"tests\":[{\"score\":100}]}", less),
+           "{\"step\":\"score\",\"score\":100,\"points\":65,\"gradable\":true,\"tests\":[{\"score\":100}]}", noted),
       of_text("points in every line", as_much,
               [](const std::string& right) {
                 return with_changed(right, "{\"step\"", "{\"score\":100,\"max_score\":1,\"points\":65,\"step\"");
@@ -145,7 +149,7 @@ std::vector<Case> hostile_files() {
               }),
       of_text("another method", as_much,
               [](const std::string& right) { return "{\"ztrace\":1,\"method\":\"painter\"}\n" + right; }),
-      of_text("steps under other names", less,
+      of_text("steps under other names", noted,
               [](const std::string& right) {
                 return "{\"ztrace\":1,\"steps\":[{\"name\":\"compare\",\"kind\":\"pixel_write\"}]}\n" + right;
               }),
@@ -172,13 +176,13 @@ std::vector<Case> hostile_files() {
       of_text("cut off in a line", half, [](const std::string& right) { return right.substr(0, right.size() / 2); }),
       of_text("said to be cut off", half,
               [](const std::string& right) { return right.substr(0, right.size() / 2) + "\n{\"cut_off\":true}\n"; }),
-      amid("escapes and HTML in a step's name", "{\"step\":\"" + escapes + "\"}", less),
+      amid("escapes and HTML in a step's name", "{\"step\":\"" + escapes + "\"}", noted),
       amid("escapes and HTML in a key", "{\"step\":\"clear\",\"z\":\"inf\",\"" + escapes + "\":1}", as_much),
       amid("escapes and HTML in a word",
-           "{\"step\":\"skip_edge\",\"vertex_0\":0,\"vertex_1\":1,\"why\":\"" + escapes + "\"}", less),
+           "{\"step\":\"skip_edge\",\"vertex_0\":0,\"vertex_1\":1,\"why\":\"" + escapes + "\"}", noted),
       amid("a word of 10 MB",
            "{\"step\":\"skip_edge\",\"vertex_0\":0,\"vertex_1\":1,\"why\":\"" + std::string(10'000'000, 'w') + "\"}",
-           less),
+           noted),
       of_text("escapes and HTML in the header", as_much,
               [escapes](const std::string& right) {
                 return "{\"ztrace\":1,\"writer\":\"" + escapes + "\",\"comment\":\"" + escapes + "\"}\n" + right;
@@ -246,6 +250,16 @@ TEST_CASE("hostile submissions: files earn nothing, end in a result in every for
       case Earns::less:
         CHECK(points < all - 1e-9);
         break;
+      case Earns::noted: {
+        CHECK(points <= all + 1e-9);
+        const Outcome outcome = run(folder, "grade --homework hw runs --scene triangle --format json");
+        CHECK(outcome.code == 1);
+        CHECK(json::parse(outcome.out)["scenes"][0]["unreadable"]["lines"].get<int>() >= 1);
+        const std::string text = run(folder, "grade --homework hw runs --scene triangle").out;
+        CHECK(has(text, "points\n\nruns/triangle.jsonl:"));
+        CHECK_FALSE(has(text, "Every step is right."));
+        break;
+      }
       case Earns::as_much:
         CHECK(points <= all + 1e-9);
         break;
