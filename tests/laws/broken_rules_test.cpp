@@ -196,8 +196,9 @@ TEST_CASE("law: each field that a formula gives is doubted where it is wrong, at
     for (std::size_t i = 1; i < lines.size(); ++i) {
       const Json line = Json::parse(lines[i]);
       const std::string kind(kind_names()[golden.event(static_cast<std::int64_t>(i)).event.index()]);
-      for (const auto& [field, value] : line.items()) {
-        const std::string name = kind + "." + field;
+      for (const auto& item : line.items()) {
+        const std::string field = item.key(), name = kind + "." + field;
+        const Json& value = item.value();
         if (!wanted.contains(name)) continue;
         const auto described = field_of_kind(golden.event(static_cast<std::int64_t>(i)).event.index(), field);
         const Json other = wrong(value, described ? described->words : std::span<const std::string_view>{});

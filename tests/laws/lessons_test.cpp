@@ -152,8 +152,8 @@ TEST_CASE("neither place nor length gives the right answer away") {
   const auto few_enough = [&](int of) { return 8 * of <= 3 * questions; };
   CHECK_MESSAGE(few_enough(shortest), shortest << " of " << questions << " right answers are the shortest");
   CHECK_MESSAGE(few_enough(longest), longest << " of " << questions << " right answers are the longest");
-  for (const auto& [place, times] : places)
-    CHECK_MESSAGE(few_enough(times), times << " of " << questions << " right answers at place " << place + 1);
+  for (const auto& at : places)
+    CHECK_MESSAGE(few_enough(at.second), at.second << " of " << questions << " right answers at place " << at.first + 1);
 }
 
 TEST_CASE("a question is asked before the step that answers it") {
