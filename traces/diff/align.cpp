@@ -26,12 +26,6 @@ bool may_record(const Trace& trace, std::uint8_t kind) {
          std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
 }
 
-/// Does a run say of pixels which polygon's turn it is?
-bool says_turns(const Trace& trace) {
-  constexpr std::array kinds{kind_of<PolygonBegin>, kind_of<PieceDraw>, kind_of<SpanWinner>, kind_of<AreaDecide>};
-  return std::any_of(kinds.begin(), kinds.end(), [&](std::uint8_t kind) { return trace.has(kind); });
-}
-
 Both recorded_by_both(const Trace& a, const Trace& b) {
   Both both{};
   for (std::size_t kind = 0; kind < kind_count; ++kind)

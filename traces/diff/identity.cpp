@@ -4,6 +4,11 @@
 
 namespace zstep::diff {
 
+bool says_turns(const Trace& trace) {
+  constexpr std::array kinds{kind_of<PolygonBegin>, kind_of<PieceDraw>, kind_of<SpanWinner>, kind_of<AreaDecide>};
+  return std::any_of(kinds.begin(), kinds.end(), [&](std::uint8_t kind) { return trace.has(kind); });
+}
+
 namespace {
 
 using Key = Identity::Key;

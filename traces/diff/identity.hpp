@@ -44,6 +44,9 @@ constexpr std::size_t things_among_results() {
 template <class E>
 inline constexpr bool says_whose_turn = std::is_same_v<E, PieceDraw>;
 
+/// Does a run say of pixels which polygon's turn it is?
+bool says_turns(const Trace& trace);
+
 /// Follows one run and says of each step what it is about.
 class Identity {
  public:
