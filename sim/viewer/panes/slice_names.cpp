@@ -98,7 +98,7 @@ void name_ends(Ui& ui, Labels& labels, const SlicePlot& plot, ImVec2 origin, con
     std::vector<ImVec2> places;
     for (const float up : {0.0f, 1.1f, 2.2f})
       for (const float from : {outside, inside}) places.push_back({from, foot - up * size.y});
-    labels.put(text, ui.colors().now, places, font);
+    labels.put(text, ui.colors().text, places, font);
   };
   put("x_L", span->x_left, true);
   put("x_R", span->x_right, false);
