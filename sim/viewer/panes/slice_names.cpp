@@ -22,10 +22,11 @@ class Labels {
   void keep_free(ImVec2 at, ImVec2 size) { taken_.take(at, size); }
   void avoid(ImVec2 from, ImVec2 to) { lines_.push_back({from, to}); }
   /// Draws the text at the first of these places where it lies in the plot and on no other, rather on no line, too.
-  /// False if there is none.
-  bool put(const std::string& text, ImU32 color, const std::vector<ImVec2>& places, const ImFont* font) {
+  /// False if there is none, or none that is on no line where it `must_be_clear`.
+  bool put(const std::string& text, ImU32 color, const std::vector<ImVec2>& places, const ImFont* font,
+           bool must_be_clear = false) {
     const ImVec2 size = text_size(ui_, font, text);
-    for (const bool clear : {true, false})
+    for (const bool clear : {true, must_be_clear})
       for (const ImVec2& at : places) {
         const Box box{{at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}};
         if (box.a.x < plot_.a.x || box.b.x > plot_.b.x || box.a.y < plot_.a.y || box.b.y > plot_.b.y) continue;
@@ -98,7 +99,7 @@ void name_ends(Ui& ui, Labels& labels, const SlicePlot& plot, ImVec2 origin, con
     std::vector<ImVec2> places;
     for (const float up : {0.0f, 1.1f, 2.2f})
       for (const float from : {outside, inside}) places.push_back({from, foot - up * size.y});
-    labels.put(text, ui.colors().text, places, font);
+    labels.put(text, ui.colors().text, places, font, true);
   };
   put("x_L", span->x_left, true);
   put("x_R", span->x_right, false);
