@@ -65,7 +65,7 @@ TEST_CASE("pictures: a frame and depths earn half of the picture's points each, 
   set_up_pictures(folder);
   const auto polygons = values_in<std::int32_t>(folder, "ids.npy");
   const auto depths = values_in<double>(folder, "depth.npy");
-  enum class Has { colors, depths, both };
+  enum class Has { frame, depth_buffer, both };
   const auto expect = [&](const char* what, Has has_what) {
     CAPTURE(what);
     const Outcome outcome = grade_pictures(folder);
@@ -77,7 +77,7 @@ TEST_CASE("pictures: a frame and depths earn half of the picture's points each, 
     if (has_what == Has::both)
       CHECK(has(outcome.out, "ok picture and depths     right pixels 60 of 60: 2.5 of 2.5"));
     else
-      CHECK(has(outcome.out, has_what == Has::colors
+      CHECK(has(outcome.out, has_what == Has::frame
                                  ? "   picture and depths     right colours 60, right depths 0, of 60 each: 1.25 of 2.5\n"
                                    "                            there are no depths, which are half of this part\n"
                                  : "   picture and depths     right colours 0, right depths 60, of 60 each: 1.25 of 2.5\n"
@@ -85,7 +85,7 @@ TEST_CASE("pictures: a frame and depths earn half of the picture's points each, 
     CHECK(has(outcome.out, "   compares               there are no steps: 0 of 1.5"));
     CHECK_FALSE(has(outcome.out, "--view"));
   };
-  expect("a PNG", Has::colors);
+  expect("a PNG", Has::frame);
   REQUIRE(shell(folder, "rm pictures/*").code == 0);
 
   const std::vector<std::int64_t> wide(polygons.begin(), polygons.end());
@@ -104,13 +104,13 @@ TEST_CASE("pictures: a frame and depths earn half of the picture's points each, 
   expect("narrow and turned", Has::both);
   REQUIRE(shell(folder, "rm pictures/crossing.depth.npy").code == 0);
   put(folder, "pictures/crossing.npy", npy_of(depths, "<f8", false));
-  expect("depths as SCENE.npy", Has::depths);
+  expect("depths as SCENE.npy", Has::depth_buffer);
   std::string map = "Pf\n14 12\n-1\n";
   for (std::size_t row = 12; row-- > 0;)
     map.append(reinterpret_cast<const char*>(single.data() + 14 * row), 14 * sizeof(float));
   REQUIRE(shell(folder, "rm pictures/*").code == 0);
   put(folder, "pictures/crossing.pfm", map);
-  expect("a float map", Has::depths);
+  expect("a float map", Has::depth_buffer);
 
   const Outcome one = run(folder, "grade --homework hw pictures/crossing.pfm");
   CHECK(has(one.out, "right colours 0, right depths 60, of 60 each: 1.25 of 2.5"));
