@@ -15,7 +15,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/rejects.hpp"
-#include "traces/events/called.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::answers {
@@ -133,7 +133,7 @@ class History {
   /// The visit that painted the pixel last, by a method that decides for more than one pixel at once.
   const Visit* owner_by_interval_or_area() const {
     const Page& page = trace_.header().page;
-    if (std::none_of(page.begin(), page.end(), [](const StepInfo& step) { return !gives_around(step.kind).empty(); }))
+    if (std::none_of(page.begin(), page.end(), [](const StepInfo& step) { return !description_of_kind(step.kind).gives_around.empty(); }))
       return nullptr;
     const auto last = std::find_if(visits_.rbegin(), visits_.rend(), [](const Visit& visit) { return visit.takes; });
     return last != visits_.rend() && last->outcome == Outcome::painted ? &*last : nullptr;
@@ -145,8 +145,8 @@ class History {
     if (!painted || !painted->z) return;
     const Visit owner = *painted;
     const auto decided = trace_.previous(
-        owner.step, [](const RecordedEvent& recorded) { return !gives_around(recorded.event.index()).empty(); });
-    const std::string_view around = decided ? gives_around(trace_.event(*decided).event.index()) : "there";
+        owner.step, [](const RecordedEvent& recorded) { return !description_of_kind(recorded.event.index()).gives_around.empty(); });
+    const std::string_view around = decided ? description_of_kind(trace_.event(*decided).event.index()).gives_around : "there";
     const std::string symbol = depth_symbol(trace_.scene(), trace_.header().conventions),
                       other = polygon_label(trace_.scene(), owner.polygon);
     for (const auto& [polygon, z] : depths_) {

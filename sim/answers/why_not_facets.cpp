@@ -3,7 +3,7 @@
 
 #include "algorithms/viewing/back_face.hpp"
 #include "sim/answers/why_not_parts.hpp"
-#include "traces/events/called.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "sim/words/rejects.hpp"
 
@@ -22,7 +22,7 @@ bool in_space(const Scene& scene) { return scene.camera.kind != Camera::Kind::sc
 std::int64_t rejected_after(const Trace& trace, std::int64_t mark) {
   const auto stop = trace.next(mark, [](const RecordedEvent& recorded) {
     return is_one_of<PolygonReject, PolygonBegin, PieceMake, EdgeTableInsert, EdgeTableSkip, ScanLineBegin>(recorded) ||
-           after_polygons(recorded.event.index());
+           description_of_kind(recorded.event.index()).after_polygons;
   });
   return stop && event_at<PolygonReject>(trace, *stop) ? *stop : 0;
 }

@@ -122,7 +122,7 @@ void print_json(const Trace& trace, const CheckOptions& options, const CheckedRu
   all["verdict"] = checked.impossible.empty() ? word_of(verdict_of(report)) : word_of(Verdict::wrong);
   Json left = Json::array();
   for (const NotJudged& one : not_judged(report))
-    left.push_back({{"event", text_of_kind(one.kind).name}, {"steps", one.steps}, {"of", one.of}, {"fields", one.fields}});
+    left.push_back({{"event", description_of_kind(one.kind).name}, {"steps", one.steps}, {"of", one.of}, {"fields", one.fields}});
   all["not_judged"] = left;
   all["coverage_judged"] = report.coverage;
   all["polygons_missing"] = report.polygons_missing;

@@ -44,7 +44,7 @@ CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, F
   return side;
 }
 
-std::string kind_name(std::size_t kind) { return std::string(text_of_kind(kind).name); }
+std::string kind_name(std::size_t kind) { return std::string(description_of_kind(kind).name); }
 
 /// "A keeps the first of equal depths, B takes the last".
 std::string ties_text(const Comparison& a, const Comparison& b) {

@@ -3,55 +3,21 @@
 #include <algorithm>
 #include <numeric>
 
-#include "traces/formulas/follows.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::compare {
 namespace {
 
-struct WorkRow {
-  Work work;
-  std::string_view word, kinds;
-};
-constexpr std::array<WorkRow, work_count> work_rows{{
-    {Work::vertices, "vertices transformed", "view_transform projection viewport_transform"},
-    {Work::planes, "planes, boxes, rays", "plane_slopes plane_equation extent box_make grid_make ray_begin"},
-    {Work::tests, "tests",
-     "facing_test clip_test clip_vertex vertex_side side_test extent_test overlap_test root_candidate eye_side "
-     "area_bin "
-     "area_decide box_test cell_visit ray_plane ray_hit span_winner horizon_test line_against"},
-    {Work::cuts, "cuts", "clip_cross split_vertex implied_edge line_cross line_hide horizon_cross"},
-    {Work::edges, "edges and spans", "edge_table_insert edge_step span_begin span_flags"},
-    {Work::depths, "interpolations", "depth_interpolate attribute_interpolate plane_depth"},
-    {Work::compares, "depth compares", "depth_compare shadow_compare"},
-    {Work::writes, "writes",
-     "depth_write pixel_write pixel_paint color_write color_blend coverage_add horizon_move line_piece"},
-    {Work::bookkeeping, "bookkeeping",
-     "buffers_clear polygon_begin polygon_reject outline_vertex edge_table_skip scan_line_begin edge_enter edge_retire "
-     "edge_swap pass_begin tables_begin piece_make piece_draw saved list_insert list_remove list_mark pair_begin "
-     "node_make node_add node_skip flag_flip area_begin box_hold cell_hold ray_end curve_begin curve_segment "
-     "line_begin"},
-}};
-
-constexpr std::array<Work, kind_count> all_kinds() {
-  std::array<Work, kind_count> works{};
-  std::size_t named = 0;
-  for_each_kind([&]<class E>() {
-    for (const WorkRow& row : work_rows)
-      formulas::for_each_word(row.kinds, [&](std::string_view kind) {
-        if (kind == kind_text<E>.name) works[kind_of<E>] = row.work, ++named;
-      });
-  });
-  if (named != kind_count) throw "each kind of event has its place in the table above, once";
-  return works;
-}
-constexpr std::array<Work, kind_count> works_of_kinds = all_kinds();
+constexpr std::array<std::string_view, work_count> words{
+    "vertices transformed", "planes, boxes, rays", "tests",  "cuts",       "edges and spans",
+    "interpolations",       "depth compares",      "writes", "bookkeeping"};
 
 constexpr std::int64_t between_sums = 4096;
 
 }  // namespace
 
-std::string_view word_of(Work work) { return work_rows[static_cast<std::size_t>(work)].word; }
-Work work_of(std::uint8_t kind) { return works_of_kinds[kind]; }
+std::string_view word_of(Work work) { return words[static_cast<std::size_t>(work)]; }
+Work work_of(std::uint8_t kind) { return description_of_kind(kind).work; }
 
 std::int64_t operations(const WorkCounts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) -

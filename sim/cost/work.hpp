@@ -11,8 +11,8 @@
 
 namespace zstep::compare {
 
-enum class Work : std::uint8_t { vertices, planes, tests, cuts, edges, depths, compares, writes, bookkeeping };
-inline constexpr std::size_t work_count = 9;
+using Work = WorkKind;
+inline constexpr std::size_t work_count = static_cast<std::size_t>(Work::bookkeeping) + 1;
 using WorkCounts = std::array<std::int64_t, work_count>;
 
 /// What it is called, in the plural: "depth compares".
@@ -20,8 +20,7 @@ std::string_view word_of(Work work);
 /// Of an event's kind.
 Work work_of(std::uint8_t kind);
 
-/// An operation is a step that computes, decides or writes something. One that begins a loop, or keeps lists, trees and
-/// tables in order, is bookkeeping.
+/// All but bookkeeping.
 std::int64_t operations(const WorkCounts& counts);
 
 /// Of a whole run, by how often each step of its page ran.

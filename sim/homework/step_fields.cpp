@@ -45,7 +45,7 @@ Json schema_of(const StepFields& step) {
 }  // namespace
 
 StepFields fields_of_step(const StepInfo& step) {
-  return {step.name, std::string(text_of_kind(step.kind).meaning), fields_of_kind(step.kind)};
+  return {step.name, std::string(description_of_kind(step.kind).meaning), fields_of_kind(step.kind)};
 }
 
 std::string run_schema(const std::vector<StepInfo>& steps) {

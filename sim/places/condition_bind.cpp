@@ -151,11 +151,11 @@ class Condition::Binder {
     if (text == "true" || text == "false") return constant(text == "true", Type::truth);
     if (field_somewhere(text)) return missing(Type::number);
     bool known = false;
-    for (const StepInfo& step : page_) known = known || is_step(step, text) || text_of_kind(step.kind).name == text;
-    if (known) return constant(is_step(step_, text) || text_of_kind(step_.kind).name == text, Type::truth);
+    for (const StepInfo& step : page_) known = known || is_step(step, text) || description_of_kind(step.kind).name == text;
+    if (known) return constant(is_step(step_, text) || description_of_kind(step_.kind).name == text, Type::truth);
     std::vector<std::string_view> names{"polygon", "step", "changes(x, y)", "touches(x, y)"};
     for (const StepInfo& step : page_) {
-      names.push_back(step.name), names.push_back(text_of_kind(step.kind).name);
+      names.push_back(step.name), names.push_back(description_of_kind(step.kind).name);
       for (const FieldOfKind& field : fields_of_kind(step.kind)) names.push_back(field.name);
     }
     const std::string near = classroom::did_you_mean(text, names);
@@ -320,7 +320,7 @@ Condition::Condition(const Trace& trace, const std::string& text)
                        (after.size() == 5 || !(std::isalnum(static_cast<unsigned char>(after[5])) || after[5] == '_'));
   if (!first.empty() && (after.empty() || further)) {
     const bool known = std::any_of(page.begin(), page.end(), [&](const StepInfo& step) {
-      return is_step(step, first) || text_of_kind(step.kind).name == first;
+      return is_step(step, first) || description_of_kind(step.kind).name == first;
     });
     if (further && !known)
       throw InputError(where, fmt::format("`{}` is no step or kind of event of this trace", first),
@@ -330,7 +330,7 @@ Condition::Condition(const Trace& trace, const std::string& text)
   const Expression expression = classroom::parse_typed(rest, where);
   for (const StepInfo& step : page) {
     const std::int32_t root = Binder(*this, step).bind(expression);
-    if (!only.empty() && !is_step(step, only) && text_of_kind(step.kind).name != only) continue;
+    if (!only.empty() && !is_step(step, only) && description_of_kind(step.kind).name != only) continue;
     root_of_step_[step.id] = root;
     if (root >= 0) bounds_.kinds.set(step.kind);
   }

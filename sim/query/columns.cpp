@@ -17,7 +17,7 @@ constexpr auto named_by = [] {
 
 Table table_of(std::size_t kind) {
   const bool facet = named_by[kind] == Names::facet, piece = named_by[kind] == Names::piece;
-  Table table{std::string(text_of_kind(kind).name), std::string(text_of_kind(kind).meaning), {}};
+  Table table{std::string(description_of_kind(kind).name), std::string(description_of_kind(kind).meaning), {}};
   table.columns = {{"step", "the step, counted from 1"},
                    {"name", "the line of pseudo-code that recorded it"},
                    {"polygon", facet   ? "the polygon of its facet"

@@ -10,7 +10,7 @@
 
 #include "sim/image/png.hpp"
 #include "sim/viewer/board.hpp"
-#include "traces/replay/units.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::viewer {
 

@@ -91,7 +91,7 @@ LargestTable largest_table(const Trace& trace) {
   int taken = 0;
   for_each_kind([&]<class E>() {
     if (kind_of<E> != most) return;
-    name = kind_text<E>.name;
+    name = description_of<E>.name;
     for_each_field<E>([&](const auto& field) {
       if (taken++ < 2) columns += fmt::format(", sum({})", field.name);
     });

@@ -136,7 +136,7 @@ std::string change(Event& event, Change how, const TakenApart& run, std::size_t 
   std::string_view kind;
   visit_event(
       [&]<class E>(E& e) {
-        kind = kind_text<E>.name;
+        kind = description_of<E>.name;
         for_each_index<E>([&]<std::size_t I>() {
           constexpr auto member = field_at<E, I>.member;
           using Value = FieldValue<E, I>;
@@ -201,7 +201,7 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
       Event event = run.events[step].event;
       std::string field;
       if (how == Change::left_out)
-        field = visit_event([]<class E>(const E&) { return std::string(kind_text<E>.name); }, event);
+        field = visit_event([]<class E>(const E&) { return std::string(description_of<E>.name); }, event);
       else
         field = change(event, how, run, step, random);
       if (field.empty()) continue;

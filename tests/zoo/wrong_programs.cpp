@@ -250,7 +250,7 @@ std::string named(const grade::Likely& likely) {
 std::string name_of(std::uint8_t kind) {
   std::string_view name;
   for_each_kind([&]<class E>() {
-    if (kind_of<E> == kind) name = kind_text<E>.name;
+    if (kind_of<E> == kind) name = description_of<E>.name;
   });
   return std::string(name);
 }

@@ -26,7 +26,7 @@ std::vector<NotJudged> not_judged(const CheckReport& report) {
     // Fields of which as much is known go together.
     std::size_t first = left.size();
     for (const FieldOfKind& field : fields_of_kind(kind)) {
-      if (formulas::origin_of(static_cast<std::uint8_t>(kind), field.name) != formulas::Origin::formula) continue;
+      if (!has(field.as, As::formula)) continue;
       const std::int64_t open = of.steps - of.fields[static_cast<std::size_t>(&field - fields_of_kind(kind).data())];
       if (open == 0 || (open < of.steps && may_say_nothing(kind, field.name))) continue;
       auto same = first;

@@ -60,9 +60,7 @@ std::optional<std::int32_t> Identity::number_of(Thing thing, Key name) const {
   return found->second;
 }
 
-std::int32_t Identity::next_row(std::int32_t edge) const {
-  return edges_[edge].next_row;
-}
+std::int32_t Identity::next_row(std::int32_t edge) const { return edges_[edge].next_row; }
 
 void Identity::edge_used(std::int32_t edge, std::int32_t row) {
   Edge& known = edges_.edit(edge);
@@ -75,11 +73,11 @@ void Identity::edge_enters(std::int32_t edge) {
   edge_used(edge, scan_line_);
 }
 
-/// The name of the thing in a field. An edge of which a run tells nothing but its number is known by where it stands: as
-/// the left or right one of a span, or as one of the polygon whose flag flips there.
+/// The name of the thing in a field. An edge of which a run tells nothing but its number is known by where it stands:
+/// as the left or right one of a span, or as one of the polygon whose flag flips there.
 template <class E, std::size_t I>
 Key Identity::name_in(const E& e) const {
-  constexpr Thing thing = thing_at<E, I>();
+  constexpr Thing thing = field_at<E, I>.thing;
   if constexpr (thing == Thing::edge && std::is_same_v<E, SpanBegin>) {
     if (!edges_told_) return I;
   } else if constexpr (thing == Thing::edge && std::is_same_v<E, FlagFlip>) {
@@ -91,26 +89,25 @@ Key Identity::name_in(const E& e) const {
 /// What a step is about, number by number.
 template <class E>
 auto Identity::parts(const E& e) {
-  constexpr About it = about<E>;
-  Parts<1 + 6 + it.fields.size() + 1> found;  // kind, what it belongs to, fields, and a scan line
+  constexpr Description it = description_of<E>;
+  Parts<1 + 6 + 4 + 1> found;  // kind, what it belongs to, fields, and a scan line
   // Where lines hold several polygons, a span says whose turn it is.
   if constexpr (std::is_same_v<E, SpanBegin>)
     if (const std::int32_t owner = edges_[e.left_edge].polygon; owner != no_polygon) polygon_ = owner;
   found.add(kind_of<E> + 1u + (static_cast<Key>(pass_) << 8));
-  if constexpr (it.within & polygon) found.add(whole(polygon_));
-  if constexpr (it.within & scan_line) found.add(whole(scan_line_));
-  if constexpr (it.within & area) found.add(area_);
-  if constexpr (it.within & ray) found.add(ray_);
-  if constexpr (it.within & curve) found.add(curve_);
-  if constexpr (it.within & node) found.add(node_);
+  if constexpr (has(it.within, Within::polygon)) found.add(whole(polygon_));
+  if constexpr (has(it.within, Within::scan_line)) found.add(whole(scan_line_));
+  if constexpr (has(it.within, Within::area)) found.add(area_);
+  if constexpr (has(it.within, Within::ray)) found.add(ray_);
+  if constexpr (has(it.within, Within::curve)) found.add(curve_);
+  if constexpr (has(it.within, Within::node)) found.add(node_);
   Key ends = 0;
   for_each_index<E>([&]<std::size_t I>() {
     constexpr const auto& field = field_at<E, I>;
     using Value = FieldValue<E, I>;
-    if constexpr (it.names(field.name) && !std::is_same_v<Value, double>) {
+    if constexpr (has(field.as, As::subject) && !std::is_same_v<Value, double>) {
       Key name = 0;
-      if constexpr (std::is_same_v<Value, std::int32_t> && thing_at<E, I>() != Thing::none)
-        name = name_in<E, I>(e);
+      if constexpr (std::is_same_v<Value, std::int32_t> && field_at<E, I>.thing != Thing::none) name = name_in<E, I>(e);
       else name = whole(static_cast<std::int64_t>(e.*field.member));
       constexpr bool end = field.name == "vertex_0" || field.name == "vertex_1";
       if constexpr (it.either_way && end) ends += spread(name);
@@ -119,7 +116,8 @@ auto Identity::parts(const E& e) {
   });
   if constexpr (it.either_way) found.add(ends);
   if constexpr (std::is_same_v<E, ListInsert>) found.add(whole(compares_));
-  // Spans without pixels may be left out: where a line of the polygon has several spans, each is known by its left edge.
+  // Spans without pixels may be left out: where a line of the polygon has several spans, each is known by its left
+  // edge.
   if constexpr (std::is_same_v<E, SpanBegin>)
     found.add(turns_ && active_ > 2 && e.first > e.last ? name_in<E, 0>(e) : 0);
   // An edge moves once to each of its scan lines, and leaves the list before the first one that it does not meet.
@@ -146,7 +144,12 @@ bool Identity::same_about(const E& e, Identity& other, const E& its) {
 template <class E>
 Identity::Hint Identity::hint(const E& e) {
   constexpr std::uint32_t kind = kind_of<E> * 0x9e3779b1u;
-  if constexpr (about<E>.names("y")) return static_cast<Hint>(static_cast<std::uint32_t>(e.y) ^ kind >> 16);
+  constexpr bool at_row = [] {
+    bool found = false;
+    for_each_field<E>([&](const auto& field) { found = found || (field.name == "y" && has(field.as, As::subject)); });
+    return found;
+  }();
+  if constexpr (at_row) return static_cast<Hint>(static_cast<std::uint32_t>(e.y) ^ kind >> 16);
   const auto all = parts(e);
   Key found = 0;
   for (std::size_t i = 0; i < all.count; ++i) found = (found ^ all.part[i]) * 0x9e3779b97f4a7c15u;
@@ -159,32 +162,23 @@ Identity::Known Identity::known(const E& e) {
   static_assert(things_among_results<E>() <= std::tuple_size_v<decltype(found.results)>);
   std::size_t results = 0;
   for_each_index<E>([&]<std::size_t I>() {
-    if constexpr (is_result<E, I>() && thing_at<E, I>() != Thing::none)
-      found.results[results++] = name_in<E, I>(e);
+    if constexpr (is_result<E, I> && field_at<E, I>.thing != Thing::none) found.results[results++] = name_in<E, I>(e);
   });
   return found;
 }
 
 template <class E>
 void Identity::take_note(const E& e, Key key) {
-  constexpr Thing made = made_by<E>();
-  if constexpr (made != Thing::none) {
-    std::int32_t number = 0;
-    if constexpr (made == Thing::vertex) number = e.vertex;
-    else if constexpr (made == Thing::edge) number = e.edge;
-    else if constexpr (made == Thing::piece) number = e.piece;
-    else if constexpr (made == Thing::node) number = e.node;
-    else if constexpr (made == Thing::area) number = e.area;
-    else if constexpr (made == Thing::box) number = e.box;
-    else if constexpr (made == Thing::ray) number = e.ray;
-    else if constexpr (made == Thing::curve) number = e.curve;
-    else number = e.line;
+  if constexpr (constexpr std::size_t I = number_made<E>(); I != field_count<E>) {
+    constexpr Thing made = field_at<E, I>.thing;
+    const std::int32_t number = e.*field_at<E, I>.member;
     const Key name = mix(key, whole(made_[key]++));
     names_[static_cast<std::size_t>(made)].edit(number) = name;
     numbers_[static_cast<std::size_t>(made)][name] = number;
     if constexpr (made == Thing::edge) edges_.edit(number) = Edge{0, 0, false, e.polygon, e.end_row, -1};
   }
-  if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) polygon_ = e.polygon, turns_ = true, active_ = 0;
+  if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>)
+    polygon_ = e.polygon, turns_ = true, active_ = 0;
   if constexpr (std::is_same_v<E, SpanWinner>) polygon_ = trace_->polygon_of_piece(e.piece);
   if constexpr (std::is_same_v<E, SplitVertex>) polygon_ = no_polygon;  // of which it is, its piece says
   if constexpr (std::is_same_v<E, TablesBegin> || std::is_same_v<E, AreaBegin>) polygon_ = no_polygon, turns_ = false;
@@ -213,14 +207,14 @@ void Identity::take_note(const E& e, Key key) {
 template <class E>
 void Identity::take_note_of(const E& e) {
   constexpr bool by_key =
-      made_by<E>() != Thing::none || std::is_same_v<E, CurveSegment> || std::is_same_v<E, SpanBegin>;
+      number_made<E>() != field_count<E> || std::is_same_v<E, CurveSegment> || std::is_same_v<E, SpanBegin>;
   if constexpr (by_key) take_note(e, parts(e).key());
   else take_note(e, 0);
 }
-#define ZSTEP_INSTANTIATE(E)                                               \
-  template void Identity::take_note_of(const E&);                          \
-  template bool Identity::same_about(const E&, Identity&, const E&);       \
-  template Identity::Hint Identity::hint(const E&);                        \
+#define ZSTEP_INSTANTIATE(E)                                         \
+  template void Identity::take_note_of(const E&);                    \
+  template bool Identity::same_about(const E&, Identity&, const E&); \
+  template Identity::Hint Identity::hint(const E&);                  \
   template Identity::Known Identity::known(const E&);
 ZSTEP_EVERY_KIND(ZSTEP_INSTANTIATE)
 #undef ZSTEP_INSTANTIATE

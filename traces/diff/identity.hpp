@@ -8,39 +8,33 @@
 #include <unordered_map>
 
 #include "traces/diff/by_number.hpp"
-#include "traces/events/about.hpp"
+#include "traces/events/slots.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep::diff {
 
-/// `parent` refers to a thing of the kind that the event makes.
+/// Is the field a result: neither what the step is about, nor a number that the run gives to something new, nor what
+/// two runs may differ in?
 template <class E, std::size_t I>
-constexpr Thing thing_at() {
-  constexpr std::string_view name = field_at<E, I>.name;
-  return name == "parent" ? made_by<E>() : thing_of(name);
-}
-
-/// Is the field a result: neither what the step is about, nor a number that the run gives to something new, nor that of
-/// a facet, which only zstep numbers, nor a place in the active edge list, which hangs on what leaves it first, nor the
-/// point that shows that two pieces overlap, for which any one does?
-template <class E, std::size_t I>
-constexpr bool is_result() {
-  constexpr std::string_view name = field_at<E, I>.name;
-  constexpr bool in_active_list = std::is_same_v<E, EdgeEnter> || std::is_same_v<E, EdgeSwap>;
-  if (about<E>.names(name) || name == "facet" || (in_active_list && name == "place")) return false;
-  if (std::is_same_v<E, OverlapTest> && name.ends_with("_at")) return false;
-  return name == "parent" || thing_at<E, I>() == Thing::none || thing_at<E, I>() != made_by<E>();
-}
+inline constexpr bool is_result = !has(field_at<E, I>.as, As::subject | As::made | As::aside);
 
 template <class E>
 constexpr std::size_t things_among_results() {
   std::size_t count = 0;
-  for_each_index<E>([&]<std::size_t I>() { count += is_result<E, I>() && thing_at<E, I>() != Thing::none; });
+  for_each_index<E>([&]<std::size_t I>() { count += is_result<E, I> && field_at<E, I>.thing != Thing::none; });
   return count;
 }
 
-/// Does a step of this kind say which polygon the next ones are about? It is taken note of where only one run has it, if
-/// the other one's method says that by other steps.
+/// The field with the number of what the event makes; field_count<E> where it makes nothing.
+template <class E>
+constexpr std::size_t number_made() {
+  std::size_t found = field_count<E>;
+  for_each_index<E>([&]<std::size_t I>() { found = has(field_at<E, I>.as, As::made) ? I : found; });
+  return found;
+}
+
+/// Does a step of this kind say which polygon the next ones are about? It is taken note of where only one run has it,
+/// if the other one's method says that by other steps.
 template <class E>
 inline constexpr bool says_whose_turn = std::is_same_v<E, PieceDraw>;
 
@@ -94,8 +88,8 @@ class Identity {
     std::int32_t beyond = 0;    ///< the scan line after the last one that it was used on
     bool in_span = false;       ///< it was used by a span with pixels, which all programs have
     std::int32_t polygon = no_polygon;
-    std::int32_t end_row = 0;   ///< as the edge table has it
-    std::int32_t moved_to = -1; ///< the scan line at work when it moved or entered last
+    std::int32_t end_row = 0;    ///< as the edge table has it
+    std::int32_t moved_to = -1;  ///< the scan line at work when it moved or entered last
   };
   template <class E>
   auto parts(const E& e);
@@ -115,8 +109,8 @@ class Identity {
   Pass pass_ = Pass::eye;
   Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0;
   std::int32_t active_ = 0;  ///< edges of the polygon at work that have entered its list and not left it
-  bool turns_ = true;  ///< polygons are worked on one after another
-  bool compares_ = false;  ///< pieces are compared: what enters the list now was in it before, or is a part
+  bool turns_ = true;        ///< polygons are worked on one after another
+  bool compares_ = false;    ///< pieces are compared: what enters the list now was in it before, or is a part
   bool edges_told_;
   const Trace* trace_;
 };

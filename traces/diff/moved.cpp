@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "traces/diff/identity.hpp"
-#include "traces/events/about.hpp"
+#include "traces/events/slots.hpp"
 
 namespace zstep::diff {
 
@@ -33,9 +33,9 @@ bool same_step(const Trace& a, std::int64_t step_a, const E& of_a, const Trace& 
   bool same = true, any = false;
   for_each_index<E>([&]<std::size_t I>() {
     constexpr const auto& field = field_at<E, I>;
-    if constexpr (about<E>.names(field.name) && !std::is_same_v<FieldValue<E, I>, double>) {
+    if constexpr (has(field.as, As::subject) && !std::is_same_v<FieldValue<E, I>, double>) {
       any = true;
-      constexpr Thing thing = thing_at<E, I>();
+      constexpr Thing thing = field.thing;
       const auto one = of_a.*field.member, other = of_b.*field.member;
       if constexpr (thing == Thing::edge) {
         const auto edge = edge_at(a, step_a, one);

@@ -52,11 +52,11 @@ Parting parting(const E& a, const E& b, SameThing&& same_thing) {
   std::size_t thing = 0;
   const double factor = times_as_long(a, b), box = std::max(formulas::size_of_box(a), formulas::size_of_box(b));
   for_each_index<E>([&]<std::size_t I>() {
-    if constexpr (is_result<E, I>()) {
+    if constexpr (is_result<E, I>) {
       const auto& mine = a.*field_at<E, I>.member;
       const auto& its = b.*field_at<E, I>.member;
       bool equal = false;
-      if constexpr (thing_at<E, I>() != Thing::none) equal = same_thing(thing++);
+      if constexpr (field_at<E, I>.thing != Thing::none) equal = same_thing(thing++);
       else equal = mine == its || same(mine, its);  // 0 and -0, NaN and NaN
       if (equal) return;
       found.fields = static_cast<std::uint16_t>(found.fields | 1u << I);
@@ -77,7 +77,7 @@ bool same_names(const E& a, const E& b) {
   for_each_index<E>([&]<std::size_t I>() {
     using Value = FieldValue<E, I>;
     constexpr bool came_out =
-        std::is_same_v<Value, double> || (std::is_same_v<Value, bool> && !about<E>.names(field_at<E, I>.name));
+        std::is_same_v<Value, double> || (std::is_same_v<Value, bool> && !has(field_at<E, I>.as, As::subject));
     if constexpr (!came_out) equal = equal && a.*field_at<E, I>.member == b.*field_at<E, I>.member;
   });
   return equal;

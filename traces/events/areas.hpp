@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "traces/events/description.hpp"
 #include "traces/events/field.hpp"
 
 namespace zstep {
@@ -28,33 +29,45 @@ struct AreaDecide { std::int32_t area; AreaCase what; std::int32_t piece; };
 // clang-format on
 
 template <>
-inline constexpr KindText kind_text<AreaBegin>{"area_begin", "work on an area of the picture begins"};
+inline constexpr Description description_of<AreaBegin>{.name = "area_begin",
+                                                       .meaning = "work on an area of the picture begins",
+                                                       .work = WorkKind::bookkeeping,
+                                                       .called = "area {area}",
+                                                       .begins = {Unit::scan_line, "area"},
+                                                       .after_polygons = true};
 template <>
-inline constexpr auto fields_of<AreaBegin> =
-    Fields{Field{"area", &AreaBegin::area, "index", "the area, numbered in the order of work", Guess::next},
-               Field{"parent", &AreaBegin::parent, "index", "the area it is a quarter of, -1 for the whole picture"},
-               Field{"first_column", &AreaBegin::first_column, "px", "its first column"},
-               Field{"first_row", &AreaBegin::first_row, "row", "its first row"},
-               Field{"end_column", &AreaBegin::end_column, "px", "the column just beyond it"},
-               Field{"end_row", &AreaBegin::end_row, "row", "the row just beyond it"}};
+inline constexpr auto fields_of<AreaBegin> = Fields{
+    Field{"area", &AreaBegin::area, area_index, "the area, numbered in the order of work", As::made, Guess::next},
+    Field{"parent", &AreaBegin::parent, area_index, "the area it is a quarter of, -1 for the whole picture", As::input},
+    Field{"first_column", &AreaBegin::first_column, "px", "its first column", As::formula | As::subject},
+    Field{"first_row", &AreaBegin::first_row, "row", "its first row", As::formula | As::subject},
+    Field{"end_column", &AreaBegin::end_column, "px", "the column just beyond it", As::formula | As::subject},
+    Field{"end_row", &AreaBegin::end_row, "row", "the row just beyond it", As::formula | As::subject}};
 
 template <>
-inline constexpr KindText kind_text<AreaBin>{"area_bin", "a polygon is put into one of the four bins of an area"};
+inline constexpr Description description_of<AreaBin>{.name = "area_bin",
+                                                     .meaning = "a polygon is put into one of the four bins of an area",
+                                                     .work = WorkKind::tests,
+                                                     .within = Within::area};
 template <>
 inline constexpr auto fields_of<AreaBin> =
-    Fields{Field{"piece", &AreaBin::piece, "index", "the polygon's piece", Guess::told},
+    Fields{Field{"piece", &AreaBin::piece, piece_index, "the polygon's piece", As::subject, Guess::told},
            Field{"crossings", &AreaBin::crossings, "1",
-                 "edges of the polygon that meet the area; -1 when the box decided", Guess::formula},
+                 "edges of the polygon that meet the area; -1 when the box decided", As::formula, Guess::formula},
            Field{"corners_inside", &AreaBin::corners_inside, "1",
-                 "corners of the area inside the polygon; -1 when the box decided", Guess::formula},
-           Field{"bin", &AreaBin::bin, "1", "the bin", Guess::formula},
-           Field{"by_box", &AreaBin::by_box, "1", "the bounding box decided", Guess::formula}};
+                 "corners of the area inside the polygon; -1 when the box decided", As::formula, Guess::formula},
+           Field{"bin", &AreaBin::bin, "1", "the bin", As::formula, Guess::formula},
+           Field{"by_box", &AreaBin::by_box, "1", "the bounding box decided", As::recorded, Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<AreaDecide>{"area_decide", "what is done with an area"};
+inline constexpr Description description_of<AreaDecide>{.name = "area_decide",
+                                                        .meaning = "what is done with an area",
+                                                        .work = WorkKind::tests,
+                                                        .gives_around = "in the area around it"};
 template <>
 inline constexpr auto fields_of<AreaDecide> =
-    Fields{Field{"area", &AreaDecide::area, "index", "the area"}, Field{"what", &AreaDecide::what, "1", "the case"},
-               Field{"piece", &AreaDecide::piece, "index", "the piece that fills it, -1 if none does"}};
+    Fields{Field{"area", &AreaDecide::area, area_index, "the area", As::subject},
+           Field{"what", &AreaDecide::what, "1", "the case", As::recorded},
+           Field{"piece", &AreaDecide::piece, piece_index, "the piece that fills it, -1 if none does", As::recorded}};
 
 }  // namespace zstep

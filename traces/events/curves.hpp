@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "traces/events/description.hpp"
 #include "traces/events/field.hpp"
 
 namespace zstep {
@@ -37,90 +38,128 @@ struct LinePiece { std::int32_t line; double t_0, t_1; bool visible; };
 // clang-format on
 
 template <>
-inline constexpr KindText kind_text<CurveBegin>{"curve_begin", "work on a curve of the surface begins"};
+inline constexpr Description description_of<CurveBegin>{.name = "curve_begin",
+                                                        .meaning = "work on a curve of the surface begins",
+                                                        .work = WorkKind::bookkeeping,
+                                                        .begins = {Unit::polygon, "curve"},
+                                                        .after_polygons = true};
 template <>
 inline constexpr auto fields_of<CurveBegin> =
-    Fields{Field{"curve", &CurveBegin::curve, "index", "the curve, numbered in the order in which curves are drawn",
-                     Guess::next},
-               Field{"row", &CurveBegin::row, "index", "the row of the surface's grid, or the column"},
-               Field{"across", &CurveBegin::across, "1", "it is a curve of constant x"},
-               Field{"constant", &CurveBegin::constant, "world", "the z (or x) that is constant on it"}};
+    Fields{Field{"curve", &CurveBegin::curve, curve_index, "the curve, numbered in the order in which curves are drawn",
+                 As::made, Guess::next},
+           Field{"row", &CurveBegin::row, "index", "the row of the surface's grid, or the column", As::subject},
+           Field{"across", &CurveBegin::across, "1", "it is a curve of constant x", As::subject},
+           Field{"constant", &CurveBegin::constant, "world", "the z (or x) that is constant on it", As::recorded}};
 
 template <>
-inline constexpr KindText kind_text<CurveSegment>{"curve_segment", "a piece of the curve between two sampled points"};
+inline constexpr Description description_of<CurveSegment>{.name = "curve_segment",
+                                                          .meaning = "a piece of the curve between two sampled points",
+                                                          .work = WorkKind::bookkeeping,
+                                                          .within = Within::curve};
 template <>
 inline constexpr auto fields_of<CurveSegment> =
-    Fields{Field{"vertex_0", &CurveSegment::vertex_0, "index", "the point it comes from"},
-               Field{"vertex_1", &CurveSegment::vertex_1, "index", "the point it goes to"}};
+    Fields{Field{"vertex_0", &CurveSegment::vertex_0, vertex_index, "the point it comes from", As::subject},
+           Field{"vertex_1", &CurveSegment::vertex_1, vertex_index, "the point it goes to", As::subject}};
 
 template <>
-inline constexpr KindText kind_text<HorizonTest>{"horizon_test",
-                                                 "a point of the curve is held against the horizons of its column"};
+inline constexpr Description description_of<HorizonTest>{
+    .name = "horizon_test",
+    .meaning = "a point of the curve is held against the horizons of its column",
+    .work = WorkKind::tests,
+    .called = "the curve at column {x}",
+    .within = Within::curve};
 template <>
-inline constexpr auto fields_of<HorizonTest> = Fields{
-    Field{"x", &HorizonTest::x, "px", "the column", Guess::next},
-    Field{"y_curve", &HorizonTest::y_curve, "px", "row of the curve there, not rounded"},
-    Field{"verdict", &HorizonTest::verdict, "1", "above the upper horizon, below the lower one, or hidden between"}};
+inline constexpr auto fields_of<HorizonTest> =
+    Fields{Field{"x", &HorizonTest::x, "px", "the column", As::subject, Guess::next},
+           Field{"y_curve", &HorizonTest::y_curve, "px", "row of the curve there, not rounded", As::formula},
+           Field{"verdict", &HorizonTest::verdict, "1",
+                 "above the upper horizon, below the lower one, or hidden between", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<HorizonMove>{"horizon_move", "a horizon takes a new value"};
+inline constexpr Description description_of<HorizonMove>{.name = "horizon_move",
+                                                         .meaning = "a horizon takes a new value",
+                                                         .work = WorkKind::writes,
+                                                         .called = "{upper} horizon of column {x} moves",
+                                                         .within = Within::curve};
 template <>
 inline constexpr auto fields_of<HorizonMove> =
-    Fields{Field{"x", &HorizonMove::x, "px", "the column"},
-               Field{"upper", &HorizonMove::upper, "1", "it is the upper horizon"},
-               Field{"y_curve", &HorizonMove::y_curve, "px", "its row from here on"}};
+    Fields{Field{"x", &HorizonMove::x, "px", "the column", As::subject},
+           Field{"upper", &HorizonMove::upper, "1", "it is the upper horizon", As::subject},
+           Field{"y_curve", &HorizonMove::y_curve, "px", "its row from here on", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<HorizonCross>{"horizon_cross", "the curve crosses a horizon between two columns"};
+inline constexpr Description description_of<HorizonCross>{.name = "horizon_cross",
+                                                          .meaning = "the curve crosses a horizon between two columns",
+                                                          .work = WorkKind::cuts,
+                                                          .within = Within::curve};
 template <>
-inline constexpr auto fields_of<HorizonCross> = Fields{
-    Field{"upper", &HorizonCross::upper, "1", "it is the upper horizon"},
-    Field{"x_at", &HorizonCross::x_at, "px", "x of the crossing"}, Field{"y_at", &HorizonCross::y_at, "px", "its row"}};
+inline constexpr auto fields_of<HorizonCross> =
+    Fields{Field{"upper", &HorizonCross::upper, "1", "it is the upper horizon", As::subject},
+           Field{"x_at", &HorizonCross::x_at, "px", "x of the crossing", As::formula},
+           Field{"y_at", &HorizonCross::y_at, "px", "its row", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<LineBegin>{"line_begin", "work on an edge of the mesh begins"};
+inline constexpr Description description_of<LineBegin>{.name = "line_begin",
+                                                       .meaning = "work on an edge of the mesh begins",
+                                                       .work = WorkKind::bookkeeping,
+                                                       .either_way = true,
+                                                       .begins = {Unit::scan_line, "edge"},
+                                                       .after_polygons = true};
 template <>
-inline constexpr auto fields_of<LineBegin> =
-    Fields{Field{"line", &LineBegin::line, "index", "the edge", Guess::next},
-               Field{"vertex_0", &LineBegin::vertex_0, "index", "its one end"},
-               Field{"vertex_1", &LineBegin::vertex_1, "index", "its other end"},
-               Field{"left_facet", &LineBegin::left_facet, "index", "the facet on its left, -1 if none"},
-               Field{"right_facet", &LineBegin::right_facet, "index", "the facet on its right, -1 if none"},
-               Field{"kind", &LineBegin::kind, "1",
-                     "inner, contour (front meets back), boundary (one facet), or back (all its facets face away)"}};
+inline constexpr auto fields_of<LineBegin> = Fields{
+    Field{"line", &LineBegin::line, line_index, "the edge", As::made, Guess::next},
+    Field{"vertex_0", &LineBegin::vertex_0, vertex_index, "its one end", As::subject},
+    Field{"vertex_1", &LineBegin::vertex_1, vertex_index, "its other end", As::subject},
+    Field{"left_facet", &LineBegin::left_facet, "index", "the facet on its left, -1 if none", As::input},
+    Field{"right_facet", &LineBegin::right_facet, "index", "the facet on its right, -1 if none", As::input},
+    Field{"kind", &LineBegin::kind, "1",
+          "inner, contour (front meets back), boundary (one facet), or back (all its facets face away)", As::recorded}};
 
 template <>
-inline constexpr KindText kind_text<LineAgainst>{"line_against", "an edge is held against a face that may cover it"};
+inline constexpr Description description_of<LineAgainst>{
+    .name = "line_against", .meaning = "an edge is held against a face that may cover it", .work = WorkKind::tests};
 template <>
 inline constexpr auto fields_of<LineAgainst> = Fields{
-    Field{"line", &LineAgainst::line, "index", "the edge"}, Field{"facet", &LineAgainst::facet, "index", "the face"},
+    Field{"line", &LineAgainst::line, line_index, "the edge", As::subject},
+    Field{"facet", &LineAgainst::facet, "index", "the face", As::subject},
     Field{"outcome", &LineAgainst::outcome, "1",
-          "extents apart, its own face, in front of the face, behind it but beside, or covered in part"}};
+          "extents apart, its own face, in front of the face, behind it but beside, or covered in part", As::recorded}};
 
 template <>
-inline constexpr KindText kind_text<LineCross>{
-    "line_cross", "an edge crosses an edge of a face on the picture, or the face's plane in space"};
+inline constexpr Description description_of<LineCross>{
+    .name = "line_cross",
+    .meaning = "an edge crosses an edge of a face on the picture, or the face's plane in space",
+    .work = WorkKind::cuts,
+    .called = "line {line} crosses {facet}"};
 template <>
 inline constexpr auto fields_of<LineCross> =
-    Fields{Field{"line", &LineCross::line, "index", "the edge"},
-               Field{"facet", &LineCross::facet, "index", "the face"},
-               Field{"t", &LineCross::t, "1", "where on the edge, 0 to 1"},
-               Field{"x_at", &LineCross::x_at, "px", "there"},
-               Field{"y_at", &LineCross::y_at, "px", "there"},
-               Field{"in_space", &LineCross::in_space, "1", "it crosses the plane"}};
+    Fields{Field{"line", &LineCross::line, line_index, "the edge", As::subject},
+           Field{"facet", &LineCross::facet, "index", "the face", As::subject},
+           Field{"t", &LineCross::t, "1", "where on the edge, 0 to 1", As::formula},
+           Field{"x_at", &LineCross::x_at, "px", "there", As::formula},
+           Field{"y_at", &LineCross::y_at, "px", "there", As::formula},
+           Field{"in_space", &LineCross::in_space, "1", "it crosses the plane", As::input}};
 
 template <>
-inline constexpr KindText kind_text<LineHide>{"line_hide", "an interval of an edge is hidden by a face"};
+inline constexpr Description description_of<LineHide>{.name = "line_hide",
+                                                      .meaning = "an interval of an edge is hidden by a face",
+                                                      .work = WorkKind::cuts,
+                                                      .called = "line {line} is hidden by {facet}"};
 template <>
-inline constexpr auto fields_of<LineHide> = Fields{
-    Field{"line", &LineHide::line, "index", "the edge"}, Field{"facet", &LineHide::facet, "index", "the face"},
-    Field{"t_0", &LineHide::t_0, "1", "from"}, Field{"t_1", &LineHide::t_1, "1", "to"}};
+inline constexpr auto fields_of<LineHide> = Fields{Field{"line", &LineHide::line, line_index, "the edge", As::subject},
+                                                   Field{"facet", &LineHide::facet, "index", "the face", As::subject},
+                                                   Field{"t_0", &LineHide::t_0, "1", "from", As::formula},
+                                                   Field{"t_1", &LineHide::t_1, "1", "to", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<LinePiece>{"line_piece", "a piece of an edge, visible or hidden"};
+inline constexpr Description description_of<LinePiece>{.name = "line_piece",
+                                                       .meaning = "a piece of an edge, visible or hidden",
+                                                       .work = WorkKind::writes,
+                                                       .called = "a piece of line {line}"};
 template <>
-inline constexpr auto fields_of<LinePiece> =
-    Fields{Field{"line", &LinePiece::line, "index", "the edge"}, Field{"t_0", &LinePiece::t_0, "1", "from"},
-               Field{"t_1", &LinePiece::t_1, "1", "to"}, Field{"visible", &LinePiece::visible, "1", "it is seen"}};
+inline constexpr auto fields_of<LinePiece> = Fields{
+    Field{"line", &LinePiece::line, line_index, "the edge", As::subject},
+    Field{"t_0", &LinePiece::t_0, "1", "from", As::formula}, Field{"t_1", &LinePiece::t_1, "1", "to", As::formula},
+    Field{"visible", &LinePiece::visible, "1", "it is seen", As::formula}};
 
 }  // namespace zstep

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "traces/events/fields.hpp"
-#include "traces/formulas/follows.hpp"
 
 namespace zstep {
 
@@ -24,16 +23,20 @@ std::string_view guess_text(Guess guess) {
   }
 }
 
-std::string_view origin_text(formulas::Origin origin) {
-  return origin == formulas::Origin::formula ? "formula" : origin == formulas::Origin::input ? "input" : "recorded";
+std::string_view origin_text(As as) {
+  return has(as, As::formula) ? "formula" : has(as, As::recorded) ? "recorded" : "input";
 }
 
 std::string type_text(const FieldOfKind& field) {
   switch (field.type) {
-    case FieldOfKind::Type::real: return "float64";
-    case FieldOfKind::Type::truth: return "true or false";
-    case FieldOfKind::Type::word: return fmt::format("one of {}", fmt::join(field.words, ", "));
-    case FieldOfKind::Type::whole: break;
+    case FieldOfKind::Type::real:
+      return "float64";
+    case FieldOfKind::Type::truth:
+      return "true or false";
+    case FieldOfKind::Type::word:
+      return fmt::format("one of {}", fmt::join(field.words, ", "));
+    case FieldOfKind::Type::whole:
+      break;
   }
   return "int32";
 }
@@ -45,11 +48,10 @@ std::string vocabulary_markdown() {
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
     out += fmt::format(
         "\n### {}\n{}.\n\n| field | type | unit | guess | follows from | meaning |\n|---|---|---|---|---|---|\n",
-        text_of_kind(kind).name, text_of_kind(kind).meaning);
+        description_of_kind(kind).name, description_of_kind(kind).meaning);
     for (const FieldOfKind& field : fields_of_kind(kind))
       out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", field.name, type_text(field), field.unit,
-                         guess_text(field.guess),
-                         origin_text(formulas::origin_of(static_cast<std::uint8_t>(kind), field.name)), field.meaning);
+                         guess_text(field.guess), origin_text(field.as), field.meaning);
   }
   return out;
 }

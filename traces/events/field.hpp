@@ -1,7 +1,8 @@
 // A described field: what an event's member is called, measured in, and how well it can be guessed.
 //
-// Every event in vocabulary.hpp lists its fields once, as Fields. The binary codec, JSONL in and out and the
-// documentation table are all generated from that list; nothing else in zstep repeats it.
+// Every event in vocabulary.hpp lists its fields once, as Fields: what each is called, measured in and means, what it
+// is to its step, and how it can be guessed. Codec, JSON Lines, SQL, documentation, check and diff read that list;
+// nothing else in zstep repeats it.
 #pragma once
 
 #include <cstdint>
@@ -22,18 +23,54 @@ enum class Guess : std::uint8_t {
   formula,  ///< what the event's formula gives for the fields before it; those of an event are guessed together
 };
 
+/// What a field is to its step. Where a value comes from is one of the first three; the others are said besides it.
+enum class As : std::uint8_t {
+  input = 0,     ///< what the method decided, or what the step is about: nothing before says it
+  formula = 1,   ///< it follows from what was before: `derive` gives it (traces/formulas)
+  recorded = 2,  ///< the method computes it, and no formula says how yet: it is taken as the trace has it
+  subject = 4,   ///< it names what the step is about, so that the same step is known in another run
+  made = 8,      ///< it is the number of the thing that the step makes
+  aside = 16,    ///< two runs may differ in it and yet do the same
+};
+constexpr As operator|(As one, As other) {
+  return static_cast<As>(static_cast<std::uint8_t>(one) | static_cast<std::uint8_t>(other));
+}
+constexpr bool has(As all, As one) { return (static_cast<std::uint8_t>(all) & static_cast<std::uint8_t>(one)) != 0; }
+
+/// What a run numbers for itself. Polygons and facets are the scene's, and have one number for all runs.
+enum class Thing : std::uint8_t { none, vertex, edge, piece, node, area, box, ray, curve, line, count };
+
+/// "px", "row", "world", "depth", "index", "1" …; and of an index, of what.
+struct Measure {
+  std::string_view name;
+  Thing thing = Thing::none;
+  constexpr Measure(const char* name_) : name(name_) {}  // NOLINT: a unit is its name
+  constexpr explicit Measure(Thing thing_) : name("index"), thing(thing_) {}
+};
+inline constexpr Measure vertex_index{Thing::vertex}, edge_index{Thing::edge}, piece_index{Thing::piece},
+    node_index{Thing::node}, area_index{Thing::area}, box_index{Thing::box}, ray_index{Thing::ray},
+    curve_index{Thing::curve}, line_index{Thing::line};
+
 template <class Event, class Value>
 struct Field {
   using value_type = Value;
   std::string_view name;     ///< the name in JSONL, SQL and the documentation
   Value Event::*member;      ///< where the value lives
-  std::string_view unit;     ///< "px", "row", "world", "depth", "index", "1" …
+  std::string_view unit;     ///< as in Measure
+  Thing thing;               ///< of which this is the number
   std::string_view meaning;  ///< one phrase for the documentation and the viewer
+  As as;
   Guess guess;
 
-  constexpr Field(std::string_view name_, Value Event::*member_, std::string_view unit_, std::string_view meaning_,
+  constexpr Field(std::string_view name_, Value Event::*member_, Measure measure, std::string_view meaning_, As as_,
                   Guess guess_ = Guess::same)
-      : name(name_), member(member_), unit(unit_), meaning(meaning_), guess(guess_) {}
+      : name(name_),
+        member(member_),
+        unit(measure.name),
+        thing(measure.thing),
+        meaning(meaning_),
+        as(as_),
+        guess(guess_) {}
 };
 
 /// Several fields of an event, one after another: what a std::tuple is, in a form that a compiler reads in no time.
@@ -61,14 +98,6 @@ constexpr const Field& field_in(const detail::PlacedField<place, Field>& placed)
 /// The fields of an event, in file order. Specialised in vocabulary.hpp for every event.
 template <class Event>
 inline constexpr auto fields_of = nullptr;
-
-/// The name of an event's kind as it stands in traces ("depth_compare") and one phrase saying what it records.
-struct KindText {
-  std::string_view name;
-  std::string_view meaning;
-};
-template <class Event>
-inline constexpr KindText kind_text{};
 
 template <class Event>
 inline constexpr std::size_t field_count = std::remove_const_t<decltype(fields_of<Event>)>::count;

@@ -28,7 +28,7 @@ constexpr FieldOfKind field_row() {
   using Value = FieldValue<E, I>;
   using Type = FieldOfKind::Type;
   constexpr auto field = field_at<E, I>;
-  FieldOfKind row{field.name,  field.unit, field.meaning,    field.guess,
+  FieldOfKind row{field.name,  field.unit, field.meaning,    field.thing,      field.as, field.guess,
                   Type::whole, {},         read_field<E, I>, write_field<E, I>};
   if constexpr (std::is_same_v<Value, double>) row.type = Type::real;
   else if constexpr (std::is_same_v<Value, bool>) row.type = Type::truth;
@@ -43,13 +43,13 @@ constexpr auto field_rows = []<std::size_t... I>(std::index_sequence<I...>) {
 (std::make_index_sequence<field_count<E>>{});
 
 struct KindRow {
-  KindText text;
+  Description description;
   std::span<const FieldOfKind> fields;
 };
-#define ZSTEP_ROW(E) KindRow{kind_text<E>, field_rows<E>},
+#define ZSTEP_ROW(E) KindRow{description_of<E>, field_rows<E>},
 constexpr std::array<KindRow, kind_count> kinds{{ZSTEP_EVERY_KIND(ZSTEP_ROW)}};
 #undef ZSTEP_ROW
-#define ZSTEP_NAME(E) kind_text<E>.name,
+#define ZSTEP_NAME(E) description_of<E>.name,
 constexpr std::array<std::string_view, kind_count> names{ZSTEP_EVERY_KIND(ZSTEP_NAME)};
 #undef ZSTEP_NAME
 
@@ -63,7 +63,7 @@ const FieldOfKind* field_of_kind(std::size_t kind, std::string_view name) {
   return nullptr;
 }
 
-const KindText& text_of_kind(std::size_t kind) { return kinds[kind].text; }
+const Description& description_of_kind(std::size_t kind) { return kinds[kind].description; }
 std::span<const std::string_view, kind_count> kind_names() { return names; }
 
 Event event_of_kind(std::size_t kind) {

@@ -15,6 +15,8 @@ namespace zstep {
 struct FieldOfKind {
   enum class Type : std::uint8_t { whole, real, truth, word };
   std::string_view name, unit, meaning;  ///< as in Field
+  Thing thing;
+  As as;
   Guess guess;
   Type type;
   std::span<const std::string_view> words;  ///< that it may be, in value order, where it is one
@@ -32,8 +34,7 @@ std::span<const FieldOfKind> fields_of_kind(std::size_t kind);
 /// The one of this name; nullptr where the kind has none.
 const FieldOfKind* field_of_kind(std::size_t kind, std::string_view name);
 
-/// What the kind is called in traces, and what it records.
-const KindText& text_of_kind(std::size_t kind);
+const Description& description_of_kind(std::size_t kind);
 /// The names of all kinds, by number.
 std::span<const std::string_view, kind_count> kind_names();
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "traces/events/description.hpp"
 #include "traces/events/field.hpp"
 
 namespace zstep {
@@ -21,51 +22,76 @@ struct AttributeInterpolate { std::int32_t x, y; double over_z, one_over_z, attr
 // clang-format on
 
 template <>
-inline constexpr KindText kind_text<BuffersClear>{"buffers_clear",
-                                                  "the frame becomes background, every depth becomes z"};
+inline constexpr Description description_of<BuffersClear>{
+    .name = "buffers_clear",
+    .meaning = "the frame becomes background, every depth becomes z",
+    .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<BuffersClear> =
-    Fields{Field{"z", &BuffersClear::z, "depth", "the depth that means nothing was drawn"}};
+    Fields{Field{"z", &BuffersClear::z, "depth", "the depth that means nothing was drawn", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<DepthInterpolate>{"depth_interpolate", "the polygon's depth at a pixel"};
+inline constexpr Description description_of<DepthInterpolate>{.name = "depth_interpolate",
+                                                              .meaning = "the polygon's depth at a pixel",
+                                                              .work = WorkKind::depths,
+                                                              .called = "depth at x = {x} on the span",
+                                                              .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<DepthInterpolate> = Fields{
-    Field{"x", &DepthInterpolate::x, "px", "column", Guess::next}, Field{"y", &DepthInterpolate::y, "px", "row"},
-    Field{"z", &DepthInterpolate::z, "depth", "depth of the polygon at the pixel's centre", Guess::formula}};
+inline constexpr auto fields_of<DepthInterpolate> =
+    Fields{Field{"x", &DepthInterpolate::x, "px", "column", As::subject, Guess::next},
+           Field{"y", &DepthInterpolate::y, "px", "row", As::subject},
+           Field{"z", &DepthInterpolate::z, "depth", "depth of the polygon at the pixel's centre", As::formula,
+                 Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<DepthCompare>{"depth_compare", "a new depth is held against the stored one"};
+inline constexpr Description description_of<DepthCompare>{.name = "depth_compare",
+                                                          .meaning = "a new depth is held against the stored one",
+                                                          .work = WorkKind::compares,
+                                                          .called = "compare at pixel ({x}, {y})",
+                                                          .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<DepthCompare> =
-    Fields{Field{"x", &DepthCompare::x, "px", "column"}, Field{"y", &DepthCompare::y, "px", "row"},
-               Field{"z", &DepthCompare::z, "depth", "the new depth"},
-               Field{"nearer", &DepthCompare::nearer, "1",
-                     "it wins: smaller than the stored one, or greater, or also equal, as the trace declares"}};
+inline constexpr auto fields_of<DepthCompare> = Fields{
+    Field{"x", &DepthCompare::x, "px", "column", As::subject}, Field{"y", &DepthCompare::y, "px", "row", As::subject},
+    Field{"z", &DepthCompare::z, "depth", "the new depth", As::formula},
+    Field{"nearer", &DepthCompare::nearer, "1",
+          "it wins: smaller than the stored one, or greater, or also equal, as the trace declares", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<DepthWrite>{"depth_write", "the depth buffer takes a depth"};
+inline constexpr Description description_of<DepthWrite>{.name = "depth_write",
+                                                        .meaning = "the depth buffer takes a depth",
+                                                        .work = WorkKind::writes,
+                                                        .called = "depth written at pixel ({x}, {y})",
+                                                        .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<DepthWrite> =
-    Fields{Field{"x", &DepthWrite::x, "px", "column"}, Field{"y", &DepthWrite::y, "px", "row"},
-               Field{"z", &DepthWrite::z, "depth", "the depth stored"}};
+inline constexpr auto fields_of<DepthWrite> = Fields{
+    Field{"x", &DepthWrite::x, "px", "column", As::subject}, Field{"y", &DepthWrite::y, "px", "row", As::subject},
+    Field{"z", &DepthWrite::z, "depth", "the depth stored", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<PixelWrite>{"pixel_write", "the framebuffer takes a polygon's colour"};
+inline constexpr Description description_of<PixelWrite>{.name = "pixel_write",
+                                                        .meaning = "the framebuffer takes a polygon's colour",
+                                                        .work = WorkKind::writes,
+                                                        .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<PixelWrite> =
-    Fields{Field{"x", &PixelWrite::x, "px", "column"}, Field{"y", &PixelWrite::y, "px", "row"},
-               Field{"polygon", &PixelWrite::polygon, "index", "the polygon whose colour is stored"}};
+inline constexpr auto fields_of<PixelWrite> = Fields{
+    Field{"x", &PixelWrite::x, "px", "column", As::subject}, Field{"y", &PixelWrite::y, "px", "row", As::subject},
+    Field{"polygon", &PixelWrite::polygon, "index", "the polygon whose colour is stored", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<AttributeInterpolate>{"attribute_interpolate",
-                                                          "the attribute of a polygon's vertices at a pixel"};
+inline constexpr Description description_of<AttributeInterpolate>{
+    .name = "attribute_interpolate",
+    .meaning = "the attribute of a polygon's vertices at a pixel",
+    .work = WorkKind::depths,
+    .called = "attribute at pixel ({x}, {y})",
+    .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<AttributeInterpolate> =
-    Fields{Field{"x", &AttributeInterpolate::x, "px", "column"}, Field{"y", &AttributeInterpolate::y, "px", "row"},
-           Field{"over_z", &AttributeInterpolate::over_z, "1", "a/z_v, interpolated; a itself where that is"},
-           Field{"one_over_z", &AttributeInterpolate::one_over_z, "1", "1/z_v, interpolated; 1 where a itself is"},
-           Field{"attribute", &AttributeInterpolate::attribute, "1", "a: their quotient"}};
+inline constexpr auto fields_of<AttributeInterpolate> = Fields{
+    Field{"x", &AttributeInterpolate::x, "px", "column", As::subject},
+    Field{"y", &AttributeInterpolate::y, "px", "row", As::subject},
+    Field{"over_z", &AttributeInterpolate::over_z, "1", "a/z_v, interpolated; a itself where that is", As::formula},
+    Field{"one_over_z", &AttributeInterpolate::one_over_z, "1", "1/z_v, interpolated; 1 where a itself is",
+          As::formula},
+    Field{"attribute", &AttributeInterpolate::attribute, "1", "a: their quotient", As::formula}};
 
 // --- Without a compare, in colours of their own, in two passes
 
@@ -85,53 +111,68 @@ struct ShadowCompare { std::int32_t x, y; double x_light, y_light, z_light; bool
 // clang-format on
 
 template <>
-inline constexpr KindText kind_text<PixelPaint>{"pixel_paint",
-                                                "the frame takes a polygon's colour without a compare; its depth is "
-                                                "kept beside it, so that methods can be compared"};
+inline constexpr Description description_of<PixelPaint>{.name = "pixel_paint",
+                                                        .meaning =
+                                                            "the frame takes a polygon's colour without a compare; its "
+                                                            "depth is kept beside it, so that methods can be compared",
+                                                        .work = WorkKind::writes,
+                                                        .called = "pixel ({x}, {y}) painted with {polygon}",
+                                                        .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<PixelPaint> =
-    Fields{Field{"x", &PixelPaint::x, "px", "column", Guess::next}, Field{"y", &PixelPaint::y, "px", "row"},
-               Field{"z", &PixelPaint::z, "depth", "depth of the polygon at the pixel's centre", Guess::formula},
-               Field{"polygon", &PixelPaint::polygon, "index", "the polygon whose colour is stored"}};
+inline constexpr auto fields_of<PixelPaint> = Fields{
+    Field{"x", &PixelPaint::x, "px", "column", As::subject, Guess::next},
+    Field{"y", &PixelPaint::y, "px", "row", As::subject},
+    Field{"z", &PixelPaint::z, "depth", "depth of the polygon at the pixel's centre", As::formula, Guess::formula},
+    Field{"polygon", &PixelPaint::polygon, "index", "the polygon whose colour is stored", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<ColorWrite>{"color_write", "the frame takes a colour that is not a polygon's own"};
+inline constexpr Description description_of<ColorWrite>{
+    .name = "color_write",
+    .meaning = "the frame takes a colour that is not a polygon's own",
+    .work = WorkKind::writes,
+    .within = Within::curve};
 template <>
-inline constexpr auto fields_of<ColorWrite> =
-    Fields{Field{"x", &ColorWrite::x, "px", "column"}, Field{"y", &ColorWrite::y, "px", "row"},
-               Field{"r8", &ColorWrite::r8, "1", "red, 0 to 255"}, Field{"g8", &ColorWrite::g8, "1", "green"},
-               Field{"b8", &ColorWrite::b8, "1", "blue"}};
+inline constexpr auto fields_of<ColorWrite> = Fields{
+    Field{"x", &ColorWrite::x, "px", "column", As::subject}, Field{"y", &ColorWrite::y, "px", "row", As::subject},
+    Field{"r8", &ColorWrite::r8, "1", "red, 0 to 255", As::formula},
+    Field{"g8", &ColorWrite::g8, "1", "green", As::formula}, Field{"b8", &ColorWrite::b8, "1", "blue", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<ColorBlend>{
-    "color_blend",
-    "a polygon's colour is laid over the frame's: opacity * its colour + (1 - opacity) * what was there"};
+inline constexpr Description description_of<ColorBlend>{
+    .name = "color_blend",
+    .meaning = "a polygon's colour is laid over the frame's: opacity * its colour + (1 - opacity) * what was there",
+    .work = WorkKind::writes};
 template <>
 inline constexpr auto fields_of<ColorBlend> =
-    Fields{Field{"x", &ColorBlend::x, "px", "column"},
-               Field{"y", &ColorBlend::y, "px", "row"},
-               Field{"polygon", &ColorBlend::polygon, "index", "the polygon"},
-               Field{"opacity", &ColorBlend::opacity, "1", "0 to 1"},
-               Field{"r8", &ColorBlend::r8, "1", "red that results, 0 to 255"},
-               Field{"g8", &ColorBlend::g8, "1", "green"},
-               Field{"b8", &ColorBlend::b8, "1", "blue"}};
+    Fields{Field{"x", &ColorBlend::x, "px", "column", As::subject},
+           Field{"y", &ColorBlend::y, "px", "row", As::subject},
+           Field{"polygon", &ColorBlend::polygon, "index", "the polygon", As::formula | As::subject},
+           Field{"opacity", &ColorBlend::opacity, "1", "0 to 1", As::formula},
+           Field{"r8", &ColorBlend::r8, "1", "red that results, 0 to 255", As::formula},
+           Field{"g8", &ColorBlend::g8, "1", "green", As::formula},
+           Field{"b8", &ColorBlend::b8, "1", "blue", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<PassBegin>{
-    "pass_begin", "the scene is drawn as the eye or as the light sees it; the buffers are that one's from here on"};
+inline constexpr Description description_of<PassBegin>{
+    .name = "pass_begin",
+    .meaning = "the scene is drawn as the eye or as the light sees it; the buffers are that one's from here on",
+    .work = WorkKind::bookkeeping};
 template <>
-inline constexpr auto fields_of<PassBegin> = Fields{Field{"pass", &PassBegin::pass, "1", "whose"}};
+inline constexpr auto fields_of<PassBegin> = Fields{Field{"pass", &PassBegin::pass, "1", "whose", As::subject}};
 
 template <>
-inline constexpr KindText kind_text<ShadowCompare>{"shadow_compare",
-                                                   "a point that the eye sees is held against the shadow buffer"};
+inline constexpr Description description_of<ShadowCompare>{
+    .name = "shadow_compare",
+    .meaning = "a point that the eye sees is held against the shadow buffer",
+    .work = WorkKind::compares,
+    .called = "pixel ({x}, {y}) as the light sees it"};
 template <>
 inline constexpr auto fields_of<ShadowCompare> =
-    Fields{Field{"x", &ShadowCompare::x, "px", "column of the eye's picture"},
-               Field{"y", &ShadowCompare::y, "px", "its row"},
-               Field{"x_light", &ShadowCompare::x_light, "px", "column in the light's picture, not rounded"},
-               Field{"y_light", &ShadowCompare::y_light, "px", "row there"},
-               Field{"z_light", &ShadowCompare::z_light, "depth", "depth of the point as the light sees it"},
-               Field{"lit", &ShadowCompare::lit, "1", "nothing lies before it"}};
+    Fields{Field{"x", &ShadowCompare::x, "px", "column of the eye's picture", As::subject},
+           Field{"y", &ShadowCompare::y, "px", "its row", As::subject},
+           Field{"x_light", &ShadowCompare::x_light, "px", "column in the light's picture, not rounded", As::formula},
+           Field{"y_light", &ShadowCompare::y_light, "px", "row there", As::formula},
+           Field{"z_light", &ShadowCompare::z_light, "depth", "depth of the point as the light sees it", As::formula},
+           Field{"lit", &ShadowCompare::lit, "1", "nothing lies before it", As::formula}};
 
 }  // namespace zstep

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "traces/events/description.hpp"
 #include "traces/events/field.hpp"
 
 namespace zstep {
@@ -33,71 +34,98 @@ struct OutlineVertex { std::int32_t vertex; };
 // clang-format on
 
 template <>
-inline constexpr KindText kind_text<PolygonBegin>{"polygon_begin", "work on a polygon begins"};
+inline constexpr Description description_of<PolygonBegin>{.name = "polygon_begin",
+                                                          .meaning = "work on a polygon begins",
+                                                          .work = WorkKind::bookkeeping,
+                                                          .begins = {Unit::polygon, "polygon"}};
 template <>
 inline constexpr auto fields_of<PolygonBegin> =
-    Fields{Field{"polygon", &PolygonBegin::polygon, "index", "the polygon, in file order", Guess::told},
-               Field{"facet", &PolygonBegin::facet, "index", "the planar piece of it", Guess::told}};
+    Fields{Field{"polygon", &PolygonBegin::polygon, "index", "the polygon, in file order", As::subject, Guess::told},
+           Field{"facet", &PolygonBegin::facet, "index", "the planar piece of it", As::aside, Guess::told}};
 
 template <>
-inline constexpr KindText kind_text<FacingTest>{"facing_test",
-                                                "the back-face test, in the four formulations of the notes"};
+inline constexpr Description description_of<FacingTest>{
+    .name = "facing_test",
+    .meaning = "the back-face test, in the four formulations of the notes",
+    .work = WorkKind::tests,
+    .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<FacingTest> = Fields{
-    Field{"determinant", &FacingTest::determinant, "view^3",
-          "V0 . (V1 x V2) summed over the fan, in viewing coordinates; negative faces away", Guess::formula},
-    Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3", "A x + B y + C z + D at the eye; negative faces away",
-          Guess::formula},
-    Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away",
-          Guess::formula},
-    Field{"projected_normal_z", &FacingTest::projected_normal_z, "px^2",
-          "z of the normal after projection; positive faces away; NaN with a vertex behind the eye", Guess::formula},
-    Field{"facing", &FacingTest::facing, "1", "the verdict", Guess::formula}};
+inline constexpr auto fields_of<FacingTest> =
+    Fields{Field{"determinant", &FacingTest::determinant, "view^3",
+                 "V0 . (V1 x V2) summed over the fan, in viewing coordinates; negative faces away", As::formula,
+                 Guess::formula},
+           Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3",
+                 "A x + B y + C z + D at the eye; negative faces away", As::formula, Guess::formula},
+           Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away",
+                 As::formula, Guess::formula},
+           Field{"projected_normal_z", &FacingTest::projected_normal_z, "px^2",
+                 "z of the normal after projection; positive faces away; NaN with a vertex behind the eye", As::formula,
+                 Guess::formula},
+           Field{"facing", &FacingTest::facing, "1", "the verdict", As::formula, Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<PolygonReject>{"polygon_reject",
-                                                   "a polygon is dropped before it reaches the raster"};
+inline constexpr Description description_of<PolygonReject>{
+    .name = "polygon_reject",
+    .meaning = "a polygon is dropped before it reaches the raster",
+    .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<PolygonReject> =
-    Fields{Field{"polygon", &PolygonReject::polygon, "index", "the polygon"},
-               Field{"reason", &PolygonReject::reason, "1", "why", Guess::told}};
+    Fields{Field{"polygon", &PolygonReject::polygon, "index", "the polygon", As::subject},
+           Field{"reason", &PolygonReject::reason, "1", "why", As::input, Guess::told}};
 
 template <>
-inline constexpr KindText kind_text<ClipTest>{"clip_test", "the outcodes of a polygon's vertices, or-ed and and-ed"};
+inline constexpr Description description_of<ClipTest>{
+    .name = "clip_test",
+    .meaning = "the outcodes of a polygon's vertices, or-ed and and-ed",
+    .work = WorkKind::tests,
+    .within = Within::polygon};
 template <>
 inline constexpr auto fields_of<ClipTest> = Fields{
     Field{"outside_some", &ClipTest::outside_some, "bits",
-          "bit k: some vertex is outside plane k (near, far, left, right, bottom, top)", Guess::formula},
-    Field{"outside_all", &ClipTest::outside_all, "bits", "bit k: all vertices are outside plane k", Guess::formula}};
+          "bit k: some vertex is outside plane k (near, far, left, right, bottom, top)", As::formula, Guess::formula},
+    Field{"outside_all", &ClipTest::outside_all, "bits", "bit k: all vertices are outside plane k", As::formula,
+          Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<ClipVertex>{"clip_vertex", "a vertex is held against one plane of the view volume"};
+inline constexpr Description description_of<ClipVertex>{
+    .name = "clip_vertex",
+    .meaning = "a vertex is held against one plane of the view volume",
+    .work = WorkKind::tests,
+    .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<ClipVertex> = Fields{
-    Field{"plane", &ClipVertex::plane, "1", "the plane"}, Field{"vertex", &ClipVertex::vertex, "index", "the vertex"},
-    Field{"distance", &ClipVertex::distance, "clip",
-          "z_v - near, far - z_v, w_c + x_c and so on; not negative is inside"},
-    Field{"inside", &ClipVertex::inside, "1", "kept"}};
+inline constexpr auto fields_of<ClipVertex> =
+    Fields{Field{"plane", &ClipVertex::plane, "1", "the plane", As::subject},
+           Field{"vertex", &ClipVertex::vertex, vertex_index, "the vertex", As::subject},
+           Field{"distance", &ClipVertex::distance, "clip",
+                 "z_v - near, far - z_v, w_c + x_c and so on; not negative is inside", As::formula},
+           Field{"inside", &ClipVertex::inside, "1", "kept", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<ClipCross>{"clip_cross",
-                                               "an edge crosses a plane of the view volume and gets a new vertex"};
+inline constexpr Description description_of<ClipCross>{
+    .name = "clip_cross",
+    .meaning = "an edge crosses a plane of the view volume and gets a new vertex",
+    .work = WorkKind::cuts,
+    .called = "vertex {vertex}, made where the edge from {vertex_inside} to {vertex_outside} is clipped",
+    .within = Within::polygon};
 template <>
 inline constexpr auto fields_of<ClipCross> =
-    Fields{Field{"plane", &ClipCross::plane, "1", "the plane"},
-               Field{"vertex_inside", &ClipCross::vertex_inside, "index", "the end that is kept"},
-               Field{"vertex_outside", &ClipCross::vertex_outside, "index", "the end that is cut off"},
-               Field{"t", &ClipCross::t, "1", "d_in / (d_in - d_out), from the kept end"},
-               Field{"vertex", &ClipCross::vertex, "index", "the new vertex", Guess::next},
-               Field{"x_v", &ClipCross::x_v, "view", "its viewing coordinates"},
-               Field{"y_v", &ClipCross::y_v, "view", "its viewing coordinates"},
-               Field{"z_v", &ClipCross::z_v, "view", "its viewing coordinates"}};
+    Fields{Field{"plane", &ClipCross::plane, "1", "the plane", As::subject},
+           Field{"vertex_inside", &ClipCross::vertex_inside, vertex_index, "the end that is kept", As::subject},
+           Field{"vertex_outside", &ClipCross::vertex_outside, vertex_index, "the end that is cut off", As::subject},
+           Field{"t", &ClipCross::t, "1", "d_in / (d_in - d_out), from the kept end", As::formula},
+           Field{"vertex", &ClipCross::vertex, vertex_index, "the new vertex", As::made, Guess::next},
+           Field{"x_v", &ClipCross::x_v, "view", "its viewing coordinates", As::formula},
+           Field{"y_v", &ClipCross::y_v, "view", "its viewing coordinates", As::formula},
+           Field{"z_v", &ClipCross::z_v, "view", "its viewing coordinates", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<OutlineVertex>{"outline_vertex",
-                                                   "a vertex of the polygon as it is drawn, after clipping"};
+inline constexpr Description description_of<OutlineVertex>{
+    .name = "outline_vertex",
+    .meaning = "a vertex of the polygon as it is drawn, after clipping",
+    .work = WorkKind::bookkeeping,
+    .within = Within::polygon};
 template <>
 inline constexpr auto fields_of<OutlineVertex> =
-    Fields{Field{"vertex", &OutlineVertex::vertex, "index", "the vertex", Guess::told}};
+    Fields{Field{"vertex", &OutlineVertex::vertex, vertex_index, "the vertex", As::subject, Guess::told}};
 
 }  // namespace zstep

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "traces/events/description.hpp"
 #include "traces/events/field.hpp"
 
 namespace zstep {
@@ -31,112 +32,150 @@ struct RayEnd { std::int32_t ray, nearest_facet; double t; std::int32_t tests; d
 // clang-format on
 
 template <>
-inline constexpr KindText kind_text<BoxMake>{"box_make", "a box of a hierarchy of boxes, or the box of one facet"};
+inline constexpr Description description_of<BoxMake>{
+    .name = "box_make",
+    .meaning = "a box of a hierarchy of boxes, or the box of one facet",
+    .work = WorkKind::planes,
+    .called = "box {box}",
+    .after_polygons = true};
 template <>
-inline constexpr auto fields_of<BoxMake> = Fields{
-    Field{"box", &BoxMake::box, "index", "the box, numbered in the order in which boxes are made", Guess::next},
-    Field{"parent", &BoxMake::parent, "index", "the box around it, -1 if there is none"},
-    Field{"x_min", &BoxMake::x_min, "world", "its least x"},
-    Field{"x_max", &BoxMake::x_max, "world", "its greatest x"},
-    Field{"y_min", &BoxMake::y_min, "world", "its least y"},
-    Field{"y_max", &BoxMake::y_max, "world", "its greatest y"},
-    Field{"z_min", &BoxMake::z_min, "world", "its least z"},
-    Field{"z_max", &BoxMake::z_max, "world", "its greatest z"}};
+inline constexpr auto fields_of<BoxMake> =
+    Fields{Field{"box", &BoxMake::box, box_index, "the box, numbered in the order in which boxes are made", As::made,
+                 Guess::next},
+           Field{"parent", &BoxMake::parent, box_index, "the box around it, -1 if there is none", As::subject},
+           Field{"x_min", &BoxMake::x_min, "world", "its least x", As::recorded},
+           Field{"x_max", &BoxMake::x_max, "world", "its greatest x", As::recorded},
+           Field{"y_min", &BoxMake::y_min, "world", "its least y", As::recorded},
+           Field{"y_max", &BoxMake::y_max, "world", "its greatest y", As::recorded},
+           Field{"z_min", &BoxMake::z_min, "world", "its least z", As::recorded},
+           Field{"z_max", &BoxMake::z_max, "world", "its greatest z", As::recorded}};
 
 template <>
-inline constexpr KindText kind_text<BoxHold>{"box_hold", "a facet is in a box, and in no box inside it"};
+inline constexpr Description description_of<BoxHold>{
+    .name = "box_hold", .meaning = "a facet is in a box, and in no box inside it", .work = WorkKind::bookkeeping};
 template <>
-inline constexpr auto fields_of<BoxHold> =
-    Fields{Field{"box", &BoxHold::box, "index", "the box"}, Field{"facet", &BoxHold::facet, "index", "the facet"}};
+inline constexpr auto fields_of<BoxHold> = Fields{Field{"box", &BoxHold::box, box_index, "the box", As::subject},
+                                                  Field{"facet", &BoxHold::facet, "index", "the facet", As::subject}};
 
 template <>
-inline constexpr KindText kind_text<GridMake>{"grid_make", "space is divided into equal cells"};
+inline constexpr Description description_of<GridMake>{.name = "grid_make",
+                                                      .meaning = "space is divided into equal cells",
+                                                      .work = WorkKind::planes,
+                                                      .after_polygons = true};
 template <>
-inline constexpr auto fields_of<GridMake> = Fields{Field{"cells_x", &GridMake::cells_x, "1", "cells along x"},
-                                                       Field{"cells_y", &GridMake::cells_y, "1", "cells along y"},
-                                                       Field{"cells_z", &GridMake::cells_z, "1", "cells along z"},
-                                                       Field{"x_min", &GridMake::x_min, "world", "least x"},
-                                                       Field{"x_max", &GridMake::x_max, "world", "greatest x"},
-                                                       Field{"y_min", &GridMake::y_min, "world", "least y"},
-                                                       Field{"y_max", &GridMake::y_max, "world", "greatest y"},
-                                                       Field{"z_min", &GridMake::z_min, "world", "least z"},
-                                                       Field{"z_max", &GridMake::z_max, "world", "greatest z"}};
+inline constexpr auto fields_of<GridMake> =
+    Fields{Field{"cells_x", &GridMake::cells_x, "1", "cells along x", As::recorded},
+           Field{"cells_y", &GridMake::cells_y, "1", "cells along y", As::recorded},
+           Field{"cells_z", &GridMake::cells_z, "1", "cells along z", As::recorded},
+           Field{"x_min", &GridMake::x_min, "world", "least x", As::recorded},
+           Field{"x_max", &GridMake::x_max, "world", "greatest x", As::recorded},
+           Field{"y_min", &GridMake::y_min, "world", "least y", As::recorded},
+           Field{"y_max", &GridMake::y_max, "world", "greatest y", As::recorded},
+           Field{"z_min", &GridMake::z_min, "world", "least z", As::recorded},
+           Field{"z_max", &GridMake::z_max, "world", "greatest z", As::recorded}};
 
 template <>
-inline constexpr KindText kind_text<CellHold>{"cell_hold", "a facet meets a cell"};
+inline constexpr Description description_of<CellHold>{
+    .name = "cell_hold", .meaning = "a facet meets a cell", .work = WorkKind::bookkeeping};
 template <>
-inline constexpr auto fields_of<CellHold> = Fields{Field{"cell_x", &CellHold::cell_x, "index", "the cell along x"},
-                                                       Field{"cell_y", &CellHold::cell_y, "index", "along y"},
-                                                       Field{"cell_z", &CellHold::cell_z, "index", "along z"},
-                                                       Field{"facet", &CellHold::facet, "index", "the facet"}};
+inline constexpr auto fields_of<CellHold> =
+    Fields{Field{"cell_x", &CellHold::cell_x, "index", "the cell along x", As::subject},
+           Field{"cell_y", &CellHold::cell_y, "index", "along y", As::subject},
+           Field{"cell_z", &CellHold::cell_z, "index", "along z", As::subject},
+           Field{"facet", &CellHold::facet, "index", "the facet", As::subject}};
 
 template <>
-inline constexpr KindText kind_text<RayBegin>{"ray_begin", "a ray is cast: X = X_0 + t dX"};
+inline constexpr Description description_of<RayBegin>{.name = "ray_begin",
+                                                      .meaning = "a ray is cast: X = X_0 + t dX",
+                                                      .work = WorkKind::planes,
+                                                      .called = "{role} ray {ray} of pixel ({x}, {y})",
+                                                      .begins = {Unit::pixel, "pixel"},
+                                                      .after_polygons = true};
 template <>
-inline constexpr auto fields_of<RayBegin> =
-    Fields{Field{"ray", &RayBegin::ray, "index", "the ray, numbered in the order of work", Guess::next},
-               Field{"parent", &RayBegin::parent, "index", "the ray it comes from, -1 for a ray from the eye"},
-               Field{"role", &RayBegin::role, "1", "why it is cast"},
-               Field{"x", &RayBegin::x, "px", "column of the pixel it is cast for", Guess::next},
-               Field{"y", &RayBegin::y, "px", "row of that pixel"},
-               Field{"x_0", &RayBegin::x_0, "world", "where t = 0"},
-               Field{"y_0", &RayBegin::y_0, "world", "where t = 0"},
-               Field{"z_0", &RayBegin::z_0, "world", "where t = 0"},
-               Field{"dir_x", &RayBegin::dir_x, "world", "dX"},
-               Field{"dir_y", &RayBegin::dir_y, "world", "dY"},
-               Field{"dir_z", &RayBegin::dir_z, "world", "dZ"}};
+inline constexpr auto fields_of<RayBegin> = Fields{
+    Field{"ray", &RayBegin::ray, ray_index, "the ray, numbered in the order of work", As::made, Guess::next},
+    Field{"parent", &RayBegin::parent, ray_index, "the ray it comes from, -1 for a ray from the eye", As::subject},
+    Field{"role", &RayBegin::role, "1", "why it is cast", As::subject},
+    Field{"x", &RayBegin::x, "px", "column of the pixel it is cast for", As::subject, Guess::next},
+    Field{"y", &RayBegin::y, "px", "row of that pixel", As::subject},
+    Field{"x_0", &RayBegin::x_0, "world", "where t = 0", As::formula},
+    Field{"y_0", &RayBegin::y_0, "world", "where t = 0", As::formula},
+    Field{"z_0", &RayBegin::z_0, "world", "where t = 0", As::formula},
+    Field{"dir_x", &RayBegin::dir_x, "world", "dX", As::formula},
+    Field{"dir_y", &RayBegin::dir_y, "world", "dY", As::formula},
+    Field{"dir_z", &RayBegin::dir_z, "world", "dZ", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<CellVisit>{"cell_visit", "the ray enters a cell"};
+inline constexpr Description description_of<CellVisit>{.name = "cell_visit",
+                                                       .meaning = "the ray enters a cell",
+                                                       .work = WorkKind::tests,
+                                                       .called = "the ray in cell ({cell_x}, {cell_y}, {cell_z})",
+                                                       .within = Within::ray};
 template <>
-inline constexpr auto fields_of<CellVisit> = Fields{
-    Field{"cell_x", &CellVisit::cell_x, "index", "the cell along x"},
-    Field{"cell_y", &CellVisit::cell_y, "index", "along y"}, Field{"cell_z", &CellVisit::cell_z, "index", "along z"},
-    Field{"t_enter", &CellVisit::t_enter, "1", "t where it enters"},
-    Field{"t_leave", &CellVisit::t_leave, "1", "t where it leaves"}};
+inline constexpr auto fields_of<CellVisit> =
+    Fields{Field{"cell_x", &CellVisit::cell_x, "index", "the cell along x", As::subject},
+           Field{"cell_y", &CellVisit::cell_y, "index", "along y", As::subject},
+           Field{"cell_z", &CellVisit::cell_z, "index", "along z", As::subject},
+           Field{"t_enter", &CellVisit::t_enter, "1", "t where it enters", As::formula},
+           Field{"t_leave", &CellVisit::t_leave, "1", "t where it leaves", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<BoxTest>{"box_test", "the ray is held against a box"};
+inline constexpr Description description_of<BoxTest>{.name = "box_test",
+                                                     .meaning = "the ray is held against a box",
+                                                     .work = WorkKind::tests,
+                                                     .called = "the ray against box {box}",
+                                                     .within = Within::ray};
 template <>
 inline constexpr auto fields_of<BoxTest> =
-    Fields{Field{"box", &BoxTest::box, "index", "the box"},
-               Field{"t_enter", &BoxTest::t_enter, "1", "t where it enters the slabs"},
-               Field{"t_leave", &BoxTest::t_leave, "1", "t where it leaves them"},
-               Field{"hit", &BoxTest::hit, "1", "there is something to be found inside"}};
+    Fields{Field{"box", &BoxTest::box, box_index, "the box", As::subject},
+           Field{"t_enter", &BoxTest::t_enter, "1", "t where it enters the slabs", As::formula},
+           Field{"t_leave", &BoxTest::t_leave, "1", "t where it leaves them", As::formula},
+           Field{"hit", &BoxTest::hit, "1", "there is something to be found inside", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<RayPlane>{
-    "ray_plane", "the ray meets the plane of a facet: t = -(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ)"};
+inline constexpr Description description_of<RayPlane>{
+    .name = "ray_plane",
+    .meaning = "the ray meets the plane of a facet: t = -(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ)",
+    .work = WorkKind::tests,
+    .called = "the ray against the plane of {facet}",
+    .within = Within::ray};
 template <>
 inline constexpr auto fields_of<RayPlane> =
-    Fields{Field{"facet", &RayPlane::facet, "index", "the facet", Guess::next},
-               Field{"numerator", &RayPlane::numerator, "1", "-(A X_0 + B Y_0 + C Z_0 + D)", Guess::formula},
-               Field{"denominator", &RayPlane::denominator, "1", "A dX + B dY + C dZ", Guess::formula},
-               Field{"t", &RayPlane::t, "1", "t; NaN when the ray runs along the plane", Guess::formula}};
+    Fields{Field{"facet", &RayPlane::facet, "index", "the facet", As::subject, Guess::next},
+           Field{"numerator", &RayPlane::numerator, "1", "-(A X_0 + B Y_0 + C Z_0 + D)", As::formula, Guess::formula},
+           Field{"denominator", &RayPlane::denominator, "1", "A dX + B dY + C dZ", As::formula, Guess::formula},
+           Field{"t", &RayPlane::t, "1", "t; NaN when the ray runs along the plane", As::formula, Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<RayHit>{
-    "ray_hit", "the point where the ray meets a plane is held against the facet's outline"};
+inline constexpr Description description_of<RayHit>{
+    .name = "ray_hit",
+    .meaning = "the point where the ray meets a plane is held against the facet's outline",
+    .work = WorkKind::tests,
+    .called = "the point on the plane of {facet}",
+    .within = Within::ray};
 template <>
 inline constexpr auto fields_of<RayHit> =
-    Fields{Field{"facet", &RayHit::facet, "index", "the facet"},
-               Field{"t", &RayHit::t, "1", "t", Guess::formula},
-               Field{"x_hit", &RayHit::x_hit, "world", "the point", Guess::formula},
-               Field{"y_hit", &RayHit::y_hit, "world", "the point", Guess::formula},
-               Field{"z_hit", &RayHit::z_hit, "world", "the point", Guess::formula},
-               Field{"inside", &RayHit::inside, "1", "it lies inside the outline"},
-               Field{"nearest", &RayHit::nearest, "1", "it is nearer than any before"}};
+    Fields{Field{"facet", &RayHit::facet, "index", "the facet", As::subject},
+           Field{"t", &RayHit::t, "1", "t", As::formula, Guess::formula},
+           Field{"x_hit", &RayHit::x_hit, "world", "the point", As::formula, Guess::formula},
+           Field{"y_hit", &RayHit::y_hit, "world", "the point", As::formula, Guess::formula},
+           Field{"z_hit", &RayHit::z_hit, "world", "the point", As::formula, Guess::formula},
+           Field{"inside", &RayHit::inside, "1", "it lies inside the outline", As::formula},
+           Field{"nearest", &RayHit::nearest, "1", "it is nearer than any before", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<RayEnd>{"ray_end", "all that the ray can meet has been tested"};
+inline constexpr Description description_of<RayEnd>{.name = "ray_end",
+                                                    .meaning = "all that the ray can meet has been tested",
+                                                    .work = WorkKind::bookkeeping,
+                                                    .called = "ray {ray} ends"};
 template <>
 inline constexpr auto fields_of<RayEnd> =
-    Fields{Field{"ray", &RayEnd::ray, "index", "the ray"},
-               Field{"nearest_facet", &RayEnd::nearest_facet, "index", "the facet it meets first, -1 if none"},
-               Field{"t", &RayEnd::t, "1", "t there"},
-               Field{"tests", &RayEnd::tests, "1", "facets it was tested against"},
-               Field{"red", &RayEnd::red, "1", "what it brings back, 0 to 1"},
-               Field{"green", &RayEnd::green, "1", "what it brings back"},
-               Field{"blue", &RayEnd::blue, "1", "what it brings back"}};
+    Fields{Field{"ray", &RayEnd::ray, ray_index, "the ray", As::subject},
+           Field{"nearest_facet", &RayEnd::nearest_facet, "index", "the facet it meets first, -1 if none", As::formula},
+           Field{"t", &RayEnd::t, "1", "t there", As::formula},
+           Field{"tests", &RayEnd::tests, "1", "facets it was tested against", As::formula},
+           Field{"red", &RayEnd::red, "1", "what it brings back, 0 to 1", As::formula},
+           Field{"green", &RayEnd::green, "1", "what it brings back", As::formula},
+           Field{"blue", &RayEnd::blue, "1", "what it brings back", As::formula}};
 
 }  // namespace zstep

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "traces/events/description.hpp"
 #include "traces/events/field.hpp"
 
 namespace zstep {
@@ -35,90 +36,126 @@ struct SpanBegin {
 // clang-format on
 
 template <>
-inline constexpr KindText kind_text<EdgeTableInsert>{"edge_table_insert",
-                                                     "an edge goes into the bucket of its first scan line"};
+inline constexpr Description description_of<EdgeTableInsert>{
+    .name = "edge_table_insert",
+    .meaning = "an edge goes into the bucket of its first scan line",
+    .work = WorkKind::edges,
+    .called = "edge {edge} in the edge table, from vertex {vertex_0} to vertex {vertex_1}",
+    .either_way = true};
 template <>
 inline constexpr auto fields_of<EdgeTableInsert> = Fields{
-    Field{"edge", &EdgeTableInsert::edge, "index", "the edge, numbered in order of insertion", Guess::told},
-    Field{"polygon", &EdgeTableInsert::polygon, "index", "the polygon it bounds", Guess::told},
-    Field{"vertex_0", &EdgeTableInsert::vertex_0, "index", "its end with the smaller y", Guess::told},
-    Field{"vertex_1", &EdgeTableInsert::vertex_1, "index", "its end with the larger y", Guess::told},
-    Field{"first_row", &EdgeTableInsert::first_row, "row", "the first scan line it meets: its bucket", Guess::formula},
-    Field{"end_row", &EdgeTableInsert::end_row, "row", "the scan line at which it leaves", Guess::formula},
-    Field{"x_edge", &EdgeTableInsert::x_edge, "px", "x on the first scan line", Guess::formula},
-    Field{"dx_dy", &EdgeTableInsert::dx_dy, "px", "1/m: what x gains from line to line", Guess::formula},
-    Field{"z_edge", &EdgeTableInsert::z_edge, "depth", "depth on the first scan line", Guess::formula},
-    Field{"dz_dy", &EdgeTableInsert::dz_dy, "depth", "what depth gains from line to line", Guess::formula}};
+    Field{"edge", &EdgeTableInsert::edge, edge_index, "the edge, numbered in order of insertion", As::made,
+          Guess::told},
+    Field{"polygon", &EdgeTableInsert::polygon, "index", "the polygon it bounds", As::formula | As::subject,
+          Guess::told},
+    Field{"vertex_0", &EdgeTableInsert::vertex_0, vertex_index, "its end with the smaller y", As::subject, Guess::told},
+    Field{"vertex_1", &EdgeTableInsert::vertex_1, vertex_index, "its end with the larger y", As::subject, Guess::told},
+    Field{"first_row", &EdgeTableInsert::first_row, "row", "the first scan line it meets: its bucket", As::formula,
+          Guess::formula},
+    Field{"end_row", &EdgeTableInsert::end_row, "row", "the scan line at which it leaves", As::formula, Guess::formula},
+    Field{"x_edge", &EdgeTableInsert::x_edge, "px", "x on the first scan line", As::formula, Guess::formula},
+    Field{"dx_dy", &EdgeTableInsert::dx_dy, "px", "1/m: what x gains from line to line", As::formula, Guess::formula},
+    Field{"z_edge", &EdgeTableInsert::z_edge, "depth", "depth on the first scan line", As::formula, Guess::formula},
+    Field{"dz_dy", &EdgeTableInsert::dz_dy, "depth", "what depth gains from line to line", As::formula,
+          Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<EdgeTableSkip>{"edge_table_skip",
-                                                   "an edge meets no scan line and stays out of the table"};
+inline constexpr Description description_of<EdgeTableSkip>{
+    .name = "edge_table_skip",
+    .meaning = "an edge meets no scan line and stays out of the table",
+    .work = WorkKind::bookkeeping,
+    .within = Within::polygon,
+    .either_way = true};
 template <>
-inline constexpr auto fields_of<EdgeTableSkip> =
-    Fields{Field{"vertex_0", &EdgeTableSkip::vertex_0, "index", "one end", Guess::told},
-               Field{"vertex_1", &EdgeTableSkip::vertex_1, "index", "the other end", Guess::told},
-               Field{"why", &EdgeTableSkip::why, "1", "horizontal, or too short to meet a scan line", Guess::formula}};
+inline constexpr auto fields_of<EdgeTableSkip> = Fields{
+    Field{"vertex_0", &EdgeTableSkip::vertex_0, vertex_index, "one end", As::subject, Guess::told},
+    Field{"vertex_1", &EdgeTableSkip::vertex_1, vertex_index, "the other end", As::subject, Guess::told},
+    Field{"why", &EdgeTableSkip::why, "1", "horizontal, or too short to meet a scan line", As::input, Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<ScanLineBegin>{"scan_line_begin", "work on a scan line begins"};
+inline constexpr Description description_of<ScanLineBegin>{.name = "scan_line_begin",
+                                                           .meaning = "work on a scan line begins",
+                                                           .work = WorkKind::bookkeeping,
+                                                           .within = Within::polygon,
+                                                           .begins = {Unit::scan_line, "scan line"}};
 template <>
 inline constexpr auto fields_of<ScanLineBegin> =
-    Fields{Field{"y", &ScanLineBegin::y, "row", "the scan line", Guess::told}};
+    Fields{Field{"y", &ScanLineBegin::y, "row", "the scan line", As::subject, Guess::told}};
 
 template <>
-inline constexpr KindText kind_text<EdgeEnter>{"edge_enter",
-                                               "an edge moves from the edge table to the active edge list"};
+inline constexpr Description description_of<EdgeEnter>{
+    .name = "edge_enter",
+    .meaning = "an edge moves from the edge table to the active edge list",
+    .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<EdgeEnter> =
-    Fields{Field{"edge", &EdgeEnter::edge, "index", "the edge", Guess::told},
-           Field{"place", &EdgeEnter::place, "index", "its place in the list, from the left, from 0", Guess::formula}};
+    Fields{Field{"edge", &EdgeEnter::edge, edge_index, "the edge", As::subject, Guess::told},
+           Field{"place", &EdgeEnter::place, "index", "its place in the list, from the left, from 0", As::aside,
+                 Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<EdgeRetire>{"edge_retire", "an edge that ends leaves the active edge list"};
+inline constexpr Description description_of<EdgeRetire>{
+    .name = "edge_retire", .meaning = "an edge that ends leaves the active edge list", .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<EdgeRetire> =
-    Fields{Field{"edge", &EdgeRetire::edge, "index", "the edge", Guess::told}};
+    Fields{Field{"edge", &EdgeRetire::edge, edge_index, "the edge", As::subject, Guess::told}};
 
 template <>
-inline constexpr KindText kind_text<EdgeStep>{"edge_step", "an active edge moves to the next scan line"};
+inline constexpr Description description_of<EdgeStep>{.name = "edge_step",
+                                                      .meaning = "an active edge moves to the next scan line",
+                                                      .work = WorkKind::edges,
+                                                      .called = "active edge {edge} on scan line {scan_line}"};
 template <>
 inline constexpr auto fields_of<EdgeStep> =
-    Fields{Field{"edge", &EdgeStep::edge, "index", "the edge", Guess::told},
-           Field{"x_edge", &EdgeStep::x_edge, "px", "its x there", Guess::formula},
-           Field{"z_edge", &EdgeStep::z_edge, "depth", "its depth there", Guess::formula}};
+    Fields{Field{"edge", &EdgeStep::edge, edge_index, "the edge", As::subject, Guess::told},
+           Field{"x_edge", &EdgeStep::x_edge, "px", "its x there", As::formula, Guess::formula},
+           Field{"z_edge", &EdgeStep::z_edge, "depth", "its depth there", As::formula, Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<EdgeSwap>{"edge_swap", "two neighbours in the active edge list change places"};
+inline constexpr Description description_of<EdgeSwap>{.name = "edge_swap",
+                                                      .meaning = "two neighbours in the active edge list change places",
+                                                      .work = WorkKind::bookkeeping,
+                                                      .within = Within::polygon | Within::scan_line};
 template <>
 inline constexpr auto fields_of<EdgeSwap> =
-    Fields{Field{"place", &EdgeSwap::place, "index", "the left one of the two places"}};
+    Fields{Field{"place", &EdgeSwap::place, "index", "the left one of the two places", As::aside}};
 
 template <>
-inline constexpr KindText kind_text<PlaneSlopes>{"plane_slopes",
-                                                 "how depth changes on a polygon's plane, from three of its vertices"};
+inline constexpr Description description_of<PlaneSlopes>{
+    .name = "plane_slopes",
+    .meaning = "how depth changes on a polygon's plane, from three of its vertices",
+    .work = WorkKind::planes,
+    .called = "slopes of the plane of {polygon}"};
 template <>
 inline constexpr auto fields_of<PlaneSlopes> = Fields{
-    Field{"polygon", &PlaneSlopes::polygon, "index", "the polygon"},
-    Field{"vertex_0", &PlaneSlopes::vertex_0, "index", "the vertex from which depths are counted"},
-    Field{"vertex_1", &PlaneSlopes::vertex_1, "index", "another one"},
-    Field{"vertex_2", &PlaneSlopes::vertex_2, "index", "and a third"},
-    Field{"dz_dx", &PlaneSlopes::dz_dx, "depth", "-A/C: what depth gains from pixel to pixel"},
-    Field{"dz_dy", &PlaneSlopes::dz_dy, "depth", "-B/C: what it gains from line to line"}};
+    Field{"polygon", &PlaneSlopes::polygon, "index", "the polygon", As::subject},
+    Field{"vertex_0", &PlaneSlopes::vertex_0, vertex_index, "the vertex from which depths are counted", As::input},
+    Field{"vertex_1", &PlaneSlopes::vertex_1, vertex_index, "another one", As::input},
+    Field{"vertex_2", &PlaneSlopes::vertex_2, vertex_index, "and a third", As::input},
+    Field{"dz_dx", &PlaneSlopes::dz_dx, "depth", "-A/C: what depth gains from pixel to pixel", As::formula},
+    Field{"dz_dy", &PlaneSlopes::dz_dy, "depth", "-B/C: what it gains from line to line", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<SpanBegin>{"span_begin", "the pixels between two active edges"};
+inline constexpr Description description_of<SpanBegin>{
+    .name = "span_begin",
+    .meaning = "the pixels between two active edges",
+    .work = WorkKind::edges,
+    .called = "span of scan line {y} from edge {left_edge} to edge {right_edge}",
+    .within = Within::polygon,
+    .begins = {Unit::span, "span"}};
 template <>
-inline constexpr auto fields_of<SpanBegin> =
-    Fields{Field{"left_edge", &SpanBegin::left_edge, "index", "the edge on the left", Guess::told},
-           Field{"right_edge", &SpanBegin::right_edge, "index", "the edge on the right", Guess::told},
-           Field{"y", &SpanBegin::y, "row", "the scan line"},
-           Field{"first", &SpanBegin::first, "px", "the first pixel", Guess::formula},
-           Field{"last", &SpanBegin::last, "px", "the last pixel; smaller than the first when none lies between",
-                 Guess::formula},
-           Field{"x_left", &SpanBegin::x_left, "px", "x where the scan line meets the left edge", Guess::formula},
-           Field{"z_left", &SpanBegin::z_left, "depth", "depth there", Guess::formula},
-           Field{"x_right", &SpanBegin::x_right, "px", "x where the scan line meets the right edge", Guess::formula},
-           Field{"z_right", &SpanBegin::z_right, "depth", "depth there", Guess::formula},
-           Field{"dz_dx", &SpanBegin::dz_dx, "depth", "what depth gains from pixel to pixel", Guess::formula}};
+inline constexpr auto fields_of<SpanBegin> = Fields{
+    Field{"left_edge", &SpanBegin::left_edge, edge_index, "the edge on the left", As::input, Guess::told},
+    Field{"right_edge", &SpanBegin::right_edge, edge_index, "the edge on the right", As::input, Guess::told},
+    Field{"y", &SpanBegin::y, "row", "the scan line", As::subject},
+    Field{"first", &SpanBegin::first, "px", "the first pixel", As::formula, Guess::formula},
+    Field{"last", &SpanBegin::last, "px", "the last pixel; smaller than the first when none lies between", As::formula,
+          Guess::formula},
+    Field{"x_left", &SpanBegin::x_left, "px", "x where the scan line meets the left edge", As::formula, Guess::formula},
+    Field{"z_left", &SpanBegin::z_left, "depth", "depth there", As::formula, Guess::formula},
+    Field{"x_right", &SpanBegin::x_right, "px", "x where the scan line meets the right edge", As::formula,
+          Guess::formula},
+    Field{"z_right", &SpanBegin::z_right, "depth", "depth there", As::formula, Guess::formula},
+    Field{"dz_dx", &SpanBegin::dz_dx, "depth", "what depth gains from pixel to pixel", As::formula, Guess::formula}};
 
 }  // namespace zstep

@@ -24,7 +24,7 @@ constexpr std::size_t count_fields() {
 struct Slots {
   std::array<std::string_view, count_fields()> name{};  ///< of each slot
   std::array<std::uint16_t, 1024> by_hash{};  ///< slot + 1, at or after the place its name's hash says; 0: none
-  std::array<std::uint8_t, count_fields()> of_field{};     ///< slot of each field, by kind and then by field
+  std::array<std::uint8_t, count_fields()> of_field{};      ///< slot of each field, by kind and then by field
   std::array<std::uint16_t, kind_count + 1> first_field{};  ///< of each kind
   std::size_t size = 0;
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "traces/events/description.hpp"
 #include "traces/events/field.hpp"
 
 namespace zstep {
@@ -19,50 +20,67 @@ struct CoverageAdd { std::int32_t x, y, owner; double coverage; };
 // clang-format on
 
 template <>
-inline constexpr KindText kind_text<FlagFlip>{"flag_flip",
-                                              "the sweep crosses an edge and its polygon's in/out flag flips"};
+inline constexpr Description description_of<FlagFlip>{
+    .name = "flag_flip",
+    .meaning = "the sweep crosses an edge and its polygon's in/out flag flips",
+    .work = WorkKind::bookkeeping,
+    .within = Within::scan_line};
 template <>
 inline constexpr auto fields_of<FlagFlip> =
-    Fields{Field{"edge", &FlagFlip::edge, "index", "the edge"},
-               Field{"piece", &FlagFlip::piece, "index", "the row of the polygon table", Guess::formula},
-               Field{"inside", &FlagFlip::inside, "1", "the flag from here on", Guess::formula}};
+    Fields{Field{"edge", &FlagFlip::edge, edge_index, "the edge", As::subject},
+           Field{"piece", &FlagFlip::piece, piece_index, "the row of the polygon table", As::input, Guess::formula},
+           Field{"inside", &FlagFlip::inside, "1", "the flag from here on", As::formula, Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<SpanFlags>{
-    "span_flags", "an interval of the scan line between two crossings, and how many flags are true on it"};
+inline constexpr Description description_of<SpanFlags>{
+    .name = "span_flags",
+    .meaning = "an interval of the scan line between two crossings, and how many flags are true on it",
+    .work = WorkKind::edges,
+    .called = "interval of scan line {y}",
+    .begins = {Unit::span, "span"}};
 template <>
 inline constexpr auto fields_of<SpanFlags> =
-    Fields{Field{"y", &SpanFlags::y, "row", "the scan line"},
-           Field{"x_left", &SpanFlags::x_left, "px", "where it begins", Guess::told},
-           Field{"x_right", &SpanFlags::x_right, "px", "where it ends", Guess::told},
-           Field{"first", &SpanFlags::first, "px", "its first pixel", Guess::formula},
+    Fields{Field{"y", &SpanFlags::y, "row", "the scan line", As::subject},
+           Field{"x_left", &SpanFlags::x_left, "px", "where it begins", As::formula, Guess::told},
+           Field{"x_right", &SpanFlags::x_right, "px", "where it ends", As::formula, Guess::told},
+           Field{"first", &SpanFlags::first, "px", "its first pixel", As::formula, Guess::formula},
            Field{"last", &SpanFlags::last, "px", "its last pixel; smaller than the first when none lies between",
-                 Guess::formula},
-           Field{"flags", &SpanFlags::flags, "1", "how many flags are true", Guess::formula}};
+                 As::formula, Guess::formula},
+           Field{"flags", &SpanFlags::flags, "1", "how many flags are true", As::formula, Guess::formula}};
 
 template <>
-inline constexpr KindText kind_text<ImpliedEdge>{
-    "implied_edge", "two polygons penetrate each other: where their planes meet on this scan line"};
+inline constexpr Description description_of<ImpliedEdge>{
+    .name = "implied_edge",
+    .meaning = "two polygons penetrate each other: where their planes meet on this scan line",
+    .work = WorkKind::cuts,
+    .called = "implied edge of {piece} and {other}",
+    .within = Within::scan_line};
 template <>
-inline constexpr auto fields_of<ImpliedEdge> = Fields{
-    Field{"piece", &ImpliedEdge::piece, "index", "the one"}, Field{"other", &ImpliedEdge::other, "index", "the other"},
-    Field{"x_at", &ImpliedEdge::x_at, "px", "where the depths are equal"},
-    Field{"z", &ImpliedEdge::z, "depth", "the depth there"}};
+inline constexpr auto fields_of<ImpliedEdge> =
+    Fields{Field{"piece", &ImpliedEdge::piece, piece_index, "the one", As::subject},
+           Field{"other", &ImpliedEdge::other, piece_index, "the other", As::subject},
+           Field{"x_at", &ImpliedEdge::x_at, "px", "where the depths are equal", As::formula},
+           Field{"z", &ImpliedEdge::z, "depth", "the depth there", As::formula}};
 
 template <>
-inline constexpr KindText kind_text<SpanWinner>{"span_winner", "the polygon that is seen on an interval"};
+inline constexpr Description description_of<SpanWinner>{.name = "span_winner",
+                                                        .meaning = "the polygon that is seen on an interval",
+                                                        .work = WorkKind::tests,
+                                                        .within = Within::scan_line,
+                                                        .gives_around = "on the interval of the scan line around it"};
 template <>
 inline constexpr auto fields_of<SpanWinner> =
-    Fields{Field{"piece", &SpanWinner::piece, "index", "its row of the polygon table"},
-               Field{"first", &SpanWinner::first, "px", "the first pixel"},
-               Field{"last", &SpanWinner::last, "px", "the last pixel"}};
+    Fields{Field{"piece", &SpanWinner::piece, piece_index, "its row of the polygon table", As::input},
+           Field{"first", &SpanWinner::first, "px", "the first pixel", As::recorded | As::subject},
+           Field{"last", &SpanWinner::last, "px", "the last pixel", As::recorded}};
 
 template <>
-inline constexpr KindText kind_text<CoverageAdd>{"coverage_add", "the part of a pixel's area that a polygon covers"};
+inline constexpr Description description_of<CoverageAdd>{
+    .name = "coverage_add", .meaning = "the part of a pixel's area that a polygon covers", .work = WorkKind::writes};
 template <>
-inline constexpr auto fields_of<CoverageAdd> =
-    Fields{Field{"x", &CoverageAdd::x, "px", "column"}, Field{"y", &CoverageAdd::y, "px", "row"},
-               Field{"owner", &CoverageAdd::owner, "index", "the polygon; -1 is the background"},
-               Field{"coverage", &CoverageAdd::coverage, "1", "share of the pixel, 0 to 1"}};
+inline constexpr auto fields_of<CoverageAdd> = Fields{
+    Field{"x", &CoverageAdd::x, "px", "column", As::subject}, Field{"y", &CoverageAdd::y, "px", "row", As::subject},
+    Field{"owner", &CoverageAdd::owner, "index", "the polygon; -1 is the background", As::subject},
+    Field{"coverage", &CoverageAdd::coverage, "1", "share of the pixel, 0 to 1", As::recorded}};
 
 }  // namespace zstep

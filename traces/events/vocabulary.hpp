@@ -34,20 +34,22 @@ namespace zstep {
 
 // X(Kind) for every kind, in the order of their numbers. What follows is made from it without recursion: nearly every
 // file includes this. clang-format off
-#define ZSTEP_EVERY_KIND(X) \
-  X(BuffersClear) X(ViewTransform) X(Projection) X(ViewportTransform) X(PolygonBegin) X(FacingTest) \
-  X(PolygonReject) X(ClipTest) X(ClipVertex) X(ClipCross) X(OutlineVertex) X(EdgeTableInsert) X(EdgeTableSkip) \
-  X(ScanLineBegin) X(EdgeEnter) X(EdgeRetire) X(EdgeStep) X(EdgeSwap) X(PlaneSlopes) X(SpanBegin) X(DepthInterpolate) \
-  X(DepthCompare) X(DepthWrite) X(PixelWrite) X(AttributeInterpolate) X(PixelPaint) X(ColorWrite) X(ColorBlend) \
-  X(PassBegin) X(ShadowCompare) X(TablesBegin) X(PieceMake) X(PlaneEquation) X(Extent) X(PlaneDepth) X(VertexSide) \
-  X(SideTest) X(ExtentTest) X(OverlapTest) X(SplitVertex) X(PieceDraw) X(Saved) X(ListInsert) X(ListRemove) \
-  X(ListMark) X(PairBegin) X(RootCandidate) X(NodeMake) X(NodeAdd) X(EyeSide) X(NodeSkip) X(FlagFlip) \
-  X(SpanFlags) X(ImpliedEdge) X(SpanWinner) X(CoverageAdd) X(AreaBegin) X(AreaBin) X(AreaDecide) X(BoxMake) \
-  X(BoxHold) X(GridMake) X(CellHold) X(RayBegin) X(CellVisit) X(BoxTest) X(RayPlane) X(RayHit) X(RayEnd) \
-  X(CurveBegin) X(CurveSegment) X(HorizonTest) X(HorizonMove) X(HorizonCross) X(LineBegin) X(LineAgainst) \
-  X(LineCross) X(LineHide) X(LinePiece)
+#define ZSTEP_EVERY_KIND(X)                                                                                            \
+  X(BuffersClear)                                                                                                      \
+  X(ViewTransform) X(Projection) X(ViewportTransform) X(PolygonBegin) X(FacingTest) X(PolygonReject) X(ClipTest)       \
+      X(ClipVertex) X(ClipCross) X(OutlineVertex) X(EdgeTableInsert) X(EdgeTableSkip) X(ScanLineBegin) X(EdgeEnter)    \
+          X(EdgeRetire) X(EdgeStep) X(EdgeSwap) X(PlaneSlopes) X(SpanBegin) X(DepthInterpolate) X(DepthCompare)        \
+              X(DepthWrite) X(PixelWrite) X(AttributeInterpolate) X(PixelPaint) X(ColorWrite) X(ColorBlend)            \
+                  X(PassBegin) X(ShadowCompare) X(TablesBegin) X(PieceMake) X(PlaneEquation) X(Extent) X(PlaneDepth)   \
+                      X(VertexSide) X(SideTest) X(ExtentTest) X(OverlapTest) X(SplitVertex) X(PieceDraw) X(Saved)      \
+                          X(ListInsert) X(ListRemove) X(ListMark) X(PairBegin) X(RootCandidate) X(NodeMake) X(NodeAdd) \
+                              X(EyeSide) X(NodeSkip) X(FlagFlip) X(SpanFlags) X(ImpliedEdge) X(SpanWinner)             \
+                                  X(CoverageAdd) X(AreaBegin) X(AreaBin) X(AreaDecide) X(BoxMake) X(BoxHold)           \
+                                      X(GridMake) X(CellHold) X(RayBegin) X(CellVisit) X(BoxTest) X(RayPlane)          \
+                                          X(RayHit) X(RayEnd) X(CurveBegin) X(CurveSegment) X(HorizonTest)             \
+                                              X(HorizonMove) X(HorizonCross) X(LineBegin) X(LineAgainst) X(LineCross)  \
+                                                  X(LineHide) X(LinePiece)
 // clang-format on
-
 
 namespace detail {
 
@@ -102,8 +104,7 @@ class Event {
  public:
   Event() : Event(BuffersClear{}) {}
   template <class E>
-  requires(kind_of<E> < kind_count)
-  Event(const E& event) : kind_(kind_of<E>) {  // NOLINT: an event is any event
+  requires(kind_of<E> < kind_count) Event(const E& event) : kind_(kind_of<E>) {  // NOLINT: an event is any event
     static_assert(std::is_trivially_copyable_v<E> && alignof(E) <= alignof(double));
     ::new (static_cast<void*>(bytes_)) E(event);
   }
@@ -155,11 +156,13 @@ template <class Function, class AnyEvent>
 requires std::is_same_v<std::remove_const_t<AnyEvent>, Event>
 decltype(auto) visit_event(Function&& function, AnyEvent& event) {
   switch (static_cast<detail::KindNumber>(event.index())) {
-#define ZSTEP_CASE(E) \
-  case detail::KindNumber::E: return function(event.template as<E>());
+#define ZSTEP_CASE(E)         \
+  case detail::KindNumber::E: \
+    return function(event.template as<E>());
     ZSTEP_EVERY_KIND(ZSTEP_CASE)
 #undef ZSTEP_CASE
-    case detail::KindNumber::count: break;
+    case detail::KindNumber::count:
+      break;
   }
   detail::wrong_kind();
 }

@@ -75,12 +75,12 @@ Event event_from_json(std::uint8_t kind, const json& line) {
   for (const FieldOfKind& field : fields) {
     const auto found = line.find(std::string(field.name));
     if (found == line.end()) {
-      refuse_others(line, names, text_of_kind(kind).name);  // it is there under a misspelt name
+      refuse_others(line, names, description_of_kind(kind).name);  // it is there under a misspelt name
       throw MalformedJson(line, "", fmt::format("\"{}\" is missing ({})", field.name, field.meaning));
     }
     field.write(event, value_from(*found, field));
   }
-  if (line.size() != names.size() + 1) refuse_others(line, names, text_of_kind(kind).name);
+  if (line.size() != names.size() + 1) refuse_others(line, names, description_of_kind(kind).name);
   return event;
 }
 

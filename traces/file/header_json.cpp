@@ -170,7 +170,7 @@ ordered_json header_to_json(const Header& header) {
     entry["id"] = step.id;
     entry["module"] = step.module;
     entry["name"] = step.name;
-    entry["event"] = text_of_kind(step.kind).name;
+    entry["event"] = description_of_kind(step.kind).name;
     entry["indent"] = step.indent;
     entry["text"] = step.text;
     steps.push_back(std::move(entry));

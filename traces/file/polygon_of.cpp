@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <bitset>
 
-#include "traces/events/called.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/file/trace_impl.hpp"
 
 namespace zstep {
@@ -21,7 +21,7 @@ Kinds kinds_in(const Trace& trace) {
 /// What is about all polygons at once, after the work on each of them.
 Kinds about_all(const Kinds& recorded) {
   Kinds kinds;
-  for (std::size_t kind = 0; kind < kind_count; ++kind) kinds[kind] = after_polygons(kind);
+  for (std::size_t kind = 0; kind < kind_count; ++kind) kinds[kind] = description_of_kind(kind).after_polygons;
   if (recorded[kind_of<TablesBegin>]) kinds.set(kind_of<ScanLineBegin>);
   return kinds & recorded;
 }

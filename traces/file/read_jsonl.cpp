@@ -412,7 +412,7 @@ bool as_trace_has_it(json& line, const Page& page) {
   if (step == nullptr) return false;
   bool changed = false;
   for (const OtherWord& other : other_words) {
-    if (text_of_kind(step->kind).name != other.kind) continue;
+    if (description_of_kind(step->kind).name != other.kind) continue;
     const auto found = line.find(std::string(other.field));
     if (found == line.end() || !found->is_string() || found->get_ref<const std::string&>() != other.word) continue;
     *found = std::string(other.as), changed = true;

@@ -253,7 +253,7 @@ bool from_nothing(const E& e, const Situation& at, const diff::Difference& diffe
           differing.off <= precision.relative + 2 * precision.absolute / std::abs(value))
         return;
       // What is as long as a plane's normal may have any length.
-      const bool should_follow = formulas::origin_of(kind_of<E>, field_at<E, I>.name) == formulas::Origin::formula &&
+      const bool should_follow = has(field_at<E, I>.as, As::formula) &&
                                  !diff::as_long_as_normal(field_at<E, I>.name);
       found = found || !std::isfinite(value) || (should_follow && (given.fields >> I & 1u) == 0);
     }

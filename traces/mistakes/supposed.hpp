@@ -222,10 +222,12 @@ class Supposed {
     if (names == whole_step) return ~0u;
     std::uint32_t fields = 0;
     const std::span<const FieldOfKind> all = fields_of_kind(kind_);
-    formulas::for_each_word(names, [&](std::string_view name) {
+    while (!names.empty()) {
+      const std::size_t end = names.find(' ');
       for (std::size_t field = 0; field < all.size(); ++field)
-        if (all[field].name == name) fields |= 1u << field;
-    });
+        if (all[field].name == names.substr(0, end)) fields |= 1u << field;
+      names = end == names.npos ? std::string_view{} : names.substr(end + 1);
+    }
     return fields;
   }
   /// Is each field that is wrong among these, or follows from one of them?

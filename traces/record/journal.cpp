@@ -48,7 +48,7 @@ std::uint64_t layout_of_events() {
         all.append(name).append(" ").append(std::to_string(number));
       };
   for_each_kind([&]<class E>() {
-    tell(text, kind_text<E>.name, sizeof(E));
+    tell(text, description_of<E>.name, sizeof(E));
     const E event{};
     for_each_field<E>([&](const auto& field) {
       tell(text, field.name,

@@ -55,7 +55,6 @@ class Replay {
 
 /// Where a reader may want to go from here. `from` itself is never the answer; without one the end that way is
 /// returned.
-enum class Unit : std::uint8_t { event, pixel, span, scan_line, polygon };
 std::int64_t next_unit(const Trace& trace, std::int64_t from, Unit unit);
 std::int64_t previous_unit(const Trace& trace, std::int64_t from, Unit unit);
 

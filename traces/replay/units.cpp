@@ -4,25 +4,11 @@
 #include <iterator>
 #include <set>
 
+#include "traces/events/fields.hpp"
 #include "traces/file/records.hpp"
-#include "traces/replay/units.hpp"
+#include "traces/replay/replay.hpp"
 
 namespace zstep {
-
-const Begins& begins_with(std::size_t kind) {
-  static constexpr auto all = [] {
-    std::array<Begins, kind_count> table{};
-    table[kind_of<RayBegin>] = {Unit::pixel, "pixel"};
-    table[kind_of<SpanBegin>] = table[kind_of<SpanFlags>] = {Unit::span, "span"};
-    table[kind_of<ScanLineBegin>] = {Unit::scan_line, "scan line"};
-    table[kind_of<AreaBegin>] = {Unit::scan_line, "area"};
-    table[kind_of<LineBegin>] = {Unit::scan_line, "edge"};
-    table[kind_of<PolygonBegin>] = {Unit::polygon, "polygon"};
-    table[kind_of<CurveBegin>] = {Unit::polygon, "curve"};
-    return table;
-  }();
-  return all[kind];
-}
 
 namespace {
 
@@ -33,7 +19,7 @@ std::set<std::size_t> beginnings(const Trace& trace, Unit unit) {
   const Begins* first = nullptr;
   std::set<std::size_t> kinds;
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
-    const Begins& begins = begins_with(kind);
+    const Begins& begins = description_of_kind(kind).begins;
     if (begins.unit != unit || !records(header, kind)) continue;
     if (first == nullptr) first = &begins;
     if (begins.word == first->word) kinds.insert(kind);

@@ -1,7 +1,7 @@
 // What the link of a step is called.
 #include "sim/answers/origin/fields.hpp"
 #include "sim/answers/origin/work.hpp"
-#include "traces/events/called.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -9,9 +9,11 @@ namespace {
 std::string named(const Work& work, const Event& event, std::string_view field) {
   if (field == "scan_line") return fmt::format("{}", work.machine().scan_line.value_or(0));
   const auto number = static_cast<std::int32_t>(field_number(event, field).value_or(0));
-  if (field.starts_with("vertex")) return work.vertex_name(number);
-  if (field.ends_with("edge")) return fmt::format("e{}", number);
-  if (field == "piece" || field == "other" || field == "plane_of") return work.piece(number);
+  if (const FieldOfKind* described = field_of_kind(event.index(), field)) {
+    if (described->thing == Thing::vertex) return work.vertex_name(number);
+    if (described->thing == Thing::edge) return fmt::format("e{}", number);
+    if (described->thing == Thing::piece) return work.piece(number);
+  }
   if (field == "polygon") return work.label(number);
   if (field == "upper") return number != 0 ? "upper" : "lower";
   const auto facet = static_cast<std::size_t>(number);
@@ -24,7 +26,8 @@ std::string named(const Work& work, const Event& event, std::string_view field) 
 }  // namespace
 
 std::string what_happens(const Work& work, const Event& event) {
-  const std::string_view pattern = called(event.index());
+  const Description& description = description_of_kind(event.index());
+  const std::string_view pattern = description.called.empty() ? description.meaning : description.called;
   std::string text;
   std::size_t from = 0;
   for (std::size_t open = pattern.find('{'); open != pattern.npos; open = pattern.find('{', from)) {

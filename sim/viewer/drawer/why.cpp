@@ -13,7 +13,7 @@
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
-#include "traces/replay/units.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {
@@ -27,7 +27,7 @@ std::string place_text(const std::optional<Cell>& cell) {
 
 /// Does the step only begin work on something? Then it comes before a verdict and decides nothing.
 bool only_begins(const Event& event) {
-  const Begins& begins = begins_with(event.index());
+  const Begins& begins = description_of_kind(event.index()).begins;
   return begins.unit == Unit::polygon || begins.unit == Unit::scan_line;
 }
 

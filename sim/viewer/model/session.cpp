@@ -10,7 +10,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/file/visit.hpp"
-#include "traces/replay/units.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 /// curves in turn. Empty where none begins in it, which is found without reading its events.
 std::string_view word_in(const Trace& trace, Unit unit) {
   for (std::size_t kind = 0; kind < kind_count; ++kind)
-    if (const Begins& begins = begins_with(kind); begins.unit == unit && trace.has(static_cast<std::uint8_t>(kind)))
+    if (const Begins& begins = description_of_kind(kind).begins; begins.unit == unit && trace.has(static_cast<std::uint8_t>(kind)))
       return begins.word;
   const bool assumed = unit == Unit::pixel || (unit == Unit::polygon && !trace.polygons().empty());
   return assumed ? unit_word(unit) : "";
@@ -27,7 +27,7 @@ std::string_view word_in(const Trace& trace, Unit unit) {
 
 /// May the last event begin a unit? A pixel always may; any other unit only where a recording was cut off.
 bool may_begin(const Event& event, Unit unit) {
-  return begins_with(event.index()).unit == unit || (unit == Unit::pixel && pixel_of(event));
+  return description_of_kind(event.index()).begins.unit == unit || (unit == Unit::pixel && pixel_of(event));
 }
 
 }  // namespace

@@ -542,7 +542,7 @@ TEST_CASE("check: a number that is changed anywhere is the first cause") {
               if (numbers.empty()) return;
               const auto& [member, field] = numbers[random() % numbers.size()];
               e.*member += (random() % 2 ? 1 : -1) * std::max(std::abs(e.*member), 1.0) * 1e-6;
-              kind = kind_text<E>.name, changed_field = field;
+              kind = description_of<E>.name, changed_field = field;
               must = is_derived(kind_of<E>, field);
             },
             event);

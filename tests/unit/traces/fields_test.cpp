@@ -11,9 +11,9 @@ using namespace zstep;
 
 TEST_CASE("the table of fields reads and writes what the events hold, of every kind") {
   for_each_kind([]<class E>() {
-    CAPTURE(kind_text<E>.name);
-    CHECK(text_of_kind(kind_of<E>).meaning == kind_text<E>.meaning);
-    CHECK(kind_names()[kind_of<E>] == kind_text<E>.name);
+    CAPTURE(description_of<E>.name);
+    CHECK(description_of_kind(kind_of<E>).meaning == description_of<E>.meaning);
+    CHECK(kind_names()[kind_of<E>] == description_of<E>.name);
     CHECK(event_of_kind(kind_of<E>).index() == kind_of<E>);
     REQUIRE(fields_of_kind(kind_of<E>).size() == field_count<E>);
     for_each_index<E>([]<std::size_t I>() {

@@ -17,7 +17,7 @@ Header some_header() {
   header.title = "Z-buffer";
   for_each_kind([&]<class E>() {
     header.page.push_back(
-        {step_of(kind_of<E>), kind_of<E>, 1, "tests", std::string(kind_text<E>.name), "a line of pseudo-code: ∞ ≤ φ"});
+        {step_of(kind_of<E>), kind_of<E>, 1, "tests", std::string(description_of<E>.name), "a line of pseudo-code: ∞ ≤ φ"});
   });
   return header;
 }

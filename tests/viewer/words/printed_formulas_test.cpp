@@ -53,7 +53,7 @@ TEST_CASE(
       const Explanation told = explain(trace, replay.state(), *replay.current());
       const auto step = replay.position();
       const std::string kind(
-          visit_event([](const auto& known) { return kind_text<std::decay_t<decltype(known)>>.name; }, event));
+          visit_event([](const auto& known) { return description_of<std::decay_t<decltype(known)>>.name; }, event));
       CAPTURE(step);
       for (const std::string& line : told.formulas) {
         CAPTURE(line);

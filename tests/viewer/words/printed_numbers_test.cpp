@@ -21,7 +21,7 @@ using namespace zstep::test;
 namespace {
 
 std::string kind_name(const Event& event) {
-  return visit_event([](const auto& known) { return std::string(kind_text<std::decay_t<decltype(known)>>.name); },
+  return visit_event([](const auto& known) { return std::string(description_of<std::decay_t<decltype(known)>>.name); },
                      event);
 }
 

@@ -48,7 +48,7 @@ std::map<std::string, std::vector<Approved>> approved_sentences() {
 }
 
 std::string kind_of_event(const Event& event) {
-  return visit_event([](const auto& known) { return std::string(kind_text<std::decay_t<decltype(known)>>.name); },
+  return visit_event([](const auto& known) { return std::string(description_of<std::decay_t<decltype(known)>>.name); },
                     event);
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("every kind of event: whole sentences as they were approved, tests/gol
     }
   }
   for_each_kind([&]<class E>() {
-    const std::string kind(kind_text<E>.name);
+    const std::string kind(description_of<E>.name);
     CAPTURE(kind);
     CHECK(kinds.contains(kind));
   });

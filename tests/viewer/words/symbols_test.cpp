@@ -142,7 +142,7 @@ TEST_CASE("law: the symbols of a printed formula stand for what the scene and th
       const auto step = replay.position();
       CAPTURE(step);
       const std::string kind(
-          visit_event([](const auto& known) { return kind_text<std::decay_t<decltype(known)>>.name; }, recorded.event));
+          visit_event([](const auto& known) { return description_of<std::decay_t<decltype(known)>>.name; }, recorded.event));
       for (const std::string& line : explain(trace, replay.state(), recorded).formulas) {
         const std::vector<std::string> sides = parts(line, " = ");
         if (sides.size() < 3) continue;
