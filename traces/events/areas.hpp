@@ -37,12 +37,15 @@ inline constexpr Description description_of<AreaBegin>{.name = "area_begin",
                                                        .after_polygons = true};
 template <>
 inline constexpr auto fields_of<AreaBegin> = Fields{
-    Field{"area", &AreaBegin::area, area_index, "the area, numbered in the order of work", As::made, Guess::next},
-    Field{"parent", &AreaBegin::parent, area_index, "the area it is a quarter of, -1 for the whole picture", As::input},
-    Field{"first_column", &AreaBegin::first_column, "px", "its first column", As::formula | As::subject},
-    Field{"first_row", &AreaBegin::first_row, "row", "its first row", As::formula | As::subject},
-    Field{"end_column", &AreaBegin::end_column, "px", "the column just beyond it", As::formula | As::subject},
-    Field{"end_row", &AreaBegin::end_row, "row", "the row just beyond it", As::formula | As::subject}};
+    Field{"area", &AreaBegin::area, Measure::area, "the area, numbered in the order of work", As::made, Guess::next},
+    Field{"parent", &AreaBegin::parent, Measure::area, "the area it is a quarter of, -1 for the whole picture",
+          As::input},
+    Field{"first_column", &AreaBegin::first_column, Measure::column_or_end, "its first column",
+          As::formula | As::subject},
+    Field{"first_row", &AreaBegin::first_row, Measure::row_or_end, "its first row", As::formula | As::subject},
+    Field{"end_column", &AreaBegin::end_column, Measure::column_or_end, "the column just beyond it",
+          As::formula | As::subject},
+    Field{"end_row", &AreaBegin::end_row, Measure::row_or_end, "the row just beyond it", As::formula | As::subject}};
 
 template <>
 inline constexpr Description description_of<AreaBin>{.name = "area_bin",
@@ -51,7 +54,7 @@ inline constexpr Description description_of<AreaBin>{.name = "area_bin",
                                                      .within = Within::area};
 template <>
 inline constexpr auto fields_of<AreaBin> =
-    Fields{Field{"piece", &AreaBin::piece, piece_index, "the polygon's piece", As::subject, Guess::told},
+    Fields{Field{"piece", &AreaBin::piece, Measure::piece, "the polygon's piece", As::subject, Guess::told},
            Field{"crossings", &AreaBin::crossings, "1",
                  "edges of the polygon that meet the area; -1 when the box decided", As::formula, Guess::formula},
            Field{"corners_inside", &AreaBin::corners_inside, "1",
@@ -65,9 +68,9 @@ inline constexpr Description description_of<AreaDecide>{.name = "area_decide",
                                                         .work = WorkKind::tests,
                                                         .gives_around = "in the area around it"};
 template <>
-inline constexpr auto fields_of<AreaDecide> =
-    Fields{Field{"area", &AreaDecide::area, area_index, "the area", As::subject},
-           Field{"what", &AreaDecide::what, "1", "the case", As::recorded},
-           Field{"piece", &AreaDecide::piece, piece_index, "the piece that fills it, -1 if none does", As::recorded}};
+inline constexpr auto fields_of<AreaDecide> = Fields{
+    Field{"area", &AreaDecide::area, Measure::area, "the area", As::subject},
+    Field{"what", &AreaDecide::what, "1", "the case", As::recorded},
+    Field{"piece", &AreaDecide::piece, Measure::piece, "the piece that fills it, -1 if none does", As::recorded}};
 
 }  // namespace zstep

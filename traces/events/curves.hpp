@@ -45,8 +45,8 @@ inline constexpr Description description_of<CurveBegin>{.name = "curve_begin",
                                                         .after_polygons = true};
 template <>
 inline constexpr auto fields_of<CurveBegin> =
-    Fields{Field{"curve", &CurveBegin::curve, curve_index, "the curve, numbered in the order in which curves are drawn",
-                 As::made, Guess::next},
+    Fields{Field{"curve", &CurveBegin::curve, Measure::curve,
+                 "the curve, numbered in the order in which curves are drawn", As::made, Guess::next},
            Field{"row", &CurveBegin::row, "index", "the row of the surface's grid, or the column", As::subject},
            Field{"across", &CurveBegin::across, "1", "it is a curve of constant x", As::subject},
            Field{"constant", &CurveBegin::constant, "world", "the z (or x) that is constant on it", As::recorded}};
@@ -58,8 +58,8 @@ inline constexpr Description description_of<CurveSegment>{.name = "curve_segment
                                                           .within = Within::curve};
 template <>
 inline constexpr auto fields_of<CurveSegment> =
-    Fields{Field{"vertex_0", &CurveSegment::vertex_0, vertex_index, "the point it comes from", As::subject},
-           Field{"vertex_1", &CurveSegment::vertex_1, vertex_index, "the point it goes to", As::subject}};
+    Fields{Field{"vertex_0", &CurveSegment::vertex_0, Measure::vertex, "the point it comes from", As::subject},
+           Field{"vertex_1", &CurveSegment::vertex_1, Measure::vertex, "the point it goes to", As::subject}};
 
 template <>
 inline constexpr Description description_of<HorizonTest>{
@@ -70,7 +70,7 @@ inline constexpr Description description_of<HorizonTest>{
     .within = Within::curve};
 template <>
 inline constexpr auto fields_of<HorizonTest> =
-    Fields{Field{"x", &HorizonTest::x, "px", "the column", As::subject, Guess::next},
+    Fields{Field{"x", &HorizonTest::x, Measure::column, "the column", As::subject, Guess::next},
            Field{"y_curve", &HorizonTest::y_curve, "px", "row of the curve there, not rounded", As::formula},
            Field{"verdict", &HorizonTest::verdict, "1",
                  "above the upper horizon, below the lower one, or hidden between", As::formula}};
@@ -83,7 +83,7 @@ inline constexpr Description description_of<HorizonMove>{.name = "horizon_move",
                                                          .within = Within::curve};
 template <>
 inline constexpr auto fields_of<HorizonMove> =
-    Fields{Field{"x", &HorizonMove::x, "px", "the column", As::subject},
+    Fields{Field{"x", &HorizonMove::x, Measure::column, "the column", As::subject},
            Field{"upper", &HorizonMove::upper, "1", "it is the upper horizon", As::subject},
            Field{"y_curve", &HorizonMove::y_curve, "px", "its row from here on", As::formula}};
 
@@ -107,11 +107,12 @@ inline constexpr Description description_of<LineBegin>{.name = "line_begin",
                                                        .after_polygons = true};
 template <>
 inline constexpr auto fields_of<LineBegin> = Fields{
-    Field{"line", &LineBegin::line, line_index, "the edge", As::made, Guess::next},
-    Field{"vertex_0", &LineBegin::vertex_0, vertex_index, "its one end", As::subject},
-    Field{"vertex_1", &LineBegin::vertex_1, vertex_index, "its other end", As::subject},
-    Field{"left_facet", &LineBegin::left_facet, "index", "the facet on its left, -1 if none", As::input},
-    Field{"right_facet", &LineBegin::right_facet, "index", "the facet on its right, -1 if none", As::input},
+    Field{"line", &LineBegin::line, Measure::line, "the edge", As::made, Guess::next},
+    Field{"vertex_0", &LineBegin::vertex_0, Measure::vertex, "its one end", As::subject},
+    Field{"vertex_1", &LineBegin::vertex_1, Measure::vertex, "its other end", As::subject},
+    Field{"left_facet", &LineBegin::left_facet, Measure::facet_or_none, "the facet on its left, -1 if none", As::input},
+    Field{"right_facet", &LineBegin::right_facet, Measure::facet_or_none, "the facet on its right, -1 if none",
+          As::input},
     Field{"kind", &LineBegin::kind, "1",
           "inner, contour (front meets back), boundary (one facet), or back (all its facets face away)", As::recorded}};
 
@@ -120,8 +121,8 @@ inline constexpr Description description_of<LineAgainst>{
     .name = "line_against", .meaning = "an edge is held against a face that may cover it", .work = WorkKind::tests};
 template <>
 inline constexpr auto fields_of<LineAgainst> = Fields{
-    Field{"line", &LineAgainst::line, line_index, "the edge", As::subject},
-    Field{"facet", &LineAgainst::facet, "index", "the face", As::subject},
+    Field{"line", &LineAgainst::line, Measure::line, "the edge", As::subject},
+    Field{"facet", &LineAgainst::facet, Measure::facet, "the face", As::subject},
     Field{"outcome", &LineAgainst::outcome, "1",
           "extents apart, its own face, in front of the face, behind it but beside, or covered in part", As::recorded}};
 
@@ -133,8 +134,8 @@ inline constexpr Description description_of<LineCross>{
     .called = "line {line} crosses {facet}"};
 template <>
 inline constexpr auto fields_of<LineCross> =
-    Fields{Field{"line", &LineCross::line, line_index, "the edge", As::subject},
-           Field{"facet", &LineCross::facet, "index", "the face", As::subject},
+    Fields{Field{"line", &LineCross::line, Measure::line, "the edge", As::subject},
+           Field{"facet", &LineCross::facet, Measure::facet, "the face", As::subject},
            Field{"t", &LineCross::t, "1", "where on the edge, 0 to 1", As::formula},
            Field{"x_at", &LineCross::x_at, "px", "there", As::formula},
            Field{"y_at", &LineCross::y_at, "px", "there", As::formula},
@@ -146,10 +147,10 @@ inline constexpr Description description_of<LineHide>{.name = "line_hide",
                                                       .work = WorkKind::cuts,
                                                       .called = "line {line} is hidden by {facet}"};
 template <>
-inline constexpr auto fields_of<LineHide> = Fields{Field{"line", &LineHide::line, line_index, "the edge", As::subject},
-                                                   Field{"facet", &LineHide::facet, "index", "the face", As::subject},
-                                                   Field{"t_0", &LineHide::t_0, "1", "from", As::formula},
-                                                   Field{"t_1", &LineHide::t_1, "1", "to", As::formula}};
+inline constexpr auto fields_of<LineHide> = Fields{
+    Field{"line", &LineHide::line, Measure::line, "the edge", As::subject},
+    Field{"facet", &LineHide::facet, Measure::facet, "the face", As::subject},
+    Field{"t_0", &LineHide::t_0, "1", "from", As::formula}, Field{"t_1", &LineHide::t_1, "1", "to", As::formula}};
 
 template <>
 inline constexpr Description description_of<LinePiece>{.name = "line_piece",
@@ -158,7 +159,7 @@ inline constexpr Description description_of<LinePiece>{.name = "line_piece",
                                                        .called = "a piece of line {line}"};
 template <>
 inline constexpr auto fields_of<LinePiece> = Fields{
-    Field{"line", &LinePiece::line, line_index, "the edge", As::subject},
+    Field{"line", &LinePiece::line, Measure::line, "the edge", As::subject},
     Field{"t_0", &LinePiece::t_0, "1", "from", As::formula}, Field{"t_1", &LinePiece::t_1, "1", "to", As::formula},
     Field{"visible", &LinePiece::visible, "1", "it is seen", As::formula}};
 

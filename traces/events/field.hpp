@@ -40,16 +40,45 @@ constexpr bool has(As all, As one) { return (static_cast<std::uint8_t>(all) & st
 /// What a run numbers for itself. Polygons and facets are the scene's, and have one number for all runs.
 enum class Thing : std::uint8_t { none, vertex, edge, piece, node, area, box, ray, curve, line, count };
 
-/// "px", "row", "world", "depth", "index", "1" …; and of an index, of what.
+/// What a whole number may be in a trace from outside (traces/file/check_events.cpp).
+enum class Bound : std::uint8_t {
+  none,
+  polygon,
+  polygon_or_none,
+  facet,
+  facet_or_none,
+  vertex,
+  edge,
+  column,
+  row,
+  span_end,  ///< two columns outside the raster at most
+  column_or_end,
+  row_or_end,
+  shade,  ///< 0 to 255
+};
+
+/// The unit of a field, "px", "row", "world", "depth", "index", "1" …; and of a whole number, what it may be.
 struct Measure {
   std::string_view name;
+  Bound bound = Bound::none;
   Thing thing = Thing::none;
-  constexpr Measure(const char* name_) : name(name_) {}  // NOLINT: a unit is its name
-  constexpr explicit Measure(Thing thing_) : name("index"), thing(thing_) {}
+  constexpr Measure(const char* name_, Bound bound_ = Bound::none) : name(name_), bound(bound_) {}  // NOLINT: its name
+  constexpr explicit Measure(Thing thing_, Bound bound_ = Bound::none) : name("index"), bound(bound_), thing(thing_) {}
+
+  static const Measure vertex, edge, piece, node, area, box, ray, curve, line;
+  static const Measure polygon, polygon_or_none, facet, facet_or_none;
+  static const Measure column, row, pixel_row, span_end, column_or_end, row_or_end, shade;
 };
-inline constexpr Measure vertex_index{Thing::vertex}, edge_index{Thing::edge}, piece_index{Thing::piece},
-    node_index{Thing::node}, area_index{Thing::area}, box_index{Thing::box}, ray_index{Thing::ray},
-    curve_index{Thing::curve}, line_index{Thing::line};
+inline constexpr Measure Measure::vertex{Thing::vertex, Bound::vertex}, Measure::edge{Thing::edge, Bound::edge},
+    Measure::piece{Thing::piece}, Measure::node{Thing::node}, Measure::area{Thing::area}, Measure::box{Thing::box},
+    Measure::ray{Thing::ray}, Measure::curve{Thing::curve}, Measure::line{Thing::line};
+inline constexpr Measure Measure::polygon{"index", Bound::polygon},
+    Measure::polygon_or_none{"index", Bound::polygon_or_none}, Measure::facet{"index", Bound::facet},
+    Measure::facet_or_none{"index", Bound::facet_or_none};
+inline constexpr Measure Measure::column{"px", Bound::column}, Measure::row{"row", Bound::row},
+    Measure::pixel_row{"px", Bound::row}, Measure::span_end{"px", Bound::span_end},
+    Measure::column_or_end{"px", Bound::column_or_end}, Measure::row_or_end{"row", Bound::row_or_end},
+    Measure::shade{"1", Bound::shade};
 
 template <class Event, class Value>
 struct Field {
@@ -57,6 +86,7 @@ struct Field {
   std::string_view name;     ///< the name in JSONL, SQL and the documentation
   Value Event::*member;      ///< where the value lives
   std::string_view unit;     ///< as in Measure
+  Bound bound;               ///< as in Measure
   Thing thing;               ///< of which this is the number
   std::string_view meaning;  ///< one phrase for the documentation and the viewer
   As as;
@@ -67,6 +97,7 @@ struct Field {
       : name(name_),
         member(member_),
         unit(measure.name),
+        bound(measure.bound),
         thing(measure.thing),
         meaning(meaning_),
         as(as_),

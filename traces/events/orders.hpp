@@ -28,7 +28,7 @@ inline constexpr Description description_of<ListInsert>{
     .name = "list_insert", .meaning = "a piece enters the list", .work = WorkKind::bookkeeping, .after_polygons = true};
 template <>
 inline constexpr auto fields_of<ListInsert> =
-    Fields{Field{"piece", &ListInsert::piece, piece_index, "the piece", As::subject},
+    Fields{Field{"piece", &ListInsert::piece, Measure::piece, "the piece", As::subject},
            Field{"place", &ListInsert::place, "index", "its place in the list, from the front, from 0", As::input}};
 
 template <>
@@ -36,7 +36,7 @@ inline constexpr Description description_of<ListRemove>{
     .name = "list_remove", .meaning = "a piece leaves the list", .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<ListRemove> =
-    Fields{Field{"piece", &ListRemove::piece, piece_index, "the piece", As::subject}};
+    Fields{Field{"piece", &ListRemove::piece, Measure::piece, "the piece", As::subject}};
 
 template <>
 inline constexpr Description description_of<ListMark>{
@@ -45,7 +45,7 @@ inline constexpr Description description_of<ListMark>{
     .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<ListMark> =
-    Fields{Field{"piece", &ListMark::piece, piece_index, "the piece", As::subject}};
+    Fields{Field{"piece", &ListMark::piece, Measure::piece, "the piece", As::subject}};
 
 template <>
 inline constexpr Description description_of<PairBegin>{
@@ -55,8 +55,8 @@ inline constexpr Description description_of<PairBegin>{
     .after_polygons = true};
 template <>
 inline constexpr auto fields_of<PairBegin> =
-    Fields{Field{"piece", &PairBegin::piece, piece_index, "P", As::subject, Guess::told},
-           Field{"other", &PairBegin::other, piece_index, "Q", As::subject, Guess::formula}};
+    Fields{Field{"piece", &PairBegin::piece, Measure::piece, "P", As::subject, Guess::told},
+           Field{"other", &PairBegin::other, Measure::piece, "Q", As::subject, Guess::formula}};
 
 template <>
 inline constexpr Description description_of<RootCandidate>{
@@ -67,7 +67,7 @@ inline constexpr Description description_of<RootCandidate>{
     .after_polygons = true};
 template <>
 inline constexpr auto fields_of<RootCandidate> =
-    Fields{Field{"piece", &RootCandidate::piece, piece_index, "the candidate", As::subject},
+    Fields{Field{"piece", &RootCandidate::piece, Measure::piece, "the candidate", As::subject},
            Field{"splits", &RootCandidate::splits, "1", "pieces that its plane crosses", As::recorded}};
 
 template <>
@@ -77,19 +77,19 @@ inline constexpr Description description_of<NodeMake>{.name = "node_make",
                                                       .after_polygons = true};
 template <>
 inline constexpr auto fields_of<NodeMake> =
-    Fields{Field{"node", &NodeMake::node, node_index, "the node, numbered in the order in which nodes are made",
+    Fields{Field{"node", &NodeMake::node, Measure::node, "the node, numbered in the order in which nodes are made",
                  As::made, Guess::next},
-           Field{"parent", &NodeMake::parent, node_index, "the node above it, -1 for the root", As::subject},
+           Field{"parent", &NodeMake::parent, Measure::node, "the node above it, -1 for the root", As::subject},
            Field{"front", &NodeMake::front, "1", "it hangs at the front side of that node", As::subject},
-           Field{"piece", &NodeMake::piece, piece_index, "the piece whose plane divides space here", As::input}};
+           Field{"piece", &NodeMake::piece, Measure::piece, "the piece whose plane divides space here", As::input}};
 
 template <>
 inline constexpr Description description_of<NodeAdd>{
     .name = "node_add", .meaning = "a piece that lies in a node's plane joins the node", .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<NodeAdd> =
-    Fields{Field{"node", &NodeAdd::node, node_index, "the node", As::subject},
-           Field{"piece", &NodeAdd::piece, piece_index, "the piece", As::subject}};
+    Fields{Field{"node", &NodeAdd::node, Measure::node, "the node", As::subject},
+           Field{"piece", &NodeAdd::piece, Measure::piece, "the piece", As::subject}};
 
 template <>
 inline constexpr Description description_of<EyeSide>{.name = "eye_side",
@@ -98,7 +98,7 @@ inline constexpr Description description_of<EyeSide>{.name = "eye_side",
                                                      .called = "the eye against the plane of node {node}"};
 template <>
 inline constexpr auto fields_of<EyeSide> =
-    Fields{Field{"node", &EyeSide::node, node_index, "the node", As::subject},
+    Fields{Field{"node", &EyeSide::node, Measure::node, "the node", As::subject},
            Field{"value", &EyeSide::value, "1",
                  "A x + B y + C z + D w at the eye (x, y, z, w); w = 0 where the eye is a direction", As::formula},
            Field{"front", &EyeSide::front, "1", "the eye is in front", As::formula}};
@@ -110,7 +110,7 @@ inline constexpr Description description_of<NodeSkip>{
     .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<NodeSkip> =
-    Fields{Field{"node", &NodeSkip::node, node_index, "the node above it", As::subject},
+    Fields{Field{"node", &NodeSkip::node, Measure::node, "the node above it", As::subject},
            Field{"front", &NodeSkip::front, "1", "it is the one at the front side", As::subject},
            Field{"value", &NodeSkip::value, "1",
                  "A x + B y + C z + D at the corner of the view volume that comes nearest to that side", As::recorded}};

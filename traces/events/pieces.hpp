@@ -59,10 +59,10 @@ inline constexpr Description description_of<PieceMake>{
     .name = "piece_make", .meaning = "the outline so far becomes a piece", .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<PieceMake> = Fields{
-    Field{"piece", &PieceMake::piece, piece_index, "the piece, numbered in the order in which pieces are made",
+    Field{"piece", &PieceMake::piece, Measure::piece, "the piece, numbered in the order in which pieces are made",
           As::made, Guess::next},
-    Field{"polygon", &PieceMake::polygon, "index", "the polygon it is a piece of", As::formula | As::subject},
-    Field{"parent", &PieceMake::parent, piece_index, "the piece it was cut from, -1 if it is whole", As::subject}};
+    Field{"polygon", &PieceMake::polygon, Measure::polygon, "the polygon it is a piece of", As::formula | As::subject},
+    Field{"parent", &PieceMake::parent, Measure::piece, "the piece it was cut from, -1 if it is whole", As::subject}};
 
 template <>
 inline constexpr Description description_of<PlaneEquation>{.name = "plane_equation",
@@ -71,7 +71,7 @@ inline constexpr Description description_of<PlaneEquation>{.name = "plane_equati
                                                            .called = "plane of {piece}"};
 template <>
 inline constexpr auto fields_of<PlaneEquation> =
-    Fields{Field{"piece", &PlaneEquation::piece, piece_index, "the piece", As::subject},
+    Fields{Field{"piece", &PlaneEquation::piece, Measure::piece, "the piece", As::subject},
            Field{"plane_a", &PlaneEquation::plane_a, "1", "A", As::formula, Guess::formula},
            Field{"plane_b", &PlaneEquation::plane_b, "1", "B", As::formula, Guess::formula},
            Field{"plane_c", &PlaneEquation::plane_c, "1", "C", As::formula, Guess::formula},
@@ -84,7 +84,7 @@ inline constexpr Description description_of<Extent>{.name = "extent",
                                                     .called = "extents of {piece}"};
 template <>
 inline constexpr auto fields_of<Extent> =
-    Fields{Field{"piece", &Extent::piece, piece_index, "the piece", As::subject},
+    Fields{Field{"piece", &Extent::piece, Measure::piece, "the piece", As::subject},
            Field{"x_min", &Extent::x_min, "px", "its least x", As::formula, Guess::formula},
            Field{"x_max", &Extent::x_max, "px", "its greatest x", As::formula, Guess::formula},
            Field{"y_min", &Extent::y_min, "px", "its least y", As::formula, Guess::formula},
@@ -101,7 +101,7 @@ inline constexpr Description description_of<PlaneDepth>{
     .within = Within::scan_line | Within::area};
 template <>
 inline constexpr auto fields_of<PlaneDepth> =
-    Fields{Field{"piece", &PlaneDepth::piece, piece_index, "the piece", As::subject, Guess::told},
+    Fields{Field{"piece", &PlaneDepth::piece, Measure::piece, "the piece", As::subject, Guess::told},
            Field{"x_at", &PlaneDepth::x_at, "px", "x of the point", As::input, Guess::told},
            Field{"y_at", &PlaneDepth::y_at, "px", "y of the point", As::input, Guess::told},
            Field{"z", &PlaneDepth::z, "depth", "the depth there", As::formula, Guess::formula}};
@@ -115,8 +115,8 @@ inline constexpr Description description_of<VertexSide>{.name = "vertex_side",
                                                         .after_polygons = true};
 template <>
 inline constexpr auto fields_of<VertexSide> =
-    Fields{Field{"vertex", &VertexSide::vertex, vertex_index, "the vertex", As::subject, Guess::told},
-           Field{"plane_of", &VertexSide::plane_of, piece_index, "the piece whose plane it is", As::subject},
+    Fields{Field{"vertex", &VertexSide::vertex, Measure::vertex, "the vertex", As::subject, Guess::told},
+           Field{"plane_of", &VertexSide::plane_of, Measure::piece, "the piece whose plane it is", As::subject},
            Field{"value", &VertexSide::value, "1", "A x + B y + C z + D at the vertex", As::formula, Guess::formula},
            Field{"side", &VertexSide::side, "1", "where it lies", As::recorded, Guess::formula}};
 
@@ -129,8 +129,8 @@ inline constexpr Description description_of<SideTest>{.name = "side_test",
                                                       .after_polygons = true};
 template <>
 inline constexpr auto fields_of<SideTest> = Fields{
-    Field{"piece", &SideTest::piece, piece_index, "the piece", As::subject, Guess::told},
-    Field{"plane_of", &SideTest::plane_of, piece_index, "the piece whose plane it is", As::subject, Guess::told},
+    Field{"piece", &SideTest::piece, Measure::piece, "the piece", As::subject, Guess::told},
+    Field{"plane_of", &SideTest::plane_of, Measure::piece, "the piece whose plane it is", As::subject, Guess::told},
     Field{"least", &SideTest::least, "1", "the least of A x + B y + C z + D over its vertices", As::formula,
           Guess::formula},
     Field{"greatest", &SideTest::greatest, "1", "the greatest", As::formula, Guess::formula},
@@ -144,8 +144,8 @@ inline constexpr Description description_of<ExtentTest>{
     .called = "{axis} extents of {piece} and {other}"};
 template <>
 inline constexpr auto fields_of<ExtentTest> = Fields{
-    Field{"piece", &ExtentTest::piece, piece_index, "the one", As::subject},
-    Field{"other", &ExtentTest::other, piece_index, "the other", As::subject},
+    Field{"piece", &ExtentTest::piece, Measure::piece, "the one", As::subject},
+    Field{"other", &ExtentTest::other, Measure::piece, "the other", As::subject},
     Field{"axis", &ExtentTest::axis, "1", "the axis", As::subject, Guess::told},
     Field{"low", &ExtentTest::low, "1", "least coordinate of the one", As::formula, Guess::formula},
     Field{"high", &ExtentTest::high, "1", "its greatest", As::formula, Guess::formula},
@@ -158,8 +158,8 @@ inline constexpr Description description_of<OverlapTest>{
     .name = "overlap_test", .meaning = "the projections of two pieces: do they overlap?", .work = WorkKind::tests};
 template <>
 inline constexpr auto fields_of<OverlapTest> = Fields{
-    Field{"piece", &OverlapTest::piece, piece_index, "the one", As::subject},
-    Field{"other", &OverlapTest::other, piece_index, "the other", As::subject},
+    Field{"piece", &OverlapTest::piece, Measure::piece, "the one", As::subject},
+    Field{"other", &OverlapTest::other, Measure::piece, "the other", As::subject},
     Field{"overlap", &OverlapTest::overlap, "1", "they overlap", As::recorded},
     Field{"x_at", &OverlapTest::x_at, "px", "a point inside both; NaN without overlap", As::recorded | As::aside},
     Field{"y_at", &OverlapTest::y_at, "px", "a point inside both; NaN without overlap", As::recorded | As::aside}};
@@ -173,10 +173,10 @@ inline constexpr Description description_of<SplitVertex>{
     .either_way = true};
 template <>
 inline constexpr auto fields_of<SplitVertex> =
-    Fields{Field{"vertex_0", &SplitVertex::vertex_0, vertex_index, "one end of the edge", As::subject},
-           Field{"vertex_1", &SplitVertex::vertex_1, vertex_index, "the other", As::subject},
+    Fields{Field{"vertex_0", &SplitVertex::vertex_0, Measure::vertex, "one end of the edge", As::subject},
+           Field{"vertex_1", &SplitVertex::vertex_1, Measure::vertex, "the other", As::subject},
            Field{"t", &SplitVertex::t, "1", "d_0/(d_0 - d_1), from the first end", As::formula},
-           Field{"vertex", &SplitVertex::vertex, vertex_index, "the new vertex", As::made, Guess::next},
+           Field{"vertex", &SplitVertex::vertex, Measure::vertex, "the new vertex", As::made, Guess::next},
            Field{"space", &SplitVertex::space, "1", "which coordinates follow", As::input},
            Field{"x_cut", &SplitVertex::x_cut, "1", "its x", As::formula},
            Field{"y_cut", &SplitVertex::y_cut, "1", "its y", As::formula},
@@ -187,8 +187,8 @@ inline constexpr Description description_of<PieceDraw>{
     .name = "piece_draw", .meaning = "a piece is drawn", .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<PieceDraw> =
-    Fields{Field{"piece", &PieceDraw::piece, piece_index, "the piece", As::subject},
-           Field{"polygon", &PieceDraw::polygon, "index", "the polygon it is a piece of", As::formula}};
+    Fields{Field{"piece", &PieceDraw::piece, Measure::piece, "the piece", As::subject},
+           Field{"polygon", &PieceDraw::polygon, Measure::polygon, "the polygon it is a piece of", As::formula}};
 
 template <>
 inline constexpr Description description_of<Saved>{

@@ -38,8 +38,8 @@ inline constexpr Description description_of<DepthInterpolate>{.name = "depth_int
                                                               .within = Within::polygon};
 template <>
 inline constexpr auto fields_of<DepthInterpolate> =
-    Fields{Field{"x", &DepthInterpolate::x, "px", "column", As::subject, Guess::next},
-           Field{"y", &DepthInterpolate::y, "px", "row", As::subject},
+    Fields{Field{"x", &DepthInterpolate::x, Measure::column, "column", As::subject, Guess::next},
+           Field{"y", &DepthInterpolate::y, Measure::pixel_row, "row", As::subject},
            Field{"z", &DepthInterpolate::z, "depth", "depth of the polygon at the pixel's centre", As::formula,
                  Guess::formula}};
 
@@ -51,7 +51,8 @@ inline constexpr Description description_of<DepthCompare>{.name = "depth_compare
                                                           .within = Within::polygon};
 template <>
 inline constexpr auto fields_of<DepthCompare> = Fields{
-    Field{"x", &DepthCompare::x, "px", "column", As::subject}, Field{"y", &DepthCompare::y, "px", "row", As::subject},
+    Field{"x", &DepthCompare::x, Measure::column, "column", As::subject},
+    Field{"y", &DepthCompare::y, Measure::pixel_row, "row", As::subject},
     Field{"z", &DepthCompare::z, "depth", "the new depth", As::formula},
     Field{"nearer", &DepthCompare::nearer, "1",
           "it wins: smaller than the stored one, or greater, or also equal, as the trace declares", As::formula}};
@@ -63,9 +64,10 @@ inline constexpr Description description_of<DepthWrite>{.name = "depth_write",
                                                         .called = "depth written at pixel ({x}, {y})",
                                                         .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<DepthWrite> = Fields{
-    Field{"x", &DepthWrite::x, "px", "column", As::subject}, Field{"y", &DepthWrite::y, "px", "row", As::subject},
-    Field{"z", &DepthWrite::z, "depth", "the depth stored", As::formula}};
+inline constexpr auto fields_of<DepthWrite> =
+    Fields{Field{"x", &DepthWrite::x, Measure::column, "column", As::subject},
+           Field{"y", &DepthWrite::y, Measure::pixel_row, "row", As::subject},
+           Field{"z", &DepthWrite::z, "depth", "the depth stored", As::formula}};
 
 template <>
 inline constexpr Description description_of<PixelWrite>{.name = "pixel_write",
@@ -73,9 +75,10 @@ inline constexpr Description description_of<PixelWrite>{.name = "pixel_write",
                                                         .work = WorkKind::writes,
                                                         .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<PixelWrite> = Fields{
-    Field{"x", &PixelWrite::x, "px", "column", As::subject}, Field{"y", &PixelWrite::y, "px", "row", As::subject},
-    Field{"polygon", &PixelWrite::polygon, "index", "the polygon whose colour is stored", As::formula}};
+inline constexpr auto fields_of<PixelWrite> =
+    Fields{Field{"x", &PixelWrite::x, Measure::column, "column", As::subject},
+           Field{"y", &PixelWrite::y, Measure::pixel_row, "row", As::subject},
+           Field{"polygon", &PixelWrite::polygon, Measure::polygon, "the polygon whose colour is stored", As::formula}};
 
 template <>
 inline constexpr Description description_of<AttributeInterpolate>{
@@ -86,8 +89,8 @@ inline constexpr Description description_of<AttributeInterpolate>{
     .within = Within::polygon};
 template <>
 inline constexpr auto fields_of<AttributeInterpolate> = Fields{
-    Field{"x", &AttributeInterpolate::x, "px", "column", As::subject},
-    Field{"y", &AttributeInterpolate::y, "px", "row", As::subject},
+    Field{"x", &AttributeInterpolate::x, Measure::column, "column", As::subject},
+    Field{"y", &AttributeInterpolate::y, Measure::pixel_row, "row", As::subject},
     Field{"over_z", &AttributeInterpolate::over_z, "1", "a/z_v, interpolated; a itself where that is", As::formula},
     Field{"one_over_z", &AttributeInterpolate::one_over_z, "1", "1/z_v, interpolated; 1 where a itself is",
           As::formula},
@@ -120,10 +123,10 @@ inline constexpr Description description_of<PixelPaint>{.name = "pixel_paint",
                                                         .within = Within::polygon};
 template <>
 inline constexpr auto fields_of<PixelPaint> = Fields{
-    Field{"x", &PixelPaint::x, "px", "column", As::subject, Guess::next},
-    Field{"y", &PixelPaint::y, "px", "row", As::subject},
+    Field{"x", &PixelPaint::x, Measure::column, "column", As::subject, Guess::next},
+    Field{"y", &PixelPaint::y, Measure::pixel_row, "row", As::subject},
     Field{"z", &PixelPaint::z, "depth", "depth of the polygon at the pixel's centre", As::formula, Guess::formula},
-    Field{"polygon", &PixelPaint::polygon, "index", "the polygon whose colour is stored", As::formula}};
+    Field{"polygon", &PixelPaint::polygon, Measure::polygon, "the polygon whose colour is stored", As::formula}};
 
 template <>
 inline constexpr Description description_of<ColorWrite>{
@@ -132,10 +135,12 @@ inline constexpr Description description_of<ColorWrite>{
     .work = WorkKind::writes,
     .within = Within::curve};
 template <>
-inline constexpr auto fields_of<ColorWrite> = Fields{
-    Field{"x", &ColorWrite::x, "px", "column", As::subject}, Field{"y", &ColorWrite::y, "px", "row", As::subject},
-    Field{"r8", &ColorWrite::r8, "1", "red, 0 to 255", As::formula},
-    Field{"g8", &ColorWrite::g8, "1", "green", As::formula}, Field{"b8", &ColorWrite::b8, "1", "blue", As::formula}};
+inline constexpr auto fields_of<ColorWrite> =
+    Fields{Field{"x", &ColorWrite::x, Measure::column, "column", As::subject},
+           Field{"y", &ColorWrite::y, Measure::pixel_row, "row", As::subject},
+           Field{"r8", &ColorWrite::r8, Measure::shade, "red, 0 to 255", As::formula},
+           Field{"g8", &ColorWrite::g8, Measure::shade, "green", As::formula},
+           Field{"b8", &ColorWrite::b8, Measure::shade, "blue", As::formula}};
 
 template <>
 inline constexpr Description description_of<ColorBlend>{
@@ -144,13 +149,13 @@ inline constexpr Description description_of<ColorBlend>{
     .work = WorkKind::writes};
 template <>
 inline constexpr auto fields_of<ColorBlend> =
-    Fields{Field{"x", &ColorBlend::x, "px", "column", As::subject},
-           Field{"y", &ColorBlend::y, "px", "row", As::subject},
-           Field{"polygon", &ColorBlend::polygon, "index", "the polygon", As::formula | As::subject},
+    Fields{Field{"x", &ColorBlend::x, Measure::column, "column", As::subject},
+           Field{"y", &ColorBlend::y, Measure::pixel_row, "row", As::subject},
+           Field{"polygon", &ColorBlend::polygon, Measure::polygon, "the polygon", As::formula | As::subject},
            Field{"opacity", &ColorBlend::opacity, "1", "0 to 1", As::formula},
-           Field{"r8", &ColorBlend::r8, "1", "red that results, 0 to 255", As::formula},
-           Field{"g8", &ColorBlend::g8, "1", "green", As::formula},
-           Field{"b8", &ColorBlend::b8, "1", "blue", As::formula}};
+           Field{"r8", &ColorBlend::r8, Measure::shade, "red that results, 0 to 255", As::formula},
+           Field{"g8", &ColorBlend::g8, Measure::shade, "green", As::formula},
+           Field{"b8", &ColorBlend::b8, Measure::shade, "blue", As::formula}};
 
 template <>
 inline constexpr Description description_of<PassBegin>{
@@ -168,8 +173,8 @@ inline constexpr Description description_of<ShadowCompare>{
     .called = "pixel ({x}, {y}) as the light sees it"};
 template <>
 inline constexpr auto fields_of<ShadowCompare> =
-    Fields{Field{"x", &ShadowCompare::x, "px", "column of the eye's picture", As::subject},
-           Field{"y", &ShadowCompare::y, "px", "its row", As::subject},
+    Fields{Field{"x", &ShadowCompare::x, Measure::column, "column of the eye's picture", As::subject},
+           Field{"y", &ShadowCompare::y, Measure::pixel_row, "its row", As::subject},
            Field{"x_light", &ShadowCompare::x_light, "px", "column in the light's picture, not rounded", As::formula},
            Field{"y_light", &ShadowCompare::y_light, "px", "row there", As::formula},
            Field{"z_light", &ShadowCompare::z_light, "depth", "depth of the point as the light sees it", As::formula},

@@ -39,9 +39,9 @@ inline constexpr Description description_of<PolygonBegin>{.name = "polygon_begin
                                                           .work = WorkKind::bookkeeping,
                                                           .begins = {Unit::polygon, "polygon"}};
 template <>
-inline constexpr auto fields_of<PolygonBegin> =
-    Fields{Field{"polygon", &PolygonBegin::polygon, "index", "the polygon, in file order", As::subject, Guess::told},
-           Field{"facet", &PolygonBegin::facet, "index", "the planar piece of it", As::aside, Guess::told}};
+inline constexpr auto fields_of<PolygonBegin> = Fields{
+    Field{"polygon", &PolygonBegin::polygon, Measure::polygon, "the polygon, in file order", As::subject, Guess::told},
+    Field{"facet", &PolygonBegin::facet, Measure::facet, "the planar piece of it", As::aside, Guess::told}};
 
 template <>
 inline constexpr Description description_of<FacingTest>{
@@ -70,7 +70,7 @@ inline constexpr Description description_of<PolygonReject>{
     .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<PolygonReject> =
-    Fields{Field{"polygon", &PolygonReject::polygon, "index", "the polygon", As::subject},
+    Fields{Field{"polygon", &PolygonReject::polygon, Measure::polygon, "the polygon", As::subject},
            Field{"reason", &PolygonReject::reason, "1", "why", As::input, Guess::told}};
 
 template <>
@@ -95,7 +95,7 @@ inline constexpr Description description_of<ClipVertex>{
 template <>
 inline constexpr auto fields_of<ClipVertex> =
     Fields{Field{"plane", &ClipVertex::plane, "1", "the plane", As::subject},
-           Field{"vertex", &ClipVertex::vertex, vertex_index, "the vertex", As::subject},
+           Field{"vertex", &ClipVertex::vertex, Measure::vertex, "the vertex", As::subject},
            Field{"distance", &ClipVertex::distance, "clip",
                  "z_v - near, far - z_v, w_c + x_c and so on; not negative is inside", As::formula},
            Field{"inside", &ClipVertex::inside, "1", "kept", As::formula}};
@@ -110,10 +110,10 @@ inline constexpr Description description_of<ClipCross>{
 template <>
 inline constexpr auto fields_of<ClipCross> =
     Fields{Field{"plane", &ClipCross::plane, "1", "the plane", As::subject},
-           Field{"vertex_inside", &ClipCross::vertex_inside, vertex_index, "the end that is kept", As::subject},
-           Field{"vertex_outside", &ClipCross::vertex_outside, vertex_index, "the end that is cut off", As::subject},
+           Field{"vertex_inside", &ClipCross::vertex_inside, Measure::vertex, "the end that is kept", As::subject},
+           Field{"vertex_outside", &ClipCross::vertex_outside, Measure::vertex, "the end that is cut off", As::subject},
            Field{"t", &ClipCross::t, "1", "d_in / (d_in - d_out), from the kept end", As::formula},
-           Field{"vertex", &ClipCross::vertex, vertex_index, "the new vertex", As::made, Guess::next},
+           Field{"vertex", &ClipCross::vertex, Measure::vertex, "the new vertex", As::made, Guess::next},
            Field{"x_v", &ClipCross::x_v, "view", "its viewing coordinates", As::formula},
            Field{"y_v", &ClipCross::y_v, "view", "its viewing coordinates", As::formula},
            Field{"z_v", &ClipCross::z_v, "view", "its viewing coordinates", As::formula}};
@@ -126,6 +126,6 @@ inline constexpr Description description_of<OutlineVertex>{
     .within = Within::polygon};
 template <>
 inline constexpr auto fields_of<OutlineVertex> =
-    Fields{Field{"vertex", &OutlineVertex::vertex, vertex_index, "the vertex", As::subject, Guess::told}};
+    Fields{Field{"vertex", &OutlineVertex::vertex, Measure::vertex, "the vertex", As::subject, Guess::told}};
 
 }  // namespace zstep

@@ -40,9 +40,9 @@ inline constexpr Description description_of<BoxMake>{
     .after_polygons = true};
 template <>
 inline constexpr auto fields_of<BoxMake> =
-    Fields{Field{"box", &BoxMake::box, box_index, "the box, numbered in the order in which boxes are made", As::made,
+    Fields{Field{"box", &BoxMake::box, Measure::box, "the box, numbered in the order in which boxes are made", As::made,
                  Guess::next},
-           Field{"parent", &BoxMake::parent, box_index, "the box around it, -1 if there is none", As::subject},
+           Field{"parent", &BoxMake::parent, Measure::box, "the box around it, -1 if there is none", As::subject},
            Field{"x_min", &BoxMake::x_min, "world", "its least x", As::recorded},
            Field{"x_max", &BoxMake::x_max, "world", "its greatest x", As::recorded},
            Field{"y_min", &BoxMake::y_min, "world", "its least y", As::recorded},
@@ -54,8 +54,9 @@ template <>
 inline constexpr Description description_of<BoxHold>{
     .name = "box_hold", .meaning = "a facet is in a box, and in no box inside it", .work = WorkKind::bookkeeping};
 template <>
-inline constexpr auto fields_of<BoxHold> = Fields{Field{"box", &BoxHold::box, box_index, "the box", As::subject},
-                                                  Field{"facet", &BoxHold::facet, "index", "the facet", As::subject}};
+inline constexpr auto fields_of<BoxHold> =
+    Fields{Field{"box", &BoxHold::box, Measure::box, "the box", As::subject},
+           Field{"facet", &BoxHold::facet, Measure::facet, "the facet", As::subject}};
 
 template <>
 inline constexpr Description description_of<GridMake>{.name = "grid_make",
@@ -82,7 +83,7 @@ inline constexpr auto fields_of<CellHold> =
     Fields{Field{"cell_x", &CellHold::cell_x, "index", "the cell along x", As::subject},
            Field{"cell_y", &CellHold::cell_y, "index", "along y", As::subject},
            Field{"cell_z", &CellHold::cell_z, "index", "along z", As::subject},
-           Field{"facet", &CellHold::facet, "index", "the facet", As::subject}};
+           Field{"facet", &CellHold::facet, Measure::facet, "the facet", As::subject}};
 
 template <>
 inline constexpr Description description_of<RayBegin>{.name = "ray_begin",
@@ -93,11 +94,11 @@ inline constexpr Description description_of<RayBegin>{.name = "ray_begin",
                                                       .after_polygons = true};
 template <>
 inline constexpr auto fields_of<RayBegin> = Fields{
-    Field{"ray", &RayBegin::ray, ray_index, "the ray, numbered in the order of work", As::made, Guess::next},
-    Field{"parent", &RayBegin::parent, ray_index, "the ray it comes from, -1 for a ray from the eye", As::subject},
+    Field{"ray", &RayBegin::ray, Measure::ray, "the ray, numbered in the order of work", As::made, Guess::next},
+    Field{"parent", &RayBegin::parent, Measure::ray, "the ray it comes from, -1 for a ray from the eye", As::subject},
     Field{"role", &RayBegin::role, "1", "why it is cast", As::subject},
-    Field{"x", &RayBegin::x, "px", "column of the pixel it is cast for", As::subject, Guess::next},
-    Field{"y", &RayBegin::y, "px", "row of that pixel", As::subject},
+    Field{"x", &RayBegin::x, Measure::column, "column of the pixel it is cast for", As::subject, Guess::next},
+    Field{"y", &RayBegin::y, Measure::pixel_row, "row of that pixel", As::subject},
     Field{"x_0", &RayBegin::x_0, "world", "where t = 0", As::formula},
     Field{"y_0", &RayBegin::y_0, "world", "where t = 0", As::formula},
     Field{"z_0", &RayBegin::z_0, "world", "where t = 0", As::formula},
@@ -127,7 +128,7 @@ inline constexpr Description description_of<BoxTest>{.name = "box_test",
                                                      .within = Within::ray};
 template <>
 inline constexpr auto fields_of<BoxTest> =
-    Fields{Field{"box", &BoxTest::box, box_index, "the box", As::subject},
+    Fields{Field{"box", &BoxTest::box, Measure::box, "the box", As::subject},
            Field{"t_enter", &BoxTest::t_enter, "1", "t where it enters the slabs", As::formula},
            Field{"t_leave", &BoxTest::t_leave, "1", "t where it leaves them", As::formula},
            Field{"hit", &BoxTest::hit, "1", "there is something to be found inside", As::formula}};
@@ -141,7 +142,7 @@ inline constexpr Description description_of<RayPlane>{
     .within = Within::ray};
 template <>
 inline constexpr auto fields_of<RayPlane> =
-    Fields{Field{"facet", &RayPlane::facet, "index", "the facet", As::subject, Guess::next},
+    Fields{Field{"facet", &RayPlane::facet, Measure::facet, "the facet", As::subject, Guess::next},
            Field{"numerator", &RayPlane::numerator, "1", "-(A X_0 + B Y_0 + C Z_0 + D)", As::formula, Guess::formula},
            Field{"denominator", &RayPlane::denominator, "1", "A dX + B dY + C dZ", As::formula, Guess::formula},
            Field{"t", &RayPlane::t, "1", "t; NaN when the ray runs along the plane", As::formula, Guess::formula}};
@@ -155,7 +156,7 @@ inline constexpr Description description_of<RayHit>{
     .within = Within::ray};
 template <>
 inline constexpr auto fields_of<RayHit> =
-    Fields{Field{"facet", &RayHit::facet, "index", "the facet", As::subject},
+    Fields{Field{"facet", &RayHit::facet, Measure::facet, "the facet", As::subject},
            Field{"t", &RayHit::t, "1", "t", As::formula, Guess::formula},
            Field{"x_hit", &RayHit::x_hit, "world", "the point", As::formula, Guess::formula},
            Field{"y_hit", &RayHit::y_hit, "world", "the point", As::formula, Guess::formula},
@@ -170,8 +171,9 @@ inline constexpr Description description_of<RayEnd>{.name = "ray_end",
                                                     .called = "ray {ray} ends"};
 template <>
 inline constexpr auto fields_of<RayEnd> =
-    Fields{Field{"ray", &RayEnd::ray, ray_index, "the ray", As::subject},
-           Field{"nearest_facet", &RayEnd::nearest_facet, "index", "the facet it meets first, -1 if none", As::formula},
+    Fields{Field{"ray", &RayEnd::ray, Measure::ray, "the ray", As::subject},
+           Field{"nearest_facet", &RayEnd::nearest_facet, Measure::facet_or_none,
+                 "the facet it meets first, -1 if none", As::formula},
            Field{"t", &RayEnd::t, "1", "t there", As::formula},
            Field{"tests", &RayEnd::tests, "1", "facets it was tested against", As::formula},
            Field{"red", &RayEnd::red, "1", "what it brings back, 0 to 1", As::formula},

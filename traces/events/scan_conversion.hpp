@@ -44,15 +44,18 @@ inline constexpr Description description_of<EdgeTableInsert>{
     .either_way = true};
 template <>
 inline constexpr auto fields_of<EdgeTableInsert> = Fields{
-    Field{"edge", &EdgeTableInsert::edge, edge_index, "the edge, numbered in order of insertion", As::made,
+    Field{"edge", &EdgeTableInsert::edge, Measure::edge, "the edge, numbered in order of insertion", As::made,
           Guess::told},
-    Field{"polygon", &EdgeTableInsert::polygon, "index", "the polygon it bounds", As::formula | As::subject,
+    Field{"polygon", &EdgeTableInsert::polygon, Measure::polygon, "the polygon it bounds", As::formula | As::subject,
           Guess::told},
-    Field{"vertex_0", &EdgeTableInsert::vertex_0, vertex_index, "its end with the smaller y", As::subject, Guess::told},
-    Field{"vertex_1", &EdgeTableInsert::vertex_1, vertex_index, "its end with the larger y", As::subject, Guess::told},
-    Field{"first_row", &EdgeTableInsert::first_row, "row", "the first scan line it meets: its bucket", As::formula,
+    Field{"vertex_0", &EdgeTableInsert::vertex_0, Measure::vertex, "its end with the smaller y", As::subject,
+          Guess::told},
+    Field{"vertex_1", &EdgeTableInsert::vertex_1, Measure::vertex, "its end with the larger y", As::subject,
+          Guess::told},
+    Field{"first_row", &EdgeTableInsert::first_row, Measure::row_or_end, "the first scan line it meets: its bucket",
+          As::formula, Guess::formula},
+    Field{"end_row", &EdgeTableInsert::end_row, Measure::row_or_end, "the scan line at which it leaves", As::formula,
           Guess::formula},
-    Field{"end_row", &EdgeTableInsert::end_row, "row", "the scan line at which it leaves", As::formula, Guess::formula},
     Field{"x_edge", &EdgeTableInsert::x_edge, "px", "x on the first scan line", As::formula, Guess::formula},
     Field{"dx_dy", &EdgeTableInsert::dx_dy, "px", "1/m: what x gains from line to line", As::formula, Guess::formula},
     Field{"z_edge", &EdgeTableInsert::z_edge, "depth", "depth on the first scan line", As::formula, Guess::formula},
@@ -68,8 +71,8 @@ inline constexpr Description description_of<EdgeTableSkip>{
     .either_way = true};
 template <>
 inline constexpr auto fields_of<EdgeTableSkip> = Fields{
-    Field{"vertex_0", &EdgeTableSkip::vertex_0, vertex_index, "one end", As::subject, Guess::told},
-    Field{"vertex_1", &EdgeTableSkip::vertex_1, vertex_index, "the other end", As::subject, Guess::told},
+    Field{"vertex_0", &EdgeTableSkip::vertex_0, Measure::vertex, "one end", As::subject, Guess::told},
+    Field{"vertex_1", &EdgeTableSkip::vertex_1, Measure::vertex, "the other end", As::subject, Guess::told},
     Field{"why", &EdgeTableSkip::why, "1", "horizontal, or too short to meet a scan line", As::input, Guess::formula}};
 
 template <>
@@ -80,7 +83,7 @@ inline constexpr Description description_of<ScanLineBegin>{.name = "scan_line_be
                                                            .begins = {Unit::scan_line, "scan line"}};
 template <>
 inline constexpr auto fields_of<ScanLineBegin> =
-    Fields{Field{"y", &ScanLineBegin::y, "row", "the scan line", As::subject, Guess::told}};
+    Fields{Field{"y", &ScanLineBegin::y, Measure::row, "the scan line", As::subject, Guess::told}};
 
 template <>
 inline constexpr Description description_of<EdgeEnter>{
@@ -89,7 +92,7 @@ inline constexpr Description description_of<EdgeEnter>{
     .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<EdgeEnter> =
-    Fields{Field{"edge", &EdgeEnter::edge, edge_index, "the edge", As::subject, Guess::told},
+    Fields{Field{"edge", &EdgeEnter::edge, Measure::edge, "the edge", As::subject, Guess::told},
            Field{"place", &EdgeEnter::place, "index", "its place in the list, from the left, from 0", As::aside,
                  Guess::formula}};
 
@@ -98,7 +101,7 @@ inline constexpr Description description_of<EdgeRetire>{
     .name = "edge_retire", .meaning = "an edge that ends leaves the active edge list", .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<EdgeRetire> =
-    Fields{Field{"edge", &EdgeRetire::edge, edge_index, "the edge", As::subject, Guess::told}};
+    Fields{Field{"edge", &EdgeRetire::edge, Measure::edge, "the edge", As::subject, Guess::told}};
 
 template <>
 inline constexpr Description description_of<EdgeStep>{.name = "edge_step",
@@ -107,7 +110,7 @@ inline constexpr Description description_of<EdgeStep>{.name = "edge_step",
                                                       .called = "active edge {edge} on scan line {scan_line}"};
 template <>
 inline constexpr auto fields_of<EdgeStep> =
-    Fields{Field{"edge", &EdgeStep::edge, edge_index, "the edge", As::subject, Guess::told},
+    Fields{Field{"edge", &EdgeStep::edge, Measure::edge, "the edge", As::subject, Guess::told},
            Field{"x_edge", &EdgeStep::x_edge, "px", "its x there", As::formula, Guess::formula},
            Field{"z_edge", &EdgeStep::z_edge, "depth", "its depth there", As::formula, Guess::formula}};
 
@@ -128,10 +131,10 @@ inline constexpr Description description_of<PlaneSlopes>{
     .called = "slopes of the plane of {polygon}"};
 template <>
 inline constexpr auto fields_of<PlaneSlopes> = Fields{
-    Field{"polygon", &PlaneSlopes::polygon, "index", "the polygon", As::subject},
-    Field{"vertex_0", &PlaneSlopes::vertex_0, vertex_index, "the vertex from which depths are counted", As::input},
-    Field{"vertex_1", &PlaneSlopes::vertex_1, vertex_index, "another one", As::input},
-    Field{"vertex_2", &PlaneSlopes::vertex_2, vertex_index, "and a third", As::input},
+    Field{"polygon", &PlaneSlopes::polygon, Measure::polygon, "the polygon", As::subject},
+    Field{"vertex_0", &PlaneSlopes::vertex_0, Measure::vertex, "the vertex from which depths are counted", As::input},
+    Field{"vertex_1", &PlaneSlopes::vertex_1, Measure::vertex, "another one", As::input},
+    Field{"vertex_2", &PlaneSlopes::vertex_2, Measure::vertex, "and a third", As::input},
     Field{"dz_dx", &PlaneSlopes::dz_dx, "depth", "-A/C: what depth gains from pixel to pixel", As::formula},
     Field{"dz_dy", &PlaneSlopes::dz_dy, "depth", "-B/C: what it gains from line to line", As::formula}};
 
@@ -145,12 +148,12 @@ inline constexpr Description description_of<SpanBegin>{
     .begins = {Unit::span, "span"}};
 template <>
 inline constexpr auto fields_of<SpanBegin> = Fields{
-    Field{"left_edge", &SpanBegin::left_edge, edge_index, "the edge on the left", As::input, Guess::told},
-    Field{"right_edge", &SpanBegin::right_edge, edge_index, "the edge on the right", As::input, Guess::told},
-    Field{"y", &SpanBegin::y, "row", "the scan line", As::subject},
-    Field{"first", &SpanBegin::first, "px", "the first pixel", As::formula, Guess::formula},
-    Field{"last", &SpanBegin::last, "px", "the last pixel; smaller than the first when none lies between", As::formula,
-          Guess::formula},
+    Field{"left_edge", &SpanBegin::left_edge, Measure::edge, "the edge on the left", As::input, Guess::told},
+    Field{"right_edge", &SpanBegin::right_edge, Measure::edge, "the edge on the right", As::input, Guess::told},
+    Field{"y", &SpanBegin::y, Measure::row, "the scan line", As::subject},
+    Field{"first", &SpanBegin::first, Measure::span_end, "the first pixel", As::formula, Guess::formula},
+    Field{"last", &SpanBegin::last, Measure::span_end, "the last pixel; smaller than the first when none lies between",
+          As::formula, Guess::formula},
     Field{"x_left", &SpanBegin::x_left, "px", "x where the scan line meets the left edge", As::formula, Guess::formula},
     Field{"z_left", &SpanBegin::z_left, "depth", "depth there", As::formula, Guess::formula},
     Field{"x_right", &SpanBegin::x_right, "px", "x where the scan line meets the right edge", As::formula,

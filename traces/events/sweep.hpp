@@ -27,8 +27,8 @@ inline constexpr Description description_of<FlagFlip>{
     .within = Within::scan_line};
 template <>
 inline constexpr auto fields_of<FlagFlip> =
-    Fields{Field{"edge", &FlagFlip::edge, edge_index, "the edge", As::subject},
-           Field{"piece", &FlagFlip::piece, piece_index, "the row of the polygon table", As::input, Guess::formula},
+    Fields{Field{"edge", &FlagFlip::edge, Measure::edge, "the edge", As::subject},
+           Field{"piece", &FlagFlip::piece, Measure::piece, "the row of the polygon table", As::input, Guess::formula},
            Field{"inside", &FlagFlip::inside, "1", "the flag from here on", As::formula, Guess::formula}};
 
 template <>
@@ -40,12 +40,12 @@ inline constexpr Description description_of<SpanFlags>{
     .begins = {Unit::span, "span"}};
 template <>
 inline constexpr auto fields_of<SpanFlags> =
-    Fields{Field{"y", &SpanFlags::y, "row", "the scan line", As::subject},
+    Fields{Field{"y", &SpanFlags::y, Measure::row, "the scan line", As::subject},
            Field{"x_left", &SpanFlags::x_left, "px", "where it begins", As::formula, Guess::told},
            Field{"x_right", &SpanFlags::x_right, "px", "where it ends", As::formula, Guess::told},
-           Field{"first", &SpanFlags::first, "px", "its first pixel", As::formula, Guess::formula},
-           Field{"last", &SpanFlags::last, "px", "its last pixel; smaller than the first when none lies between",
-                 As::formula, Guess::formula},
+           Field{"first", &SpanFlags::first, Measure::span_end, "its first pixel", As::formula, Guess::formula},
+           Field{"last", &SpanFlags::last, Measure::span_end,
+                 "its last pixel; smaller than the first when none lies between", As::formula, Guess::formula},
            Field{"flags", &SpanFlags::flags, "1", "how many flags are true", As::formula, Guess::formula}};
 
 template <>
@@ -57,8 +57,8 @@ inline constexpr Description description_of<ImpliedEdge>{
     .within = Within::scan_line};
 template <>
 inline constexpr auto fields_of<ImpliedEdge> =
-    Fields{Field{"piece", &ImpliedEdge::piece, piece_index, "the one", As::subject},
-           Field{"other", &ImpliedEdge::other, piece_index, "the other", As::subject},
+    Fields{Field{"piece", &ImpliedEdge::piece, Measure::piece, "the one", As::subject},
+           Field{"other", &ImpliedEdge::other, Measure::piece, "the other", As::subject},
            Field{"x_at", &ImpliedEdge::x_at, "px", "where the depths are equal", As::formula},
            Field{"z", &ImpliedEdge::z, "depth", "the depth there", As::formula}};
 
@@ -70,17 +70,18 @@ inline constexpr Description description_of<SpanWinner>{.name = "span_winner",
                                                         .gives_around = "on the interval of the scan line around it"};
 template <>
 inline constexpr auto fields_of<SpanWinner> =
-    Fields{Field{"piece", &SpanWinner::piece, piece_index, "its row of the polygon table", As::input},
-           Field{"first", &SpanWinner::first, "px", "the first pixel", As::recorded | As::subject},
-           Field{"last", &SpanWinner::last, "px", "the last pixel", As::recorded}};
+    Fields{Field{"piece", &SpanWinner::piece, Measure::piece, "its row of the polygon table", As::input},
+           Field{"first", &SpanWinner::first, Measure::span_end, "the first pixel", As::recorded | As::subject},
+           Field{"last", &SpanWinner::last, Measure::span_end, "the last pixel", As::recorded}};
 
 template <>
 inline constexpr Description description_of<CoverageAdd>{
     .name = "coverage_add", .meaning = "the part of a pixel's area that a polygon covers", .work = WorkKind::writes};
 template <>
 inline constexpr auto fields_of<CoverageAdd> = Fields{
-    Field{"x", &CoverageAdd::x, "px", "column", As::subject}, Field{"y", &CoverageAdd::y, "px", "row", As::subject},
-    Field{"owner", &CoverageAdd::owner, "index", "the polygon; -1 is the background", As::subject},
+    Field{"x", &CoverageAdd::x, Measure::column, "column", As::subject},
+    Field{"y", &CoverageAdd::y, Measure::pixel_row, "row", As::subject},
+    Field{"owner", &CoverageAdd::owner, Measure::polygon_or_none, "the polygon; -1 is the background", As::subject},
     Field{"coverage", &CoverageAdd::coverage, "1", "share of the pixel, 0 to 1", As::recorded}};
 
 }  // namespace zstep

@@ -23,7 +23,7 @@ inline constexpr Description description_of<ViewTransform>{.name = "view_transfo
                                                            .called = "vertex {vertex}, viewed"};
 template <>
 inline constexpr auto fields_of<ViewTransform> =
-    Fields{Field{"vertex", &ViewTransform::vertex, vertex_index, "the vertex", As::subject, Guess::next},
+    Fields{Field{"vertex", &ViewTransform::vertex, Measure::vertex, "the vertex", As::subject, Guess::next},
            Field{"x_v", &ViewTransform::x_v, "view", "to the right of the eye", As::formula, Guess::formula},
            Field{"y_v", &ViewTransform::y_v, "view", "above the eye", As::formula, Guess::formula},
            Field{"z_v", &ViewTransform::z_v, "view", "away from the eye", As::formula, Guess::formula}};
@@ -36,7 +36,7 @@ inline constexpr Description description_of<Projection>{
     .called = "vertex {vertex}, projected"};
 template <>
 inline constexpr auto fields_of<Projection> =
-    Fields{Field{"vertex", &Projection::vertex, vertex_index, "the vertex", As::subject},
+    Fields{Field{"vertex", &Projection::vertex, Measure::vertex, "the vertex", As::subject},
            Field{"x_p", &Projection::x_p, "plane", "x on the projection plane", As::formula, Guess::formula},
            Field{"y_p", &Projection::y_p, "plane", "y on the projection plane", As::formula, Guess::formula},
            Field{"z", &Projection::z, "depth", "the depth that will be interpolated", As::formula, Guess::formula}};
@@ -48,7 +48,7 @@ inline constexpr Description description_of<ViewportTransform>{.name = "viewport
                                                                .called = "vertex {vertex} on the raster"};
 template <>
 inline constexpr auto fields_of<ViewportTransform> = Fields{
-    Field{"vertex", &ViewportTransform::vertex, vertex_index, "the vertex", As::subject},
+    Field{"vertex", &ViewportTransform::vertex, Measure::vertex, "the vertex", As::subject},
     Field{"x_s", &ViewportTransform::x_s, "px", "column, pixel centres at integers", As::formula, Guess::formula},
     Field{"y_s", &ViewportTransform::y_s, "px", "row, pixel centres at integers", As::formula, Guess::formula}};
 

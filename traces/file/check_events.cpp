@@ -57,24 +57,50 @@ std::string EventCheck::operator()(const E& event) {
     if (value != -1) below(what, value, limit);
   };
   for_each_index<E>([&]<std::size_t I>() {
-    if constexpr (std::is_same_v<FieldValue<E, I>, std::int32_t>) {
-      constexpr std::string_view name = field_at<E, I>.name;
+    if constexpr (constexpr Bound bound = field_at<E, I>.bound; bound != Bound::none) {
       const std::int32_t value = event.*field_at<E, I>.member;
       const bool well = fault.empty();
-      if constexpr (name == "polygon") below("polygon", value, polygons_);
-      else if constexpr (name == "owner") below_or_none("polygon", value, polygons_);
-      else if constexpr (name == "facet") below("facet", value, facets_);
-      else if constexpr (name == "nearest_facet" || name == "left_facet" || name == "right_facet")
-        below_or_none("facet", value, facets_);
-      else if constexpr (name.substr(0, 6) == "vertex") below("vertex", value, vertices_);
-      else if constexpr (name == "edge" || name == "left_edge" || name == "right_edge") below("edge", value, edges_);
-      else if constexpr (name == "x") within("column", value, 0, width_ - 1);
-      else if constexpr (name == "y") within("row", value, 0, height_ - 1);
-      else if constexpr (name == "first" || name == "last") within("column", value, -2, width_);
-      else if constexpr (name == "first_row" || name == "end_row") within("row", value, 0, height_);
-      else if constexpr (name == "first_column" || name == "end_column") within("column", value, 0, width_);
-      else if constexpr (name == "r8" || name == "g8" || name == "b8") below("shade", value, 256);
-      if (well && !fault.empty()) field_ = name;
+      switch (bound) {
+        case Bound::polygon:
+          below("polygon", value, polygons_);
+          break;
+        case Bound::polygon_or_none:
+          below_or_none("polygon", value, polygons_);
+          break;
+        case Bound::facet:
+          below("facet", value, facets_);
+          break;
+        case Bound::facet_or_none:
+          below_or_none("facet", value, facets_);
+          break;
+        case Bound::vertex:
+          below("vertex", value, vertices_);
+          break;
+        case Bound::edge:
+          below("edge", value, edges_);
+          break;
+        case Bound::column:
+          within("column", value, 0, width_ - 1);
+          break;
+        case Bound::row:
+          within("row", value, 0, height_ - 1);
+          break;
+        case Bound::span_end:
+          within("column", value, -2, width_);
+          break;
+        case Bound::column_or_end:
+          within("column", value, 0, width_);
+          break;
+        case Bound::row_or_end:
+          within("row", value, 0, height_);
+          break;
+        case Bound::shade:
+          below("shade", value, 256);
+          break;
+        case Bound::none:
+          break;
+      }
+      if (well && !fault.empty()) field_ = field_at<E, I>.name;
     }
   });
   return fault;
