@@ -53,23 +53,19 @@ void App::resize(int width, int height) {
   if (film_ && (width != renderer_.width() || height != renderer_.height()))
     end_film("The window was made another size, so the film was ended; no file was left.");
   renderer_.resize(width, height);
-  session_.touch();
 }
 
 void App::set_dpi_scale(float scale) {
   dpi_scale_ = scale;
-  session_.touch();
 }
 
 void App::set_dark(bool dark) {
   settings_.dark = dark;
   ui_.theme = dark ? &dark_theme() : &light_theme();
-  session_.touch();
 }
 
 void App::set_presenter(bool presenter) {
   settings_.presenter = ui_.presenter = presenter;
-  session_.touch();
 }
 
 std::string App::lead() const {
@@ -81,7 +77,6 @@ std::string App::lead() const {
 
 void App::set_lead(const std::string& pane) {
   chosen_lead_ = {pane, session_.stop()};
-  session_.touch();
 }
 
 void App::turn_lead(int direction) {
@@ -106,7 +101,6 @@ void App::scale_text(float factor) {
 
 void App::say(std::string message) {
   session_.message = std::move(message);
-  session_.touch();
 }
 
 void App::open(Overlay overlay) {
@@ -118,7 +112,6 @@ void App::open(Overlay overlay) {
   put(uncovers ? under_overlay_.typed : "");
   wrong = uncovers ? under_overlay_.wrong : "";
   picked = uncovers ? under_overlay_.picked : 0;
-  session_.touch();
 }
 
 std::string App::command_line() const { return as_command(place_words()); }
@@ -192,7 +185,6 @@ void App::draw_field(const std::string& hint) {
   if (!field_.draw(*this, hint)) return;
   wrong.clear();
   picked = drawer_has_keys() && drawer_ == Drawer::until ? -1 : 0;
-  session_.touch();
 }
 
 void App::draw_drawer_field(const std::string& hint) {
@@ -256,13 +248,11 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       }
       if (typing()) {
         io.AddInputCharactersUTF8(event.text.text);
-        session_.touch();
         return true;
       }
       if (const Command* command = command_for(event.text.text[0])) {
         session_.message.clear();
         run(*command);
-        session_.touch();
       }
       return false;
     case SDL_FINGERDOWN:
@@ -283,7 +273,6 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
             static_cast<float>(event.button.y) * pixels_per_point);
       const bool down = event.type == SDL_MOUSEBUTTONDOWN;
       if (down && std::exchange(black_, false)) {
-        session_.touch();
         return false;
       }
       if (down) session_.message.clear();

@@ -276,8 +276,12 @@ class App {
   double clock_time = 0;
   bool moves = false;     ///< panes and rows move to where they go, by that time; else they are there at once
   bool moving() const;    ///< and the next frame is another
+  /// Something is done from frame to frame: the next one goes on with it, and is another.
+  bool works() const;
+  /// What changes without anybody's hand: by a clock, or by what was done beside.
+  std::uint64_t moment();
   double until_clock() const { return board_.clock_runs() ? 1 : 1e9; }
-  void make_black() { black_ = true, session_.touch(); }  ///< until the next key or click, which does nothing else
+  void make_black() { black_ = true; }  ///< until the next key or click, which does nothing else
   bool black() const { return black_; }
   bool has_causes() const { return findings_.has_value() || against_.has_value(); }
   void hold(const Command& command);  ///< what a key is held for, until the next key or click
@@ -467,7 +471,6 @@ class App {
   bool clicker_ = false;      ///< what is picked on the start page was picked by a clicker's keys
   bool text_taken_ = false;   ///< the text of the key that went down last is not typed: a command was run by it
   const Command* held_ = nullptr;
-  std::uint64_t seen_revision_ = 0;
 };
 
 /// Goes where `options` say, else to where the reader left it, else to the lesson's first stop. Throws InputError where

@@ -40,7 +40,6 @@ void App::pick_visit_before() {
   for (std::size_t i = 0; i < history_.size(); ++i)
     if (history_[i].step <= session_.position()) picked = static_cast<int>(i);
   scroll_to_picked = true;
-  session_.touch();
 }
 
 const answers::Visit& App::told_visit(std::size_t visit) {
@@ -118,14 +117,12 @@ void App::ask_typed() {
   if (typed == inquiry_.sql() && !inquiry_.rows().empty()) return go_to_row(static_cast<std::size_t>(picked));
   if (!ends_waiting) return ask_now();
   asking_ = 2;
-  session_.touch();
 }
 
 void App::ask_now() {
   inquiry_.ask(typed, ends_waiting);
   picked = 0;
   if (ui_.heat && !pixel_overlay_.shown()) ui_.heat = inquiry_.heat();
-  session_.touch();
 }
 
 std::string App::tables() const {
@@ -142,7 +139,6 @@ void App::go_to_row(std::size_t row) {
   if (step) session_.go_to(*step);
   if (pixel) session_.select(*pixel);
   if (!step && !pixel) say("This row has no step, x or y to go to.");
-  session_.touch();
 }
 
 void App::paint_answer() {
@@ -151,7 +147,6 @@ void App::paint_answer() {
   if (of_answer) return;
   if (inquiry_.heat()) ui_.heat = inquiry_.heat();
   else say("Only an answer with columns x and y can be painted.");
-  session_.touch();
 }
 
 }  // namespace zstep::viewer

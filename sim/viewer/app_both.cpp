@@ -12,19 +12,18 @@ namespace zstep::viewer {
 
 /// A pane of another run. What a reader does in it, zooming and selecting, this run takes; then it is true.
 bool App::draw_beside(Ui& b, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size) {
-  const std::uint64_t revision = b.session.revision();
+  const std::optional<Cell> selected = b.session.selected;
   b.mouse_help.clear();
   b.pointed_next.reset();
-  b.view = ui_.view;
+  const RasterView view = b.view = ui_.view;
   ImGui::PushID(&b);
   draw_pane(b, pane, title, at, size);
   ImGui::PopID();
   if (!b.mouse_help.empty()) ui_.mouse_help = b.mouse_help;
   if (b.pointed_next) ui_.pointed_next = b.pointed_next;
-  if (b.session.revision() == revision) return false;
+  if (b.session.selected == selected && b.view == view) return false;
   ui_.view = b.view;
   if (b.session.selected != session_.selected) session_.select(b.session.selected);
-  session_.touch();
   return true;
 }
 

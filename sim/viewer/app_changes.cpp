@@ -56,7 +56,6 @@ const Task* App::task() const {
 bool App::next_stop(int direction) {
   if (session_.lesson() || !lesson_waits) return session_.next_stop(direction);
   requests.back_to_lesson = direction;
-  session_.touch();
   return true;
 }
 
@@ -65,17 +64,15 @@ void App::give_hint() {
   if (!asked) return;
   if (hints_given_ < asked->hints.size()) {
     ++hints_given_;
-    return session_.touch();
+    return;
   }
   requests.change_goes_on = false;
   for (const std::string& change : asked->solution) requests.changes.push_back(read_change(change));
-  session_.touch();
 }
 
 void App::ask_change(Change change, bool goes_on) {
   wrong.clear();
   requests.changes = {std::move(change)}, requests.change_goes_on = goes_on;
-  session_.touch();
 }
 
 void App::change_typed() {
@@ -108,13 +105,11 @@ void App::show_changes(Changed changed, std::shared_ptr<const Trace> before) {
     before_ = std::make_unique<BeforeChange>(session_, std::move(before));
     before_ui_ = std::make_unique<Ui>(before_->session(), renderer_);
   }
-  session_.touch();
 }
 
 void App::say_unchanged(const std::string& why) {
   if (drawer_ == Drawer::what_if) wrong = why;
   else say(why);
-  session_.touch();
 }
 
 bool App::pick_changeable(SDL_Keycode code, unsigned modifiers) {

@@ -151,7 +151,6 @@ void App::take_clicks() {
   if (ui_.clicked) {
     session_.message.clear();
     run(*ui_.clicked);
-    session_.touch();
   } else if (!ui_.here.empty()) {
     here_ = ui_.here;
     here_at_ = ImGui::GetIO().MousePos;
@@ -196,7 +195,7 @@ void App::draw() {
   places_.look_on();
   if (session_.lesson() && overlay_ != Overlay::start && !film_ && !embedded()) settings_.see_stop(session_.lesson()->id, session_.stop() + 1);
   if (asking_ > 0 && --asking_ == 0) ask_now();
-  if (race_ && growth().at_work && growth().shown++ > 0) growth().measure_next(ends_waiting), session_.touch();
+  if (race_ && growth().at_work && growth().shown++ > 0) growth().measure_next(ends_waiting);
   follow_overlay();
   follow_selected();
   update_fonts();
@@ -263,9 +262,6 @@ void App::draw() {
   if (black_) ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32_BLACK);
   ImGui::Render();
   renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
-  if (ui_.pointed != ui_.pointed_next || session_.hovered_edge != ui_.hovered_edge_next ||
-      !(session_.hovered_part == ui_.hovered_part_next))
-    session_.touch();
   ui_.pointed = ui_.pointed_next;
   session_.hovered_edge = ui_.hovered_edge_next;
   session_.hovered_part = ui_.hovered_part_next;

@@ -24,13 +24,12 @@ void App::draw_way_out(ImVec2 at, ImVec2 size) {
   if (x < transport + ui_.em * 0.5f) x = at.x + size.x - wide;
   if (x < transport + ui_.em * 0.5f) return;
   ImGui::SetCursorScreenPos({std::floor(x), top});
-  if (button(ui_, word)) requests.leave_page = true, session_.touch();
+  if (button(ui_, word)) requests.leave_page = true;
 }
 
 void App::end_embedding() {
   settings_.embedded = false;
   std::erase(opened_by, "--embed");
-  session_.touch();
 }
 
 std::string App::link_of_whole() const {

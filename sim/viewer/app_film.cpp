@@ -82,7 +82,6 @@ void App::film(std::int64_t first, std::int64_t last) {
 void App::film_on() {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point until = Clock::now() + std::chrono::milliseconds(100);
-  session_.touch();
   try {
     for (; film_->made < film_->steps.size(); ++film_->made) {
       if (Clock::now() >= until || !film_->maker->takes_more()) return;
@@ -142,7 +141,6 @@ void App::film_typed() {
   if (two && first >= 0 && first < last && last <= session_.size()) return film(first, last);
   wrong = two ? fmt::format("The first step comes before the last, and the last is at most {}.", session_.size())
               : "Type the first step and the last: 300 420";
-  session_.touch();
 }
 
 bool App::pick_film(SDL_Keycode code) {

@@ -26,7 +26,7 @@ void App::go_to_typed() {
     place = place_typed();
   } catch (const InputError& error) {
     wrong = error.what();  // what was typed stays, to be mended
-    return session_.touch();
+    return;
   }
   open(Overlay::none);
   go_to(place);

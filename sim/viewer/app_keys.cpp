@@ -19,7 +19,6 @@ void App::take_found(std::size_t row) {
   const Found taken = finder_.find(*this)[row];  // what is typed goes with the box
   open(Overlay::none);
   taken.go(*this);
-  session_.touch();
 }
 
 bool App::pick_found(SDL_Keycode code) {
@@ -87,12 +86,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
     return false;
   }
   if (std::exchange(black_, false)) {
-    session_.touch();
     return true;
   }
   if (key_of_box(code, modifiers) || (typing() && type(code, modifiers)) ||
       (overlay_ == Overlay::none && race_shown_ && race_key(code, modifiers))) {
-    session_.touch();
     return true;
   }
   if (const Command* command = command_for(code, modifiers)) {
@@ -103,10 +100,8 @@ bool App::key(const SDL_KeyboardEvent& event) {
     }
     session_.message.clear();
     run(*command);
-    session_.touch();
     return true;
   }
-  session_.touch();
   return false;
 }
 

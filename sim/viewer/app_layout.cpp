@@ -66,7 +66,6 @@ bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float&
   const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
   if (moved == 0) return false;
   share = std::clamp(share + moved / whole, 0.08f, 0.92f);
-  session_.touch();
   return true;
 }
 
@@ -331,7 +330,6 @@ std::vector<Pane> App::all_panes(const Header& header, bool with_lesson) {
 bool App::show_only(const std::string& pane) {
   for (const Pane& candidate : all_panes(session_.header(), session_.lesson() != nullptr))
     if (candidate.id == pane) only_ = candidate;
-  session_.touch();
   return only_ && only_->id == pane;
 }
 

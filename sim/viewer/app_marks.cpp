@@ -13,7 +13,6 @@ void App::show_findings(const CheckedRun& checked) {
   findings_.emplace(session_.trace(), checked);
   ui_.findings = &*findings_;
   ui_.marks = &*findings_;
-  session_.touch();
 }
 
 void App::show_against(const AgainstRun& with) {
@@ -28,7 +27,6 @@ void App::show_against(const AgainstRun& with) {
   if (slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header())) set_lead(slice_pane.id);
   ui_.marks = &against_->marks_of_a();
   other_ui_->marks = &against_->marks_of_b();
-  session_.touch();
 }
 
 void App::end_against() {
@@ -38,7 +36,6 @@ void App::end_against() {
   against_.reset();
   opens_at_cause_ = false;
   chosen_lead_ = lead_before_against_;
-  session_.touch();
 }
 
 void App::to_first_cause() {

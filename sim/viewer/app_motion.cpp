@@ -29,13 +29,30 @@ void App::begin_motion() {
                            l.drawer_height})
     take(window, part);
   for (const auto& [pane, share] : l.structures) take(window, share);
-  if (motion_.begin(clock_time, moves && !settings_.reduced_motion, leads.value(), window.value(), session_.position()))
-    session_.touch();
+  motion_.begin(clock_time, moves && !settings_.reduced_motion, leads.value(), window.value(), session_.position());
   if (session_.position() != rows_of_step_) ui_.rows_before = ui_.row_places, rows_of_step_ = session_.position();
   ui_.row_places.clear();
 }
 
 bool App::moving() const { return motion_.panes_move() || (motion_.row_moves() && entering_edge()) || !acts_.empty(); }
+
+bool App::works() const {
+  return moving() || film_ || places_.searching() || pixel_overlay_.counts() || (race_ && race_->growth.at_work);
+}
+
+std::uint64_t App::moment() {
+  Fingerprint print;
+  take(print, session_.position());
+  take(print, session_.stop());
+  take(print, session_.playing);
+  take(print, session_.message);
+  take(print, static_cast<int>(overlay_));
+  take(print, static_cast<int>(drawer_));
+  take(print, wrong);
+  if (against_) take(print, against_->session().position());
+  if (race_) take(print, race_->race.at()), take(print, race_->race.playing);
+  return print.value();
+}
 
 const EdgeEnter* App::entering_edge() const {
   return session_.event() ? get_if<EdgeEnter>(&session_.event()->event) : nullptr;

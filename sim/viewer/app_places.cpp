@@ -14,14 +14,13 @@ namespace zstep::viewer {
 void App::run_until(const std::string& condition, Places::Way way) {
   wrong = places_.run_until(condition, way);
   if (wrong.empty()) open(Drawer::none);
-  session_.touch();
 }
 
 void App::keep_bookmark() {
   const bool named = typed.find_first_not_of(' ') != std::string::npos;
   const std::string name = named ? typed : fmt::format("step {}", session_.position());
   wrong = places_.bookmark(name);
-  if (!wrong.empty()) return session_.touch();
+  if (!wrong.empty()) return;
   requests.marks_kept = true;
   open(Drawer::none);
   say(fmt::format("Step {} is kept as {}; L lists all bookmarks.", grouped(session_.position()), name));
@@ -59,7 +58,6 @@ void App::end_painting() {
   ui_.heat.reset();
   ui_.heat_behind.clear();
   if (pixel_overlay_.shown()) pixel_overlay_.show(std::nullopt);
-  session_.touch();
 }
 
 /// Brings what is painted over the frame to the reader's step, as far as its share of a frame's time allows.
@@ -82,7 +80,7 @@ void App::take_range() {
                  std::string(second).find_first_not_of(' ') != std::string::npos)) {
     wrong = fmt::format("Type two numbers, the {} first: {}", range.named ? "nearer" : "smaller",
                         session_.header().comparison.nearer == Comparison::Nearer::greater ? "0.8 0.2" : "0.2 0.8");
-    return session_.touch();
+    return;
   }
   open(Drawer::none);
   ui_.range_mode = empty ? Ui::RangeMode::whole : Ui::RangeMode::by_hand;

@@ -191,7 +191,6 @@ void App::draw_small_words(ImVec2 at, ImVec2 names, ImVec2 size) {
   if (const auto chosen = draw_names(panes, shown, at, names)) {
     chosen_words_ = {panes[*chosen].id, session_.stop()};
     session_.message.clear();
-    session_.touch();
   }
   at.y += names.y;
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, ui_.colors().pane);

@@ -66,7 +66,6 @@ bool App::handle_finger(const SDL_TouchFingerEvent& finger) {
 
 void App::take_acts(const std::vector<Touch::Act>& acts) {
   acts_.insert(acts_.end(), acts.begin(), acts.end());
-  if (!acts.empty()) session_.touch();
 }
 
 double App::wait_for_finger(std::int64_t now) {
@@ -159,7 +158,6 @@ void App::act_by_fingers() {
     }
   }
   by_touch_ = true;
-  if (!acts_.empty()) session_.touch();
 }
 
 }  // namespace zstep::viewer

@@ -52,7 +52,6 @@ void Board::write(Ui& ui, ImVec2 at, ImVec2 size) {
   std::vector<ImVec2>& stroke = strokes_.back();
   if (!stroke.empty() && stroke.back().x == place.x && stroke.back().y == place.y) return;
   stroke.push_back(place);
-  ui.session.touch();
 }
 
 void Board::draw(Ui& ui, ImVec2 at, ImVec2 size) {

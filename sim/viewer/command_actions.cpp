@@ -34,7 +34,6 @@ void center_on_pixel(App& app) {
   if (view.zoom < 1.01) view.zoom = std::max(2.0, std::max(raster.width, raster.height) / 16.0);
   view.center_x = cell->x + 0.5 - raster.width / 2.0;
   view.center_y = (raster.y_up ? raster.height - 1 - cell->y : cell->y) + 0.5 - raster.height / 2.0;
-  app.session().touch();
 }
 
 namespace {
@@ -67,7 +66,6 @@ void next_edge(App& app) {
   s.picked_part = {};
   const int next = s.selected_edge ? *s.selected_edge + 1 : 0;
   s.selected_edge = next < count ? std::optional(next) : std::nullopt;
-  s.touch();
 }
 
 void select_current(App& app) {
@@ -84,7 +82,7 @@ void escape(App& app) {
   if (app.overlay() != Overlay::none) return app.open(Overlay::none);
   if (app.drawer() != Drawer::none) return app.open(Drawer::none);
   Session& s = app.session();
-  if (app.board().put_away()) return s.touch();
+  if (app.board().put_away()) return;
   if (app.racing()) return app.close_race();
   if (app.ui().heat) return app.end_painting();
   s.selected.reset();
@@ -92,7 +90,6 @@ void escape(App& app) {
   s.picked_part = {};
   s.message.clear();
   s.playing = false;
-  s.touch();
 }
 
 void name_bookmark(App& app) {
@@ -132,7 +129,6 @@ void turn_scene(App& app) {
   Ui& ui = app.ui();
   ui.from_outside = !seen_from_outside(ui);
   ui.look = {};
-  app.session().touch();
 }
 
 void turn_viewing(App& app) {
@@ -145,17 +141,14 @@ void turn_viewing(App& app) {
 
 void turn_spotlight(App& app) {
   app.board().turn_spotlight();
-  app.session().touch();
 }
 
 void turn_laser(App& app) {
   app.board().turn_laser();
-  app.session().touch();
 }
 
 void turn_clock(App& app) {
   app.board().turn_clock(app.clock_time);
-  app.session().touch();
 }
 
 void copy_place(App& app) {

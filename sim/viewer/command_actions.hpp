@@ -44,7 +44,6 @@ void zoom(App& app) {
   view.zoom =
       std::clamp(direction > 0 ? view.zoom * 1.25 : view.zoom / 1.25, 1.0, most_zoom(app.session().scene().raster));
   if (view.zoom < 1.01) view = {};
-  app.session().touch();
 }
 
 /// Moves what is seen by an eighth of it.
@@ -55,7 +54,6 @@ void pan(App& app) {
   const double step = std::max(raster.width, raster.height) / view.zoom / 8;
   view.center_x = std::clamp(view.center_x + x * step, -raster.width / 2.0, raster.width / 2.0);
   view.center_y = std::clamp(view.center_y + y * step, -raster.height / 2.0, raster.height / 2.0);
-  app.session().touch();
 }
 
 /// The selection to the next pixel; the first one is that at work.
@@ -80,13 +78,11 @@ void walk(App& app) {
   Look& look = app.ui().look;
   look.turn += turn;
   if (tilt > 0) look.tilt = look.tilt < most_tilt ? std::min(look.tilt + tilt, most_tilt) : least_tilt;
-  app.session().touch();
 }
 
 template <bool stays>
 void turn_pen(App& app) {
   app.board().turn_pen(stays);
-  app.session().touch();
 }
 
 /// Sets one end of what playing repeats; the other is the trace's, or where it was set.

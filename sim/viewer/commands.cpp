@@ -105,11 +105,9 @@ const std::vector<Command>& table() {
        [](App& a) {
          if (a.ui().presenter) return a.make_black();
          a.session().looking_back = true;
-         a.session().touch();
        },
        [](App& a) {
          a.session().looking_back = false;
-         a.session().touch();
        }},
       {"zoom-in", "Look", "Zoom into the buffers (or wheel)", {{SDLK_z}}, zoom<1>},
       {"zoom-out", "Look", "Zoom out", {{SDLK_z, S}}, zoom<-1>},
@@ -119,7 +117,6 @@ const std::vector<Command>& table() {
        {{SDLK_0}},
        [](App& a) {
          a.ui().view = {};
-         a.session().touch();
        }},
       {"center", "Look", "Zoom to the pixel at work", {{SDLK_c}}, center_on_pixel},
       {"pan-left", "Look", "Pan left (or drag)", {{SDLK_a}}, pan<-1, 0>},
@@ -136,7 +133,6 @@ const std::vector<Command>& table() {
        {{SDLK_i}},
        [](App& a) {
          a.ui().histogram = !a.ui().histogram;
-         a.session().touch();
        }},
       {"relief",
        "Look",
@@ -145,7 +141,6 @@ const std::vector<Command>& table() {
        [](App& a) {
          if (!depth_pane_of(a.session().header())) return a.say("There are no depths in this trace.");
          a.ui().relief = !a.ui().relief;
-         a.session().touch();
        }},
       {"next-lead", "Look", "Large: the next pane (or its title)", {{SDLK_TAB}}, [](App& a) { a.turn_lead(1); }},
       {"previous-lead", "Look", "Large: the pane before", {{SDLK_TAB, S}}, [](App& a) { a.turn_lead(-1); }},
@@ -157,7 +152,6 @@ const std::vector<Command>& table() {
        {{SDLK_v}},
        [](App& a) {
          a.ui().vertices_always = !a.ui().vertices_always;
-         a.session().touch();
        }},
       {"whole-code",
        "Look",
@@ -165,7 +159,6 @@ const std::vector<Command>& table() {
        {{SDLK_7}},
        [](App& a) {
          a.ui().whole_code = !a.ui().whole_code;
-         a.session().touch();
        }},
       {"outside", "Look", "The scene from outside, or not", {{SDLK_v, S}}, turn_scene},
       {"viewing-step", "Look", "T\u2081 to T\u2084 of viewing, in turn", {{SDLK_t, S}}, turn_viewing},
@@ -230,7 +223,6 @@ const std::vector<Command>& table() {
        {{SDLK_l, C}},
        [](App& a) {
          a.settings().layout = {};
-         a.session().touch();
        }},
       {"copy-place", "Window", "Copy what opens this place", {{SDLK_c, C}}, copy_place},
       {"picture",

@@ -89,7 +89,11 @@ void add_offers(App& app, const TypedWords& words, std::vector<Found>& found) {
 }  // namespace
 
 const std::vector<Found>& Finder::find(App& app) {
-  if (std::exchange(found_for_, app.session().revision()) == app.session().revision()) return found_;
+  Fingerprint asked_for;
+  take(asked_for, app.typed);
+  take(asked_for, app.session().position());
+  take(asked_for, app.places().bookmarks().size());
+  if (std::exchange(found_for_, asked_for.value()) == asked_for.value()) return found_;
   found_.clear();
   const bool asked = app.typed.find_first_not_of(' ') != std::string::npos;
   std::optional<places::Place> named;

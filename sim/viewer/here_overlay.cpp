@@ -41,7 +41,6 @@ void App::take_here(std::size_t line) {
                  : "Copied: " + spaced(taken.copies));
   }
   if (const Command* command = command_called(taken.command)) run(*command);
-  session_.touch();
 }
 
 void draw_here(App& app, ImVec2 mouse) {

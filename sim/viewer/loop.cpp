@@ -118,7 +118,7 @@ void Loop::tell_place() {
   if (app.overlay() == Overlay::start) return;  // nothing is chosen yet
   // What no link leads to, as a file, is told of, too.
   const std::string link = app.link().value_or(""), place = link.empty() ? app.command_line() : link;
-  const bool other = std::exchange(told_revision_, app.session().revision()) != app.session().revision();
+  const bool other = std::exchange(told_seen_, seen_) != seen_;
   if (place == told_) {
     if (std::exchange(told_by_link_, false) || other) say_place();  // of the same step something else may be told
     return;
@@ -143,7 +143,7 @@ void Loop::run(std::string_view id) {
   app.session().message.clear();
   app.run(*command);
   if (command->release) command->release(app);
-  app.session().touch();
+  frames_due_ = App::frames_to_settle;
 }
 
 void Loop::tell_typing() {
@@ -164,6 +164,7 @@ bool Loop::go_to_link(const std::string& link) {
   // It is the page that is there already.
   told_ = stage_.app().link().value_or(""), told_stop_ = stage_.app().session().stop();
   told_by_link_ = true;
+  frames_due_ = App::frames_to_settle;
   return true;
 }
 
@@ -179,15 +180,15 @@ bool Loop::turn(May may) {
     window_.show_progress(share);
     return Window::is_ended();
   };
-  if (std::exchange(drawn_app_, &stage_.app()) != &stage_.app()) drawn_ = 0;  // another run's
+  const auto due = [&](bool when) { if (when) frames_due_ = std::max(frames_due_, App::frames_to_settle); };
+  due(std::exchange(drawn_app_, &stage_.app()) != &stage_.app());  // another run's
   const double time = seconds();
   double wait = std::min({stage_.app().play(time), stage_.app().until_clock(), notes_.until_due()});
   if (stage_.app().waits_for_run) wait = std::min(wait, 0.1);
   wait = std::min(wait, stage_.app().wait_for_finger(SDL_GetTicks()));
   rests_for_ = wait;
-  if (std::floor(time) != std::floor(std::exchange(stage_.app().clock_time, time)) && stage_.app().board().clock_runs())
-    stage_.app().session().touch();
-  if (stage_.app().session().revision() != drawn_) frames_due_ = std::max(frames_due_, App::frames_to_settle);
+  due(std::floor(time) != std::floor(std::exchange(stage_.app().clock_time, time)) && stage_.app().board().clock_runs());
+  due(std::exchange(moment_, stage_.app().moment()) != moment_);
   stage_.app().moves = true;
   if (frames_due_ <= 0) save(false), tell_place();  // nothing moves, and no hand pulls a border
   SDL_Event event;
@@ -195,7 +196,7 @@ bool Loop::turn(May may) {
   bool got = milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) != 0 : SDL_PollEvent(&event) != 0;
   while (got) {
     if (!notes_.takes(event, stage_.app())) {
-      frames_due_ = std::max(frames_due_, App::frames_to_settle);
+      due(true);
       if (stage_.app().handle(event, window_.pixels_per_point()) || stage_.app().requests.may_show_other()) break;
     }
     got = SDL_PollEvent(&event) != 0;
@@ -209,15 +210,18 @@ bool Loop::turn(May may) {
     stage_.app().set_dpi_scale(window_.dpi_scale());
     frames_due_ = App::frames_to_settle;
   }
-  if (frames_due_ <= 0 && stage_.app().session().revision() == drawn_) return true;
-  drawn_ = stage_.app().session().revision();
+  due(std::exchange(moment_, stage_.app().moment()) != moment_);
+  if (frames_due_ <= 0) return true;
   tables_.clear();
   if (system::is_heard()) stage_.app().ui().tables_seen = &tables_;
   stage_.app().frame();
   stage_.app().ui().tables_seen = nullptr;
   window_.show(stage_.app().renderer().picture());
   tell_typing();
-  if (--frames_due_ <= 0 && stage_.app().moving()) frames_due_ = 1;
+  --frames_due_;
+  if (const std::uint64_t seen = stage_.app().renderer().fingerprint(); std::exchange(seen_, seen) != seen)
+    frames_due_ = std::max(frames_due_, App::frames_to_settle - 1);
+  if (stage_.app().works()) frames_due_ = std::max(frames_due_, 1);
   return true;
 }
 

@@ -55,13 +55,14 @@ class Loop {
   NotesWindow notes_{window_};
   std::string told_;  ///< where the reader is, as a link or else a command line, as last said
   std::int64_t told_stop_ = -1;
-  std::uint64_t told_revision_ = 0;
+  std::uint64_t told_seen_ = 0;
   bool told_by_link_ = false;      ///< there, but nothing was said of it
   std::vector<TableSeen> tables_;  ///< of the last frame, where somebody listens
   std::optional<system::TypedLine> told_line_;
   double rests_for_ = 0;
   int frames_due_ = App::frames_to_settle;  ///< after a change, until nothing moves any more
-  std::uint64_t drawn_ = 0;
+  std::uint64_t moment_ = 0;  ///< App::moment, as last looked at
+  std::uint64_t seen_ = 0;    ///< the fingerprint of the picture
   const App* drawn_app_ = nullptr;
   bool on_way_ = false;  ///< the title says so
 };

@@ -6,8 +6,8 @@
 
 namespace zstep::viewer {
 
-bool Motion::begin(double time, bool on, std::uint64_t moves, std::uint64_t jumps, std::int64_t step) {
-  const bool moved = moving(), same_window = begun_ && std::exchange(jumps_, jumps) == jumps;
+void Motion::begin(double time, bool on, std::uint64_t moves, std::uint64_t jumps, std::int64_t step) {
+  const bool same_window = begun_ && std::exchange(jumps_, jumps) == jumps;
   jumps_ = jumps, time_ = time;
   last_ = std::exchange(now_, {});
   if (begun_ && std::exchange(moves_, moves) != moves) panes_since_ = time, from_ = last_;
@@ -16,7 +16,6 @@ bool Motion::begin(double time, bool on, std::uint64_t moves, std::uint64_t jump
   const auto over = [&](const std::optional<double>& since) { return !on || !since || time - *since >= seconds; };
   if (over(panes_since_) || !same_window) panes_since_.reset();
   if (over(row_since_)) row_since_.reset();
-  return moved && !moving();
 }
 
 Motion::Place Motion::between(Place from, Place to, double since) const {

@@ -19,9 +19,8 @@ class Motion {
   };
 
   /// Before a frame: the time; whether anything moves; what panes go to another place for when it changes, such as the
-  /// one that leads; what puts them there at once when it changes, such as the window's size; the step. True when a
-  /// motion has ended since the last frame.
-  bool begin(double time, bool on, std::uint64_t moves, std::uint64_t jumps, std::int64_t step);
+  /// one that leads; what puts them there at once when it changes, such as the window's size; the step.
+  void begin(double time, bool on, std::uint64_t moves, std::uint64_t jumps, std::int64_t step);
   bool panes_move() const { return panes_since_.has_value(); }
   bool row_moves() const { return row_since_.has_value(); }
   bool moving() const { return panes_move() || row_moves(); }

@@ -30,7 +30,6 @@ void App::turn_racer(const std::string& entrant) {
   } catch (const std::exception& error) {
     wrong = error.what();
   }
-  session_.touch();
 }
 
 bool App::pick_racer(SDL_Keycode code) {

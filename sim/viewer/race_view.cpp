@@ -124,20 +124,17 @@ void App::move(Unit unit, int direction) {
   const std::int64_t from = race().at();
   race().go_to(from + direction * parts_of(unit, race().end()));
   if (race().at() == from) say(direction > 0 ? "All are done." : "This is the start.");
-  session_.touch();
 }
 
 void App::go_to(std::int64_t position) {
   if (!race_shown_) return session_.go_to(position);
   race().go_to(position);
-  session_.touch();
 }
 
 void App::toggle_play() {
   if (!race_shown_) return session_.toggle_play();
   if (!race().playing && race().at() == race().end()) return say("All are done; Home goes back to the start.");
   race().playing = !race().playing;
-  session_.touch();
 }
 
 void App::change_speed(int direction) {
@@ -151,10 +148,7 @@ void App::change_speed(int direction) {
 
 double App::play(double now) {
   if (!race_shown_) return session_.play(now);
-  const std::pair before(race().at(), race().playing);
-  const double wait = race().play(now);
-  if (before != std::pair(race().at(), race().playing)) session_.touch();
-  return wait;
+  return race().play(now);
 }
 
 void App::open_race(const std::optional<RaceAsked>& asked) {
@@ -179,7 +173,6 @@ void App::open_race(const std::optional<RaceAsked>& asked) {
     const double at = asked->of_all ? asked->at * static_cast<double>(race().end()) : asked->at;
     race().go_to(std::llround(std::min(at, static_cast<double>(race().end()))));
   }
-  session_.touch();
 }
 
 void App::close_race() {
@@ -188,7 +181,6 @@ void App::close_race() {
     return say("Measuring was ended here.");
   }
   race().playing = race_shown_ = false;
-  session_.touch();
 }
 
 void App::race_by(Measure clock) {
@@ -196,7 +188,6 @@ void App::race_by(Measure clock) {
   if (!race().set_clock(clock, ends_waiting, why)) return say(why);
   if (clock == Measure::time)
     say("Measured here without a recording: the median time, spread evenly over a run's steps.");
-  session_.touch();
 }
 
 std::vector<std::string> App::race_place() const {

@@ -41,7 +41,6 @@ const std::array<SettingRow, 7>& setting_rows() {
 
 void carry_out(App& app, const char* id) {
   app.run(*command_called(id));
-  app.session().touch();
 }
 
 std::string keys_of(const SettingRow& row) {

@@ -83,7 +83,6 @@ void Stage::compare_with(const std::string& path) {
   const auto refuse = [&](std::string why) {
     if (app().drawer() != Drawer::compare) app().open(Drawer::compare), app().put(path);
     app().wrong = std::move(why);
-    app().session().touch();
   };
   try {
     const Raster& here = trace().scene().raster;

@@ -155,10 +155,9 @@ void App::open_offer(const Offer& offer) {
   if (is_folder(offer)) {
     put(std::string(offer.id));
     picked = 0;
-    return session_.touch();
+    return;
   }
   requests.open = offer;
-  session_.touch();
 }
 
 void App::take_file(const std::string& path) {
@@ -172,7 +171,6 @@ void App::take_file(const std::string& path) {
 void App::say_on_start(const std::string& why) {
   if (overlay_ != Overlay::start) open_start();
   wrong = why;
-  session_.touch();
 }
 
 bool App::pick_offer(SDL_Keycode code) {

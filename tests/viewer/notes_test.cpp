@@ -122,7 +122,6 @@ TEST_CASE("notes are drawn anew only when something on them is another") {
   CHECK(notes.follow(talk.app, "14:05"));
   CHECK_FALSE(notes.follow(talk.app, "14:05"));
   test::move_mouse(talk.app, 100, 100);
-  talk.app.session().touch();
   CHECK_FALSE(notes.follow(talk.app, "14:05"));
   CHECK(notes.follow(talk.app, "14:06"));
   test::press(talk.app, SDLK_RIGHT);

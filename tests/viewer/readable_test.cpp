@@ -176,7 +176,6 @@ TEST_CASE("law: all that stands on the start page, and all that Ctrl+P finds, is
       check_read(app, true);
       app.open(Overlay::palette);
       app.put("z");
-      app.session().touch();
       check_read(app, true);
     }
 }

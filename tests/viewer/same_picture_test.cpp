@@ -42,7 +42,6 @@ test::Bytes played(App& app, std::int64_t from, std::int64_t to, int speed) {
   s.playing = false;
   s.speed = Settings().speed;
   if (s.position() != to || !s.message.empty()) s.go_to(to);  // it halted before, went beyond, or says why it waits
-  s.touch();
   return test::picture(app);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <xxhash.h>
+
 #include "sim/viewer/draw/theme.hpp"
 
 namespace zstep::viewer {
@@ -22,6 +24,11 @@ bool is_rectangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c,
 void Renderer::resize(int width, int height) {
   if (picture_.width() != width || picture_.height() != height)
     picture_.resize(std::max(width, 1), std::max(height, 1));
+}
+
+std::uint64_t Renderer::fingerprint() const {
+  const auto pixels = static_cast<std::size_t>(picture_.width()) * static_cast<std::size_t>(picture_.height());
+  return XXH3_64bits(picture_.row(0), pixels * sizeof(Pixel32));
 }
 
 void Renderer::take_fonts() {

@@ -33,6 +33,7 @@ class Renderer {
   void draw(const ImDrawData& data, Pixel32 clear);
 
   const Canvas& picture() const { return picture_; }
+  std::uint64_t fingerprint() const;  ///< of the picture
   std::vector<std::uint8_t> rgb() const;  ///< [height*width*3], row 0 on top
 
  private:

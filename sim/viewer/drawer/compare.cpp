@@ -13,7 +13,6 @@ void App::open_compare() {
 void App::compare_typed() {
   wrong.clear();
   requests.compare_with = typed;
-  session_.touch();
 }
 
 bool App::edit_compare(SDL_Keycode code, unsigned) { return code == SDLK_RETURN ? compare_typed(), true : false; }

@@ -61,7 +61,6 @@ void App::open(Drawer drawer) {
   put(drawer == Drawer::query ? inquiry_.sql() : "");
   wrong.clear();
   picked = 0;
-  session_.touch();
 }
 
 /// A click says whose the keys are.
@@ -73,7 +72,6 @@ void App::take_keys_by_click() {
       mouse.x >= at.x - border && mouse.y >= at.y - border && mouse.x < at.x + size.x && mouse.y < at.y + size.y;
   if (inside == std::exchange(keys_in_drawer_, inside)) return;
   put(typed);  // as it stands, with nothing of it selected
-  session_.touch();
 }
 
 /// Answers about the selected pixel are about the one that is selected now.

@@ -125,7 +125,6 @@ void App::find_why() {
   for (std::size_t k = 0; k < why_.chain.size(); ++k)
     if (why_.chain[k].step == why_.step) picked = static_cast<int>(k);
   scroll_to_picked = true;
-  session_.touch();
 }
 
 void App::ask_why(std::int32_t polygon) {

@@ -34,7 +34,6 @@ void Against::go_to(const Place& place) {
   a_.go_to(place.a);
   b_.go_to(place.b);
   followed_ = a_.position();
-  a_.touch();
 }
 
 void Against::follow_second() {

@@ -24,7 +24,6 @@ void Session::mark(std::int32_t what) {
     if (marking()->kind == Marking::Kind::scan_line) marks.made.clear();
     marks.made.push_back(what);
   }
-  touch();
 }
 
 void Session::mark(Cell cell) {
@@ -37,7 +36,6 @@ void Session::check_marks() {
   Marks& marks = marks_[static_cast<std::size_t>(stop_)];
   if (marks.made.empty()) message = "Nothing is marked yet.";
   else marks.checked = true;
-  touch();
 }
 
 void Session::help_with_marks() {
@@ -45,7 +43,6 @@ void Session::help_with_marks() {
   Marks& marks = marks_[static_cast<std::size_t>(stop_)];
   if (marks.hints < marking()->hints.size()) ++marks.hints;
   else marks.shown = true;
-  touch();
 }
 
 }  // namespace zstep::viewer

@@ -51,7 +51,6 @@ void PixelOverlay::show(std::optional<Count> count) {
   painted_at_ = -1;
   if (count && !counts_) counts_ = std::make_unique<answers::PixelCounts>(session_.trace());
   if (!count) counts_.reset();  // it may hold much
-  session_.touch();
 }
 
 void PixelOverlay::turn(int direction) {
@@ -64,7 +63,7 @@ bool PixelOverlay::look_on() {
   if (!shown_ || painted_at_ == session_.position()) return false;
   try {
     const bool there = counts_->count_to(session_.position(), time_a_frame);
-    if (!there) return session_.touch(), false;  // what was painted stays until the new one is whole
+    if (!there) return false;  // what was painted stays until the new one is whole
     paint();
     painted_at_ = session_.position();
     return true;

@@ -22,6 +22,8 @@ class PixelOverlay {
   void show(std::optional<answers::Count> count);
   /// The next one of them, with none between the last and the first.
   void turn(int direction);
+  /// Is the picture of this step not whole yet?
+  bool counts() const { return shown_ && painted_at_ != session_.position(); }
   /// Counts on for some milliseconds. True when there is a picture to take.
   bool look_on();
   /// Into `shown`, whose memory is used again.

@@ -52,13 +52,11 @@ void Places::again(Way way) {
     return;
   }
   session_.message = "Press U and type a condition first; then J runs to the next step that fulfils it.";
-  session_.touch();
 }
 
 void Places::look_on() {
   if (!search_) return;
   if (session_.position() != from_) return search_.reset();  // the reader went elsewhere
-  session_.touch();
   using Result = places::Search::Result;
   const std::string text = search_->condition().text();
   const bool forwards = search_->way() == Way::forwards;
@@ -81,7 +79,6 @@ void Places::stop() {
   if (!search_) return;
   session_.message = fmt::format("Stopped looking at step {}.", grouped(search_->at()));
   search_.reset();
-  session_.touch();
 }
 
 std::string Places::progress() const {
@@ -133,7 +130,6 @@ std::string Places::bookmark(const std::string& name) {
   } catch (const InputError& error) {
     return error.what();
   }
-  session_.touch();
   return "";
 }
 
@@ -143,7 +139,6 @@ std::string Places::remove_bookmark(std::size_t place) {
   } catch (const InputError& error) {
     return error.what();
   }
-  session_.touch();
   return "";
 }
 

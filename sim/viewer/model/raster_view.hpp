@@ -13,6 +13,7 @@ struct RasterView {
   double zoom = 1;                   ///< 1: the whole raster fits the pane
   double center_x = 0,
          center_y = 0;  ///< the raster point in the middle of the pane while zoomed in, in cells from the centre
+  bool operator==(const RasterView&) const = default;
 };
 
 /// How far one may zoom: in a large raster until four cells fill the pane, so that numbers in projector type have room

@@ -73,20 +73,17 @@ void Session::arrived() {
   changed_here_.reset();
   told_to_answer_ = false;
   message.clear();
-  touch();
 }
 
 void Session::move(Unit unit, int direction) {
   const std::int64_t at = position();
   if ((direction > 0 && at == size()) || (direction < 0 && at == 0)) {
     message = direction > 0 ? "This is the end of the trace." : "This is the beginning of the trace.";
-    touch();
     return;
   }
   if (unit == Unit::event) return go_to(at + direction, unit);
   const auto say = [this](std::string sentence) {
     message = std::move(sentence);
-    touch();
   };
   const std::string_view word = word_in(trace_, unit);
   if (word.empty()) return say(fmt::format("No {} begins in this trace.", unit_word(unit)));
@@ -109,14 +106,12 @@ bool Session::to_step(std::uint8_t step, int direction) {
     return true;
   }
   message = direction > 0 ? "This line does not run again." : "This line did not run before.";
-  touch();
   return false;
 }
 
 bool Session::to_selected_pixel(int direction) {
   if (!selected) {
     message = "Click a pixel first; then F runs to the next step that touches it.";
-    touch();
     return false;
   }
   const Cell cell = *selected;
@@ -132,13 +127,11 @@ bool Session::to_selected_pixel(int direction) {
     return true;
   }
   message = direction > 0 ? "No later step touches this pixel." : "No earlier step touches this pixel.";
-  touch();
   return false;
 }
 
 void Session::select(std::optional<Cell> cell) {
   selected = cell;
-  touch();
 }
 
 // --- Before and after
@@ -245,7 +238,6 @@ void Session::pick(const ScenePart& part) {
   picked_part = part;
   selected_edge.reset();
   message = part.any() ? told_of(scene(), part) : "";
-  touch();
 }
 
 }  // namespace zstep::viewer

@@ -122,8 +122,6 @@ class Session {
   bool loops() const { return loop_first < loop_last; }
 
   std::string message;                       ///< one sentence for the reader, until the next move
-  std::uint64_t revision() const { return revision_; }  ///< grows with every change of what is shown
-  void touch() { ++revision_; }
 
  private:
   std::optional<std::int32_t> entry_of(const ScenePart& part) const;
@@ -146,7 +144,6 @@ class Session {
   std::vector<Marks> marks_;
   double played_until_ = -1, owed_ = 0, reading_until_ = -1;
   int waits_ = 0;  ///< seconds, as last said
-  std::uint64_t revision_ = 1;
 };
 
 /// "event", "pixel", …: the word for one and where it is said.

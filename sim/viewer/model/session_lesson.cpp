@@ -19,7 +19,6 @@ void Session::to_stop(int index) {
 bool Session::next_stop(int direction) {
   if (!lesson_ || lesson_->stops.empty()) {
     message = "There is no lesson here; Ctrl+O opens one.";
-    touch();
     return true;
   }
   const int count = static_cast<int>(lesson_->stops.size());
@@ -29,7 +28,6 @@ bool Session::next_stop(int direction) {
     target = stop_;
   if (target < 0 || target >= count) {
     message = direction > 0 ? "This was the last stop of the lesson." : "This is the first stop of the lesson.";
-    touch();
     const bool again = direction > 0 && told_end_;
     told_end_ = direction > 0;
     return !again;
@@ -62,7 +60,6 @@ void Session::answer(int choice) {
   const auto& question = lesson_->stops[static_cast<std::size_t>(stop_)].question;
   if (!question || choice < 0 || choice >= static_cast<int>(question->answers.size())) return;
   chosen_[static_cast<std::size_t>(stop_)] = choice;
-  touch();
 }
 
 void Session::show_answer() {

@@ -28,21 +28,19 @@ void Session::say_that_it_asks() {
   const std::size_t answers = lesson_->stops[static_cast<std::size_t>(stop_)].question->answers.size();
   message =
       fmt::format("Here the lesson asks. Answer first (a key from 1 to {}, or a click), then Space plays on.", answers);
-  touch();
 }
 
 void Session::toggle_play() {
   if (playing && waits_ > 0) {
     reading_until_ = -1;  // the reader has read
-    return touch();
+    return;
   }
   if (!playing && position() == size() && !loops()) {
     message = "This is the end of the trace; Home goes back to its beginning.";
-    return touch();
+    return;
   }
   if (!playing && asks_here()) return say_that_it_asks();
   playing = !playing;
-  touch();
 }
 
 double Session::play(double now) {
@@ -65,11 +63,10 @@ double Session::play(double now) {
     if (whole != std::exchange(waits_, whole)) {
       message =
           fmt::format("Time to read this stop: playing goes on in {} s. Space goes on at once, Esc pauses.", whole);
-      touch();
     }
     return std::max(frame, left - (whole - 1));
   }
-  if (std::exchange(waits_, 0) > 0) message.clear(), touch();
+  if (std::exchange(waits_, 0) > 0) message.clear();
   const Speed& s = speeds()[static_cast<std::size_t>(speed)];
   std::int64_t to = position();
   if (s.unit_a_frame) {
@@ -98,7 +95,6 @@ double Session::play(double now) {
   if (position() == size() && !loops()) {
     playing = false;
     message = "Played to the end of the trace; Home goes back to its beginning.";
-    touch();
   }
   if (s.unit_a_frame) return frame;
   return std::max(frame, (1 - owed_) / s.steps_a_second);

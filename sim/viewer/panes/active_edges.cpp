@@ -151,7 +151,6 @@ void draw_active_edges(Ui& ui) {
   if (result.hovered) ui.hovered_edge_next = result.hovered;
   if (result.clicked) {
     ui.session.selected_edge = s.selected_edge == result.clicked ? std::nullopt : result.clicked;
-    ui.session.touch();
   }
 }
 

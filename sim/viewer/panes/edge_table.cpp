@@ -110,7 +110,6 @@ void draw_edge_table(Ui& ui) {
   }
   if (result.clicked) {
     ui.session.selected_edge = s.selected_edge == result.clicked ? std::nullopt : result.clicked;
-    ui.session.touch();
   }
 }
 

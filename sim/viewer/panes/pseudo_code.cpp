@@ -92,7 +92,7 @@ void draw_fold(Ui& ui, const StepInfo& first, std::size_t lines, float level) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = fold_height(ui);
   ImGui::PushID(first.id);
-  if (ImGui::InvisibleButton("fold", {width, height})) ui.whole_code = true, ui.session.touch();
+  if (ImGui::InvisibleButton("fold", {width, height})) ui.whole_code = true;
   ImGui::PopID();
   if (ImGui::IsItemHovered()) {
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, ui.colors().head);

@@ -69,14 +69,12 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
     view.center_y = from_y + (view.center_y - from_y) * ratio;
     view.zoom = zoom;
     if (zoom == 1) view.center_x = view.center_y = 0;
-    ui.session.touch();
   }
   const bool dragging = ImGui::IsItemActive() && (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 4) ||
                                                   ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 4));
   if (dragging && view.zoom > 1) {
     view.center_x -= io.MouseDelta.x / map.cell;
     view.center_y -= io.MouseDelta.y / map.cell;
-    ui.session.touch();
   }
   view.center_x = std::clamp(view.center_x, -map.width / 2.0, map.width / 2.0);
   view.center_y = std::clamp(view.center_y, -map.height / 2.0, map.height / 2.0);

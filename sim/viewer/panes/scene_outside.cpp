@@ -80,7 +80,6 @@ bool pull_vertices(Ui& ui, const Room& room, ImVec2 size, ImVec2 at) {
   if (!ui.taken) return over;
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     ui.taken.reset();
-    ui.session.touch();
     return true;
   }
   Taken& taken = *ui.taken;
@@ -141,7 +140,6 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
 
 void walk_round(Ui& ui, Look& look, ImVec2 size, const char* help) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Look before = look;
   if (ImGui::IsItemHovered()) {
     ui.mouse_help = help;
     if (io.MouseWheel != 0)
@@ -158,7 +156,6 @@ void walk_round(Ui& ui, Look& look, ImVec2 size, const char* help) {
       look.up -= io.MouseDelta.y / size.y;
     }
   }
-  if (!(look == before)) ui.session.touch();
 }
 
 bool seen_from_outside(const Ui& ui) {

@@ -147,7 +147,6 @@ int viewing_step(const Ui& ui) {
 
 void choose_viewing_step(Ui& ui, int step) {
   ui.chosen_viewing = {step, ui.session.stop()};
-  ui.session.touch();
 }
 
 std::vector<glm::dvec3> ends_of_viewing_axes(const Room& room, const Camera& camera) {
