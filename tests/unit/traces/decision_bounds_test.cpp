@@ -65,7 +65,8 @@ TEST_CASE("decisions: a vertex just within what rounding may do to its distance 
   CHECK(of_bound(sliver, {4, 12}, 0.9 * of_sliver) == doctest::Approx(0.9).epsilon(0.02));
   CHECK(of_bound(sliver, {4, 12}, 1.5 * of_sliver) == doctest::Approx(1.5).epsilon(0.02));
 
-  // A square: two terms, 8·16 and 16·8, the normal 128 long, which makes 16u·2. The point (12, 12) is 8 + 8 from the mean.
+  // A square: two terms, 8·16 and 16·8, the normal 128 long, which makes 16u·2. The point (12, 12) is 8 + 8 from the
+  // mean.
   const std::vector<glm::dvec3> square{{0, 0, 2}, {8, 0, 2}, {8, 8, 2}, {0, 8, 2}};
   const double of_square = 16 * u * 2 * 16 + 16 * u * (26 + 10);
   CHECK(of_bound(square, {12, 12}, 0.9 * of_square) == doctest::Approx(0.9).epsilon(0.02));
