@@ -57,8 +57,8 @@ TEST_CASE("check: a number of each format, and printed in each way, is held to n
       if (printed.held == 0) CHECK(check(right).causes.empty());
       const std::int64_t step = first_step<EdgeTableInsert>(right);
       const auto edge = get<EdgeTableInsert>(right.event(step).event);
-      REQUIRE(edge.vertex_0 == test::upright_from);
-      REQUIRE(edge.vertex_1 == test::upright_to);
+      REQUIRE(edge.vertex_0 == static_cast<std::int32_t>(test::upright_from));
+      REQUIRE(edge.vertex_1 == static_cast<std::int32_t>(test::upright_to));
       // The upper vertex lies on a scan line: x = x_0 and z = z_0 where neither changes along the edge.
       const auto holds = [&](const char* field, double value, const glm::dvec3& along) {
         CAPTURE(std::string(field));
@@ -115,19 +115,24 @@ TEST_CASE("check: a sum is held to what both its operands may be off by, and wha
 }
 
 TEST_CASE("check: a side of an extent is held to its own digits, or to the amount that numbers may be off by") {
-  for (const Printed& printed : test::all_printed()) {
-    if (!printed.declared && bits_of(printed.computed) > 0) continue;  // depths on spans tell of it, and this run has none
-    CAPTURE(std::string(printed.name));
-    const test::Run of{"depth-sort"};
-    const Trace right = test::run_printed(printed, of);
-    const std::int64_t step = first_step<Extent>(right);
-    const double low = get<Extent>(right.event(step).event).x_min;
-    REQUIRE(low == test::two_triangles(0).points[test::upright_from].x);
-    const auto doubted = [&](double off) { return doubts(test::run_beside(printed, of, {off, 0, 0}), printed, step, "x_min"); };
-    const Sides sides = sides_of(std::max(printed.share * low, printed.amount), 0);
-    CHECK(!doubted(sides.within));
-    CHECK(doubted(sides.beyond));
-  }
+  for (const bool drawn : {true, false})  // float32 shows in depths and positions, or in all numbers
+    for (const Printed& printed : test::all_printed()) {
+      if (!printed.declared && bits_of(printed.computed) > 0) continue;  // it shows in depths on spans alone
+      if (!drawn && printed.cut()) continue;
+      CAPTURE(std::string(printed.name));
+      CAPTURE(drawn);
+      const test::Run of{"depth-sort", 0, drawn};
+      const Trace right = test::run_printed(printed, of);
+      const std::int64_t step = first_step<Extent>(right);
+      const double low = get<Extent>(right.event(step).event).x_min;
+      REQUIRE(low == right.scene().points[test::upright_from].x);
+      const auto doubted = [&](double off) {
+        return doubts(test::run_beside(printed, of, {off, 0, 0}), printed, step, "x_min");
+      };
+      const Sides sides = sides_of(std::max(printed.share * low, printed.amount), 0);
+      CHECK(!doubted(sides.within));
+      CHECK(doubted(sides.beyond));
+    }
 }
 
 TEST_CASE("check: which of two depths is nearer is not judged where the digits that are printed do not tell") {
@@ -140,15 +145,17 @@ TEST_CASE("check: which of two depths is nearer is not judged where the digits t
     double before = 0;
     for (std::int64_t step = 1; step <= right.size() && !second; ++step) {
       const Event event = right.event(step).event;
-      if (const auto* write = get_if<DepthWrite>(&event)) stored[static_cast<std::size_t>(write->y * 16 + write->x)] = write->z;
+      const auto pixel = [](const auto& e) { return static_cast<std::size_t>(e.y * 16 + e.x); };
+      if (const auto* write = get_if<DepthWrite>(&event)) stored[pixel(*write)] = write->z;
       if (const auto* compared = get_if<DepthCompare>(&event))
-        if (before = stored[static_cast<std::size_t>(compared->y * 16 + compared->x)]; std::isfinite(before)) second = step;
+        if (before = stored[pixel(*compared)]; std::isfinite(before)) second = step;
     }
     REQUIRE(second);
     // Farther by so much, and called nearer.
     const auto doubted = [&](double off) {
       const Trace run = test::run_printed(printed, {}, [&](std::int64_t step, Event& event) {
-        if (step == *second) get<DepthCompare>(event).z = printed.as_printed(before + off), get<DepthCompare>(event).nearer = true;
+        if (step != *second) return;
+        get<DepthCompare>(event).z = printed.as_printed(before + off), get<DepthCompare>(event).nearer = true;
       });
       return doubts(run, printed, *second, "nearer");
     };

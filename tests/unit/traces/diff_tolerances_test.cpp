@@ -23,7 +23,8 @@ template <class Change>
 Trace declared_as(NumberFormat format, const Trace& run, Change&& change) {
   Header header = run.header();
   header.conventions.number_format = format;
-  header.undeclared &= static_cast<decltype(header.undeclared)>(~(1u << static_cast<unsigned>(Convention::number_format)));
+  const auto bit = std::uint8_t{1} << static_cast<unsigned>(Convention::number_format);
+  header.undeclared = static_cast<std::uint8_t>(header.undeclared & ~bit);
   TraceRecorder recorder(header, run.scene());
   for (std::int64_t step = 1; step <= run.size(); ++step) {
     RecordedEvent recorded = run.event(step);

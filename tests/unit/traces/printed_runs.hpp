@@ -21,7 +21,7 @@ namespace zstep::test {
 
 /// Two triangles; z from 2 to 10, and so much more. The first edge is upright, of one depth, and begins on scan line 2.
 inline constexpr double range_of_z = 8;
-inline constexpr std::int32_t upright_from = 0, upright_to = 1;
+inline constexpr std::size_t upright_from = 0, upright_to = 1;
 inline Scene two_triangles(double away) {
   Scene scene = screen_scene(16, 16, {{{3.25, 2, 2.5}, {3.25, 13, 2.5}, {12.6875, 7.3125, 9.40625}},
                                       {{0.9375, 1.1875, 3.125}, {13.71875, 12.90625, 10}, {2.40625, 14.4375, 2}}});
@@ -44,7 +44,8 @@ struct Printed {
   double as_printed(double value) const {
     if (computed == NumberFormat::float32) return static_cast<double>(static_cast<float>(value));
     if (!cut() || !std::isfinite(value)) return value;
-    const std::string text = decimals > 0 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.{}g}", value, digits);
+    const std::string text =
+        decimals > 0 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.{}g}", value, digits);
     return std::strtod(text.c_str(), nullptr);
   }
   /// The last digit that is printed of a number: neighbours are so far apart. 0 where all digits are there.
@@ -79,6 +80,7 @@ inline const std::vector<Printed>& all_printed() {
 struct Run {
   const char* method = "z-buffer";
   double away = 0;
+  bool drawn = true;  ///< else it ends before the first piece is drawn
 };
 /// A run that adds slopes, its numbers as they are printed. Then change(step, event) may alter events, and
 /// change_scene(scene) the scene that stands in the header.
@@ -98,6 +100,7 @@ Trace run_printed(const Printed& printed, const Run& of, Change&& change, Change
   TraceRecorder recorder(header, scene);
   for (std::int64_t step = 1; step <= run.size(); ++step) {
     RecordedEvent recorded = run.event(step);
+    if (!of.drawn && holds<PieceDraw>(recorded.event)) break;
     visit_event(
         [&]<class E>(E& event) {
           for_each_field<E>([&](const auto& field) {
@@ -124,7 +127,7 @@ inline Trace run_beside(const Printed& printed, const Run& of, const glm::dvec3&
   return run_printed(
       printed, of, [](std::int64_t, Event&) {},
       [&](Scene& scene) {
-        for (const std::int32_t vertex : {upright_from, upright_to}) scene.points[static_cast<std::size_t>(vertex)] += off;
+        for (const std::size_t vertex : {upright_from, upright_to}) scene.points[vertex] += off;
       });
 }
 
