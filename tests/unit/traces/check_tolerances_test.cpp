@@ -165,6 +165,29 @@ TEST_CASE("check: which of two depths is nearer is not judged where the digits t
   }
 }
 
+TEST_CASE("check: the pixels of a span are its edges' but where the digits that are printed do not tell") {
+  for (const Printed& printed : test::all_printed()) {
+    if (printed.held > 0) continue;
+    CAPTURE(std::string(printed.name));
+    const Trace right = test::run_printed(printed);
+    const std::int64_t begun = first_step<SpanBegin>(right);
+    // The left edge lies so far beside the centre of pixel 3, and the span begins one pixel late.
+    const auto doubted = [&](double beside) {
+      const Trace run = test::run_printed(printed, {}, [&](std::int64_t step, Event& event) {
+        if (step != begun) return;
+        auto& span = get<SpanBegin>(event);
+        span.x_left = printed.as_printed(3 + beside);
+        span.first = static_cast<std::int32_t>(std::ceil(span.x_left)) + 1;
+      });
+      return doubts(run, printed, begun, "first");
+    };
+    const Sides sides = sides_of(printed.of(2.99), printed.last_digit(2.99));
+    CHECK(doubted(-sides.within) == !printed.cut());
+    CHECK(doubted(-sides.beyond));
+    CHECK(doubted(0.4));
+  }
+}
+
 TEST_CASE("check: depths are in fixed point where they are whole numbers of units but for 1/100 000 of one") {
   for (const Printed& printed : test::all_printed()) {
     if (printed.declared || bits_of(printed.computed) == 0) continue;
