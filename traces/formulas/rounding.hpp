@@ -36,7 +36,7 @@ inline double last_digit(double value, NumberFormat format, double unit) {
 /// A number, and how far what it was made of lets it be off, as a multiple of the rounding.
 struct Rounded {
   double value = 0, spread = 0;
-  /// Of a whole number: by which rounding another one could have come of what it was made of.
+  /// Of a whole number: the least rounding by which what it was made of could have made another one.
   double turns = std::numeric_limits<double>::infinity();
 
   Rounded() = default;
