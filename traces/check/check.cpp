@@ -151,10 +151,10 @@ struct Judge {
     judges(field.number);
     const std::int32_t recorded = e.*field.member;
     if (recorded == within) return;
-    // Just beside a pixel's centre rounding may decide either way.
-    const double off = std::abs(static_cast<double>(recorded) - within);
-    const double nearest = std::round(formula.value);
-    if (off <= 1 && !checker.report.precision.every_digit && std::abs(formula.value - nearest) <= 1) return;
+    // Just beside a pixel's centre digits that are not printed may decide either way.
+    const Precision& precision = checker.report.precision;
+    const bool beside = recorded == within + 1 || recorded == within - 1;
+    if (beside && !precision.every_digit && formula.turns <= precision.relative) return;
     wrong(field, recorded, within);
   }
   template <class Value>

@@ -36,14 +36,21 @@ inline double last_digit(double value, NumberFormat format, double unit) {
 /// A number, and how far what it was made of lets it be off, as a multiple of the rounding.
 struct Rounded {
   double value = 0, spread = 0;
+  /// Of a whole number: the least rounding by which what it was made of could have made another one.
+  double turns = std::numeric_limits<double>::infinity();
 
   Rounded() = default;
   Rounded(double known) : value(known), spread(std::abs(known)) {}  // NOLINT: an operand as it stands
   Rounded(double known, double off) : value(known), spread(off) {}
+  Rounded(double known, double off, double turning) : value(known), spread(off), turns(turning) {}
 };
 
-inline Rounded operator+(Rounded a, Rounded b) { return {a.value + b.value, a.spread + b.spread}; }
-inline Rounded operator-(Rounded a, Rounded b) { return {a.value - b.value, a.spread + b.spread}; }
+inline Rounded operator+(Rounded a, Rounded b) {
+  return {a.value + b.value, a.spread + b.spread, std::min(a.turns, b.turns)};
+}
+inline Rounded operator-(Rounded a, Rounded b) {
+  return {a.value - b.value, a.spread + b.spread, std::min(a.turns, b.turns)};
+}
 inline Rounded operator-(Rounded a) { return {-a.value, a.spread}; }
 inline Rounded operator*(Rounded a, Rounded b) {
   return {a.value * b.value, a.spread * std::abs(b.value) + b.spread * std::abs(a.value)};
@@ -57,10 +64,15 @@ inline Rounded sqrt(Rounded a) {
   return {root, root > 0 ? a.spread / (2 * root) : 0};
 }
 inline Rounded abs(Rounded a) { return {std::abs(a.value), a.spread}; }
-/// Whole numbers: which of two it is hangs on the number as it was recorded.
-inline Rounded floor(Rounded a) { return {std::floor(a.value), 0}; }
-inline Rounded ceil(Rounded a) { return {std::ceil(a.value), 0}; }
-inline Rounded round(Rounded a) { return {std::round(a.value), 0}; }
+/// Whole numbers: which of two it is hangs on the number as it was recorded, unless that is as near to where the other
+/// one begins as rounding may move it.
+inline Rounded made_whole(double value, const Rounded& made_of, double away) {
+  return {value, 0, away == 0 ? 0 : away / made_of.spread};
+}
+inline double from_whole(double x) { return std::abs(x - std::round(x)); }
+inline Rounded floor(Rounded a) { return made_whole(std::floor(a.value), a, from_whole(a.value)); }
+inline Rounded ceil(Rounded a) { return made_whole(std::ceil(a.value), a, from_whole(a.value)); }
+inline Rounded round(Rounded a) { return made_whole(std::round(a.value), a, 0.5 - from_whole(a.value)); }
 
 /// Is this what the formula gives, but for rounding?
 inline bool gives(const Rounded& formula, double recorded, double rounding) {

@@ -29,6 +29,20 @@ TEST_CASE("rounding: each operation passes on what its operands may be off by") 
   CHECK(!formulas::gives(Rounded(1e6) - Rounded(1e6 - 1), 1.0021, 1e-9));
 }
 
+TEST_CASE("rounding: a whole number may be another one where what it was made of is as near to it as rounding") {
+  const Rounded x(2.75, 4), y(5, 1);
+  CHECK(formulas::ceil(x).turns == 0.25 / 4);
+  CHECK(formulas::floor(x).turns == 0.25 / 4);
+  CHECK(formulas::round(x).turns == 0.25 / 4);
+  CHECK(formulas::round(Rounded(3, 4)).turns == 0.5 / 4);
+  CHECK(formulas::ceil(Rounded(3, 4)).turns == 0);
+  CHECK(formulas::ceil(Rounded(3, 0)).turns == 0);
+  CHECK((formulas::ceil(x) - Rounded(1)).turns == 0.25 / 4);
+  CHECK((Rounded(1) + formulas::ceil(x)).turns == 0.25 / 4);
+  CHECK(std::isinf(y.turns));
+  CHECK(std::isinf((x * y).turns));
+}
+
 TEST_CASE("rounding: a number passes just inside its bound, and not just outside") {
   for (const double value : {1.0, -250.0, 3e-8}) {
     CAPTURE(value);

@@ -49,10 +49,12 @@ inline Interval meant_by(std::string_view text) {
   return {value - half, value + half};
 }
 
-/// A printed expression of numbers alone; throws std::invalid_argument for anything else.
+/// A printed expression of numbers alone; throws std::invalid_argument for anything else. Each number, and each result
+/// on the way, may be off by such a share of itself besides.
 class Reading {
  public:
-  explicit Reading(std::string_view text) : text_(text), numbers_(numbers_in(text)) {}
+  explicit Reading(std::string_view text, double rounding = 0)
+      : text_(text), numbers_(numbers_in(text)), rounding_(rounding) {}
   Interval all() {
     const Interval value = sum();
     if (at_ != text_.size()) fail();
@@ -70,17 +72,17 @@ class Reading {
   Interval sum() {
     Interval value = product();
     while (true) {
-      if (take(" + ")) value = value + product(), computes_ = true;
-      else if (take(" \u2212 ")) value = value - product(), computes_ = true;
+      if (take(" + ")) value = off(value + product()), computes_ = true;
+      else if (take(" \u2212 ")) value = off(value - product()), computes_ = true;
       else return value;
     }
   }
   Interval product() {
     Interval value = single();
     while (true) {
-      if (take("\u00b7")) value = value * single(), computes_ = true;
-      else if (take("/")) value = value / single(), computes_ = true;
-      else if (text_.substr(at_).starts_with("(")) value = value * single(), computes_ = true;
+      if (take("\u00b7")) value = off(value * single()), computes_ = true;
+      else if (take("/")) value = off(value / single()), computes_ = true;
+      else if (text_.substr(at_).starts_with("(")) value = off(value * single()), computes_ = true;
       else return value;
     }
   }
@@ -92,10 +94,13 @@ class Reading {
         std::find_if(numbers_.begin(), numbers_.end(), [&](const auto& number) { return number.first == at_; });
     if (here != numbers_.end() && text_.substr(at_, here->second).find("\u221e") == std::string_view::npos) {
       at_ += here->second;
-      return meant_by(text_.substr(here->first, here->second));
+      return off(meant_by(text_.substr(here->first, here->second)));
     }
     if (take("\u2212")) return Interval{0, 0} - single();
     fail();
+  }
+  Interval off(Interval value) const {
+    return {value.low - rounding_ * std::abs(value.low), value.high + rounding_ * std::abs(value.high)};
   }
   Interval closed(Interval value, std::string_view sign) {
     if (!take(sign)) fail();
@@ -109,6 +114,7 @@ class Reading {
 
   std::string_view text_;
   std::vector<std::pair<std::size_t, std::size_t>> numbers_;
+  double rounding_;
   std::size_t at_ = 0;
   bool computes_ = false;
 };
@@ -126,9 +132,9 @@ struct Read {
   Interval value;
   bool computes;
 };
-inline std::optional<Read> read(const std::string& text) {
+inline std::optional<Read> read(const std::string& text, double rounding = 0) {
   try {
-    Reading reading(text);
+    Reading reading(text, rounding);
     const Interval value = reading.all();
     return Read{value, reading.computes()};
   } catch (const std::invalid_argument&) {

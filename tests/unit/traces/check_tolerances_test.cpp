@@ -1,0 +1,207 @@
+// zstep check: what a number may be off by, held from both sides. A number that is off by 0.9 of it is not doubted, and
+// one that is off by 1.5 of it is, at its step and by its name. Where numbers are printed with few digits and only a
+// printed number can be changed, the two are the last number that is within it and the next one.
+#include "traces/check/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "tests/unit/traces/printed_runs.hpp"
+
+using namespace zstep;
+using test::Printed;
+
+namespace {
+
+bool doubts(const Trace& run, const Printed& printed, std::int64_t step, std::string_view field) {
+  CheckMarks marks;
+  check(run, nullptr, nullptr, &marks, printed.held);
+  return std::any_of(marks.faults.begin(), marks.faults.end(),
+                     [&](const Fault& fault) { return fault.step == step && fault.field == field; });
+}
+
+/// Just within what a number may be off by, and just beyond.
+struct Sides {
+  double within, beyond;
+};
+/// `digit`: of what is changed, where it is a printed number.
+Sides sides_of(double allowed, double digit) {
+  if (digit == 0) return {0.9 * allowed, 1.5 * allowed};
+  const double most = std::floor(allowed / digit);
+  return {most * digit, (most + 1) * digit};
+}
+
+template <class E>
+std::int64_t first_step(const Trace& run) {
+  const auto found = run.next<E>(0, [](const E&) { return true; });
+  REQUIRE(found);
+  return *found;
+}
+
+TEST_CASE("check: a number of each format, and printed in each way, is held to no more and no less than its digits") {
+  // Far away the share of a depth is more than the amount.
+  for (const double away : {0.0, 1e6})
+    for (const Printed& printed : test::all_printed()) {
+      if (away > 0 && !printed.declared && !printed.cut()) continue;  // all digits of such depths look like float64
+      CAPTURE(std::string(printed.name));
+      CAPTURE(away);
+      const test::Run of{"z-buffer", away};
+      const Trace right = test::run_printed(printed, of);
+      if (printed.held == 0) CHECK(check(right).causes.empty());
+      const std::int64_t step = first_step<EdgeTableInsert>(right);
+      const auto edge = get<EdgeTableInsert>(right.event(step).event);
+      REQUIRE(edge.vertex_0 == static_cast<std::int32_t>(test::upright_from));
+      REQUIRE(edge.vertex_1 == static_cast<std::int32_t>(test::upright_to));
+      // The upper vertex lies on a scan line: x = x_0 and z = z_0 where neither changes along the edge.
+      const auto holds = [&](const char* field, double value, const glm::dvec3& along) {
+        CAPTURE(std::string(field));
+        const Sides sides = sides_of(printed.of(value), 0);
+        const double in_scene = glm::dot(along, right.scene().points[test::upright_from]);
+        const auto doubted = [&](double off) {
+          return doubts(test::run_beside(printed, of, (value + off - in_scene) * along), printed, step, field);
+        };
+        CHECK(!doubted(sides.within));
+        CHECK(!doubted(-sides.within));
+        CHECK(doubted(sides.beyond));
+        CHECK(doubted(-sides.beyond));
+      };
+      holds("x_edge", edge.x_edge, {1, 0, 0});
+      holds("z_edge", edge.z_edge, {0, 0, 1});
+    }
+}
+
+TEST_CASE("check: a sum is held to what both its operands may be off by, and what is only copied to its own digits") {
+  for (const Printed& printed : test::all_printed()) {
+    if (printed.held > 0) continue;  // more digits than can be printed
+    CAPTURE(std::string(printed.name));
+    const Trace right = test::run_printed(printed);
+    // x + 1/m
+    const std::int64_t moved = first_step<EdgeStep>(right);
+    const std::int32_t edge = get<EdgeStep>(right.event(moved).event).edge;
+    const auto inserted = right.next<EdgeTableInsert>(0, [&](const EdgeTableInsert& e) { return e.edge == edge; });
+    REQUIRE(inserted);
+    const auto entry = get<EdgeTableInsert>(right.event(*inserted).event);
+    const double x = entry.x_edge + entry.dx_dy;
+    const auto sum_doubted = [&](double off) {
+      const Trace run = test::run_printed(printed, {}, [&](std::int64_t step, Event& event) {
+        if (step == moved) get<EdgeStep>(event).x_edge = printed.as_printed(x + off);
+      });
+      return doubts(run, printed, moved, "x_edge");
+    };
+    const Sides of_sum = sides_of(printed.of(std::abs(entry.x_edge) + std::abs(entry.dx_dy), 2), printed.last_digit(x));
+    CHECK(!sum_doubted(of_sum.within));
+    CHECK(sum_doubted(of_sum.beyond));
+
+    // zbuffer[x,y] = z
+    const std::int64_t written = first_step<DepthWrite>(right);
+    const double z = get<DepthWrite>(right.event(written).event).z;
+    const auto copy_doubted = [&](double off) {
+      const Trace run = test::run_printed(printed, {}, [&](std::int64_t step, Event& event) {
+        if (step == written) get<DepthWrite>(event).z = printed.as_printed(z + off);
+      });
+      return doubts(run, printed, written, "z");
+    };
+    const Sides of_copy = sides_of(printed.of(z), printed.last_digit(z));
+    CHECK(!copy_doubted(of_copy.within));
+    CHECK(copy_doubted(of_copy.beyond));
+  }
+}
+
+TEST_CASE("check: a side of an extent is held to its own digits, or to the amount that numbers may be off by") {
+  for (const bool drawn : {true, false})  // float32 shows in depths and positions, or in all numbers
+    for (const Printed& printed : test::all_printed()) {
+      if (!printed.declared && bits_of(printed.computed) > 0) continue;  // it shows in depths on spans alone
+      if (!drawn && printed.cut()) continue;
+      CAPTURE(std::string(printed.name));
+      CAPTURE(drawn);
+      const test::Run of{"depth-sort", 0, drawn};
+      const Trace right = test::run_printed(printed, of);
+      const std::int64_t step = first_step<Extent>(right);
+      const double low = get<Extent>(right.event(step).event).x_min;
+      REQUIRE(low == right.scene().points[test::upright_from].x);
+      const auto doubted = [&](double off) {
+        return doubts(test::run_beside(printed, of, {off, 0, 0}), printed, step, "x_min");
+      };
+      const Sides sides = sides_of(std::max(printed.share * low, printed.amount), 0);
+      CHECK(!doubted(sides.within));
+      CHECK(doubted(sides.beyond));
+    }
+}
+
+TEST_CASE("check: which of two depths is nearer is not judged where the digits that are printed do not tell") {
+  for (const Printed& printed : test::all_printed()) {
+    if (printed.held > 0) continue;
+    CAPTURE(std::string(printed.name));
+    const Trace right = test::run_printed(printed);
+    std::vector<double> stored(16 * 16, no_depth);
+    std::optional<std::int64_t> second;
+    double before = 0;
+    for (std::int64_t step = 1; step <= right.size() && !second; ++step) {
+      const Event event = right.event(step).event;
+      const auto pixel = [](const auto& e) { return static_cast<std::size_t>(e.y * 16 + e.x); };
+      if (const auto* write = get_if<DepthWrite>(&event)) stored[pixel(*write)] = write->z;
+      if (const auto* compared = get_if<DepthCompare>(&event))
+        if (before = stored[pixel(*compared)]; std::isfinite(before)) second = step;
+    }
+    REQUIRE(second);
+    // Farther by so much, and called nearer.
+    const auto doubted = [&](double off) {
+      const Trace run = test::run_printed(printed, {}, [&](std::int64_t step, Event& event) {
+        if (step != *second) return;
+        get<DepthCompare>(event).z = printed.as_printed(before + off), get<DepthCompare>(event).nearer = true;
+      });
+      return doubts(run, printed, *second, "nearer");
+    };
+    const Sides sides = sides_of(printed.of(before), printed.last_digit(before));
+    CHECK(doubted(sides.within) == !printed.cut());
+    CHECK(doubted(sides.beyond));
+  }
+}
+
+TEST_CASE("check: the pixels of a span are its edges' but where the digits that are printed do not tell") {
+  for (const Printed& printed : test::all_printed()) {
+    if (printed.held > 0) continue;
+    CAPTURE(std::string(printed.name));
+    const Trace right = test::run_printed(printed);
+    const std::int64_t begun = first_step<SpanBegin>(right);
+    // The left edge lies so far beside the centre of pixel 3, and the span begins one pixel late.
+    const auto doubted = [&](double beside) {
+      const Trace run = test::run_printed(printed, {}, [&](std::int64_t step, Event& event) {
+        if (step != begun) return;
+        auto& span = get<SpanBegin>(event);
+        span.x_left = printed.as_printed(3 + beside);
+        span.first = static_cast<std::int32_t>(std::ceil(span.x_left)) + 1;
+      });
+      return doubts(run, printed, begun, "first");
+    };
+    const Sides sides = sides_of(printed.of(2.99), printed.last_digit(2.99));
+    CHECK(doubted(-sides.within) == !printed.cut());
+    CHECK(doubted(-sides.beyond));
+    CHECK(doubted(0.4));
+  }
+}
+
+TEST_CASE("check: depths are in fixed point where they are whole numbers of units but for 1/100 000 of one") {
+  for (const Printed& printed : test::all_printed()) {
+    if (printed.declared || bits_of(printed.computed) == 0) continue;
+    CAPTURE(std::string(printed.name));
+    const double unit = test::range_of_z / (std::pow(2, bits_of(printed.computed)) - 1);
+    const auto format_of = [&](double off) {
+      return precision_of(test::run_printed(printed, {}, [&](std::int64_t, Event& event) {
+               if (auto* depth = get_if<DepthInterpolate>(&event)) depth->z += off * unit;
+               if (auto* compared = get_if<DepthCompare>(&event)) compared->z += off * unit;
+             })).format;
+    };
+    CHECK(format_of(0.9e-5) == printed.computed);
+    CHECK(format_of(1.5e-5) != printed.computed);
+  }
+}
+
+}  // namespace
