@@ -45,7 +45,7 @@ inline constexpr KindText kind_text<FacingTest>{"facing_test",
 template <>
 inline constexpr auto fields_of<FacingTest> = Fields{
     Field{"determinant", &FacingTest::determinant, "view^3",
-          "V0 . (V1 x V2) summed over the fan, in viewing coordinates; negative faces away", Guess::formula},
+          "V0 . (V1 x V2) summed over the fan, in view coordinates; negative faces away", Guess::formula},
     Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3", "A x + B y + C z + D at the eye; negative faces away",
           Guess::formula},
     Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away",
@@ -89,9 +89,9 @@ inline constexpr auto fields_of<ClipCross> =
                Field{"vertex_outside", &ClipCross::vertex_outside, "index", "the end that is cut off"},
                Field{"t", &ClipCross::t, "1", "d_in / (d_in - d_out), from the kept end"},
                Field{"vertex", &ClipCross::vertex, "index", "the new vertex", Guess::next},
-               Field{"x_v", &ClipCross::x_v, "view", "its viewing coordinates"},
-               Field{"y_v", &ClipCross::y_v, "view", "its viewing coordinates"},
-               Field{"z_v", &ClipCross::z_v, "view", "its viewing coordinates"}};
+               Field{"x_v", &ClipCross::x_v, "view", "its view coordinates"},
+               Field{"y_v", &ClipCross::y_v, "view", "its view coordinates"},
+               Field{"z_v", &ClipCross::z_v, "view", "its view coordinates"}};
 
 template <>
 inline constexpr KindText kind_text<OutlineVertex>{"outline_vertex",

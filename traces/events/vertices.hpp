@@ -16,7 +16,7 @@ struct ViewportTransform { std::int32_t vertex; double x_s, y_s; };
 // clang-format on
 
 template <>
-inline constexpr KindText kind_text<ViewTransform>{"view_transform", "a vertex goes from world to viewing coordinates"};
+inline constexpr KindText kind_text<ViewTransform>{"view_transform", "a vertex goes from world to view coordinates"};
 template <>
 inline constexpr auto fields_of<ViewTransform> =
     Fields{Field{"vertex", &ViewTransform::vertex, "index", "the vertex", Guess::next},
@@ -26,7 +26,7 @@ inline constexpr auto fields_of<ViewTransform> =
 
 template <>
 inline constexpr KindText kind_text<Projection>{"projection",
-                                                "a vertex goes from viewing coordinates to the projection plane"};
+                                                "a vertex goes from view coordinates to the projection plane"};
 template <>
 inline constexpr auto fields_of<Projection> =
     Fields{Field{"vertex", &Projection::vertex, "index", "the vertex"},
