@@ -52,7 +52,7 @@ struct Facet {
   bool operator==(const Facet&) const = default;
 };
 
-/// How the scene is seen. Left-handed viewing coordinates: x_v right, y_v up, z_v away from the eye.
+/// How the scene is seen. Left-handed view coordinates: x_v right, y_v up, z_v away from the eye.
 struct Camera {
   enum class Kind : std::uint8_t {
     screen,        ///< points are (x_s, y_s, z) already: no viewing at all

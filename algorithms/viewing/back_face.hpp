@@ -23,7 +23,7 @@ using Corners = std::span<const std::int32_t>;
 /// 6(1), 1974). World, right-handed.
 glm::dvec3 newell_normal(const Scene& scene, Corners corners);
 
-/// 000: the determinant |V0 V1 V2| = V0 · (V1 × V2) of viewing coordinates, which are left-handed; negative faces away.
+/// 000: the determinant |V0 V1 V2| = V0 · (V1 × V2) of view coordinates, which are left-handed; negative faces away.
 /// Three consecutive vertices of a concave polygon can turn the wrong way, so all pairs are summed: V0 · Σ(Vi × Vi+1).
 /// Orthographic: every line of sight is (0, 0, 1), so that stands in for V0.
 double determinant(const Scene& scene, Corners corners, const viewing::Vertices& vertices);

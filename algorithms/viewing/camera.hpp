@@ -39,7 +39,7 @@ struct DepthCoefficients {
 };
 DepthCoefficients depth_coefficients(double near, double far);
 
-/// A camera made ready for one raster: all that lies between viewing coordinates and the raster.
+/// A camera made ready for one raster: all that lies between view coordinates and the raster.
 struct Lens {
   Lens(const Camera& camera, const Raster& raster, Conventions::Depth depth);
 

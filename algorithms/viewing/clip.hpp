@@ -27,7 +27,7 @@ template <Recorder R>
 bool find_outline(const Scene& scene, const Facet& facet, bool cull, const viewing::Lens& lens,
                   viewing::Vertices& vertices, Outline& outline, R& record);
 
-/// The second half of it: clips an outline of a polygon whose facing is known. Its vertices have viewing coordinates
+/// The second half of it: clips an outline of a polygon whose facing is known. Its vertices have view coordinates
 /// and outcodes, and are on the raster unless they lie before the near plane.
 template <Recorder R>
 bool clip_outline(std::int32_t polygon, Camera::Kind kind, const viewing::Lens& lens, viewing::Vertices& vertices,

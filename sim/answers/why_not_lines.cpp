@@ -211,7 +211,12 @@ Verdict lines_anywhere(Asked& q) {
     else hidden = hidden ? hidden : &line;
   }
   const DrawnEdge* picked = visible ? visible : hidden;
-  if (!picked) return why_by_lines(q);
+  if (!picked) {
+    q.where = "anywhere";
+    Verdict verdict = why_by_lines(q);
+    verdict.pixel.reset();
+    return verdict;
+  }
   // A pixel on it: the first that was drawn, or for one that was not the middle of the edge.
   const std::int64_t begin = begin_of(q, *picked).value_or(0);
   Trace::Pixel pixel{static_cast<std::int32_t>(std::lround((picked->from.x + picked->to.x) / 2)),

@@ -147,7 +147,7 @@ const KnownFunction functions[] = {
     OF_POINT("x_w", x, "x_w(vertex): world"),
     OF_POINT("y_w", y, "y_w(vertex)"),
     OF_POINT("z_w", z, "z_w(vertex)"),
-    OF_VERTEX("x_v", viewed, view.x, "x_v(vertex): viewing coordinates"),
+    OF_VERTEX("x_v", viewed, view.x, "x_v(vertex): view coordinates"),
     OF_VERTEX("y_v", viewed, view.y, "y_v(vertex)"),
     OF_VERTEX("z_v", viewed, view.z, "z_v(vertex)"),
     OF_VERTEX("x_p", projected, plane.x, "x_p(vertex): on the projection plane"),
@@ -160,7 +160,7 @@ const KnownFunction functions[] = {
        const auto view = [&](std::size_t i) { return way(m, a[i], VertexStages::viewed).view; };
        return Quantity::of(glm::dot(view(0), glm::cross(view(1), view(2))));
      },
-     "triple_product(u, v, w): V_u · (V_v × V_w) of three vertices in viewing coordinates"},
+     "triple_product(u, v, w): V_u · (V_v × V_w) of three vertices in view coordinates"},
     OF_EDGE(vertex_0, "vertex_0(edge): its vertex on the first row's side"),
     OF_EDGE(vertex_1, "vertex_1(edge): its other vertex"),
     OF_EDGE(first_row, "first_row(edge): the first scan line it meets"),

@@ -42,7 +42,7 @@ void add_outputs(CLI::App& command, Outputs& outputs) {
       "Write the polygon seen at each pixel: int32 [H,W], top row first, -1 where none is");
   add("--save-depth", outputs.depth, "FILE.npy",
       "Write the view depth z_v seen at each pixel: float32 [H,W], +inf where nothing is");
-  add("--save-depth-raw", outputs.raw_depth, "FILE.npy", "Write the depth buffer's own numbers: float64 [H,W]");
+  add("--save-depth-raw", outputs.raw_depth, "FILE.npy", "Write the depths in the run's own numbers: float64 [H,W]");
   add("--save-scene", outputs.scene, "FILE.toml",
       "Write the scene as it is run, with all that --change and other options say of it; comments of a scene file stay");
   const auto take = [&outputs](const std::string& text) { outputs.enlarge = parse_whole("--enlarge", text, 1); };
@@ -111,7 +111,7 @@ void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& 
         outputs.raw_depth,
         top_row_first<double>(picture.depth, picture.width, picture.height, y_up, [](double depth) { return depth; }),
         height, width);
-    say_written(outputs.raw_depth, fmt::format("depth buffer, float64 [{},{}]", height, width));
+    say_written(outputs.raw_depth, fmt::format("depths in the run's own numbers, float64 [{},{}]", height, width));
   }
 }
 

@@ -114,7 +114,7 @@ std::string scene_html(const Method& method, const Task& task, const Trace& refe
   if (method.gives == Gives::lines) return picture_alone;
   return picture_alone +
          figure(depths_of(picture, task.scene.raster.y_up, range),
-                "The depth buffer: the smaller z, the darker; a stroke where nothing is drawn",
+                "The depths: the smaller z, the darker; a stroke where nothing is drawn",
                 depths_in_words(picture) + ".");
 }
 

@@ -64,7 +64,7 @@ std::string differing_pixels(const grade::Ends& ends, const Scene& scene) {
                         at % width, at / width, shown(seen(ends.reference, at)), shown(seen(ends.run, at)),
                         depth_text(ends.reference.depth[at]), depth_text(ends.run.depth[at]));
   }
-  if (count == 0) return "<p>At the end both pictures and both depth buffers are the same.</p>\n";
+  if (count == 0) return "<p>At the end both pictures are the same, and so are their depths.</p>\n";
   return fmt::format(
       "<table>\n<caption>{} of {} pixels differ at the end{}</caption>\n<thead><tr><th scope=\"col\">pixel (x, y)</th>"
       "<th scope=\"col\">seen, expected</th><th scope=\"col\">seen, yours</th><th scope=\"col\">depth, expected</th>"
@@ -86,8 +86,8 @@ std::string pictures(const Graded& task) {
   const auto depths = [&](const Picture& picture, std::string_view whose) {
     return figure(
         depths_of(picture, y_up, range),
-        fmt::format("The depth buffer, {}: the smaller z, the darker; a stroke where nothing was drawn", whose),
-        fmt::format("The depth buffer, {}. {}.", whose, depths_in_words(picture)));
+        fmt::format("The depths, {}: the smaller z, the darker; a stroke where nothing was drawn", whose),
+        fmt::format("The depths, {}. {}.", whose, depths_in_words(picture)));
   };
   std::string text = fmt::format("<h2>The end of {}</h2>\n", shown(task.task->name));
   text += frame(ends.reference, "expected") + frame(ends.run, "yours");

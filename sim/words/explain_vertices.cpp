@@ -53,7 +53,7 @@ void tell(Telling& t, const BuffersClear& e) {
 
 void tell(Telling& t, const ViewTransform& e) {
   t.say(fmt::format(
-      "Vertex {} goes from world to viewing coordinates: seen from the {}, x_v is to the right, y_v up, z_v away.",
+      "Vertex {} goes from world to view coordinates: seen from the {}, x_v is to the right, y_v up, z_v away.",
       e.vertex, t.machine.pass == Pass::light ? "light" : "eye"));
   const double out[3] = {e.x_v, e.y_v, e.z_v};
   const char* names[3] = {"x_v", "y_v", "z_v"};

@@ -1,6 +1,7 @@
 // zstep compare-methods: its tables, its files, its mistakes, and Ctrl-C.
 #include <doctest/doctest.h>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,15 @@ TEST_CASE("compare-methods: all methods that can draw the scene, with numbers an
   CHECK(csv.starts_with("scene,method,measure,step,value\ncyclic,z-buffer,pixels,,480\n"));
   CHECK(has(csv, "cyclic,z-buffer,equal,,480\n"));
   CHECK(has(csv, "cyclic,z-buffer,unexplained,,0\n"));
+  const std::string manual = text_of(in_checkout("docs/command-line.md"));
+  const std::size_t begin = manual.find("- `--csv` writes all numbers");
+  const std::string measures = manual.substr(begin, manual.find("\n- ", begin) - begin);
+  std::istringstream lines(csv);
+  std::string line;
+  for (std::getline(lines, line); std::getline(lines, line);) {
+    const std::size_t measure = line.find(',', line.find(',') + 1) + 1;
+    CHECK_MESSAGE(has(measures, "`" + line.substr(measure, line.find(',', measure) - measure) + "`"), line);
+  }
   if (has(outcome.out, "wrote c.png")) CHECK(zstep::read_png(folder / "c.png").width == 1280);
 }
 

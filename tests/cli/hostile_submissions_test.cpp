@@ -23,7 +23,8 @@ enum class Earns {
   nothing,
   half,     ///< what the first half of the right run earns
   less,     ///< less than the right run
-  noted,    ///< as the right run: a line that cannot be read costs itself; but it is not all right, and the line is named
+  noted,    ///< as the right run, as it has all of that and a line too many: a line that cannot be read costs itself
+            ///< alone; but it is named, and not all is right
   as_much,  ///< as the right run: the attack is beside it
 };
 
@@ -149,9 +150,16 @@ std::vector<Case> hostile_files() {
               }),
       of_text("another method", as_much,
               [](const std::string& right) { return "{\"ztrace\":1,\"method\":\"painter\"}\n" + right; }),
-      of_text("steps under other names", noted,
+      // The names of the method stay.
+      of_text("a table of steps that is none", noted,
               [](const std::string& right) {
                 return "{\"ztrace\":1,\"steps\":[{\"name\":\"compare\",\"kind\":\"pixel_write\"}]}\n" + right;
+              }),
+      of_text("steps under other names", less,
+              [](const std::string& right) {
+                return "{\"ztrace\":1,\"steps\":[{\"id\":1,\"name\":\"compare\",\"event\":\"depth_compare\"},"
+                       "{\"id\":2,\"name\":\"write_pixel\",\"event\":\"depth_write\"}]}\n" +
+                       right;
               }),
       {"the right run of another scene", less,
        [](const Folder& folder) { write_text(folder / "runs/triangle.jsonl", right_run(folder, "crossing")); }},
@@ -251,7 +259,7 @@ TEST_CASE("hostile submissions: files earn nothing, end in a result in every for
         CHECK(points < all - 1e-9);
         break;
       case Earns::noted: {
-        CHECK(points <= all + 1e-9);
+        CHECK(points == doctest::Approx(all));
         const Outcome outcome = run(folder, "grade --homework hw runs --scene triangle --format json");
         CHECK(outcome.code == 1);
         CHECK(json::parse(outcome.out)["scenes"][0]["unreadable"]["lines"].get<int>() >= 1);

@@ -43,7 +43,7 @@ TEST_CASE(
   CHECK(has(page, "zstep grade --homework hw runs --scene crossing --view"));
   CHECK(times(page, "<img src=\"data:image/png;base64,iVBORw0KGgo") == 5);
   CHECK(has(page, "alt=\"The picture, expected. 14 × 12 pixels: "));
-  CHECK(has(page, "alt=\"The depth buffer, yours. "));
+  CHECK(has(page, "alt=\"The depths, yours. "));
   std::smatch total;
   REQUIRE(std::regex_search(page, total, std::regex("<strong>([0-9.]+) of 65 points</strong>")));
   CHECK(std::stod(total[1]) < 65);

@@ -105,7 +105,7 @@ TEST_CASE("templates: the picture alone earns the first part, in each") {
     CHECK(has(graded.out, lines ? "ok picture   " : "ok picture and depths"));
     const std::string page = text_of(folder / "hw/handout.html");
     CHECK(has(page, "<figcaption>The picture"));
-    CHECK(has(page, "<figcaption>The depth buffer") == !lines);
+    CHECK(has(page, "<figcaption>The depths") == !lines);
   }
 }
 

@@ -48,7 +48,7 @@ Triangles triangles_of(const Scene& scene) {
 
 class World {
  public:
-  // In viewing coordinates, where the eye is the origin and a ray's parameter can be z_v itself.
+  // In view coordinates, where the eye is the origin and a ray's parameter can be z_v itself.
   World(const Device& device, const Scene& scene, const Triangles& triangles) : handle_(rtcNewScene(device.handle)) {
     rtcSetSceneFlags(handle_, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry mesh = rtcNewGeometry(device.handle, RTC_GEOMETRY_TYPE_TRIANGLE);

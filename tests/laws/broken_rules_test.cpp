@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
 #include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,9 +13,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/golden/run_edits.hpp"
 #include "tests/golden/golden.hpp"
-#include "tests/where.hpp"
-#include "tests/zoo/runs.hpp"
 #include "traces/check/check.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/formulas/follows.hpp"
@@ -27,10 +24,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is done to a golden run: `drop`, `repeat` or `swap` (with the step after it) the Nth step of a name, or `set` a
-/// field of it.
 struct BrokenRun {
-  const char *rule, *golden, *edit;
+  const char *rule, *golden, *edit;  ///< as test::with_edit takes it
   std::int64_t step;  ///< at which the rule is broken
 };
 constexpr BrokenRun broken_runs[] = {
@@ -99,58 +94,15 @@ constexpr BrokenRun broken_runs[] = {
     {"test_of_pair", "depth-sort", "drop pair 19", 272},
     {"test_of_pair", "depth-sort", "set test_5 1 other=0", 82},
     {"win_is_written", "clipping", "drop write_depth 1", 117},
+    {"win_is_written", "foley", "drop write_depth 49", 244},  // the last one of a span, before another on its line
     {"winner_inside", "scan-line", "set winner 1 piece=-1", 53},
     {"write_after_win", "clipping", "set compare 1 nearer=false", 116},
     {"write_after_win", "clipping", "set compare 1 nearer=false", 117},
     {"write_after_win", "with-attribute", "set compare 1 nearer=false", 40},
 };
 
-using Lines = std::vector<std::string>;
-
-Lines lines_of(const std::string& golden) {
-  std::ifstream in(test::in_checkout("tests/golden/" + golden + ".jsonl"));
-  Lines lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-/// The line of the nth step of this name.
-std::size_t line_of(const Lines& lines, const std::string& step, int nth) {
-  for (std::size_t i = 1; i < lines.size(); ++i)
-    if (Json::parse(lines[i]).value("step", "") == step && --nth == 0) return i;
-  FAIL("no such step: " << step);
-  return 0;
-}
-
-Lines edited(Lines lines, const std::string& edit) {
-  std::istringstream words(edit);
-  std::string verb, step, change;
-  int nth = 0;
-  words >> verb >> step >> nth >> change;
-  const std::size_t at = line_of(lines, step, nth);
-  const auto place = lines.begin() + static_cast<std::ptrdiff_t>(at);
-  if (verb == "drop") {
-    lines.erase(place);
-  } else if (verb == "repeat") {
-    lines.insert(place, std::string(*place));
-  } else if (verb == "swap") {
-    std::swap(lines[at], lines[at + 1]);
-  } else {
-    const std::size_t equals = change.find('=');
-    Json line = Json::parse(lines[at]);
-    REQUIRE(line.contains(change.substr(0, equals)));
-    line[change.substr(0, equals)] = Json::parse(change.substr(equals + 1));
-    lines[at] = line.dump();
-  }
-  return lines;
-}
-
-Trace trace_of(const Lines& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + '\n';
-  std::string impossible;
-  return test::trace_of(text, &impossible);
-}
+/// Of a golden run by its name.
+test::RunLines golden_lines(const std::string& name) { return test::lines_of_run("tests/golden/" + name + ".jsonl"); }
 
 TEST_CASE("law: each rule of check is named at the step that breaks it") {
   std::set<std::string> named;
@@ -159,7 +111,7 @@ TEST_CASE("law: each rule of check is named at the step that breaks it") {
     CAPTURE(broken.golden);
     CAPTURE(broken.edit);
     named.insert(broken.rule);
-    const CheckReport report = check(trace_of(edited(lines_of(broken.golden), broken.edit)));
+    const CheckReport report = check(test::trace_of_lines(test::with_edit(golden_lines(broken.golden), broken.edit)));
     const bool found = std::any_of(report.causes.begin(), report.causes.end(), [&](const Cause& cause) {
       return cause.first.rule && rule_text(*cause.first.rule).name == broken.rule && cause.first.step == broken.step;
     });
@@ -190,8 +142,8 @@ TEST_CASE("law: each field that a formula gives is doubted where it is wrong, at
   const std::size_t all = wanted.size();
   for (const auto& path : test::golden_files()) {
     if (wanted.empty()) break;
-    const Lines lines = lines_of(path.stem().string());
-    const Trace golden = trace_of(lines);
+    const test::RunLines lines = golden_lines(path.stem().string());
+    const Trace golden = test::trace_of_lines(lines);
     std::map<std::string, int> times;  // a few steps of a name in each golden run: not every one is judged
     for (std::size_t i = 1; i < lines.size(); ++i) {
       const Json line = Json::parse(lines[i]);
@@ -203,11 +155,11 @@ TEST_CASE("law: each field that a formula gives is doubted where it is wrong, at
         const auto described = field_of_kind(golden.event(static_cast<std::int64_t>(i)).event.index(), field);
         const Json other = wrong(value, described ? described->words : std::span<const std::string_view>{});
         if (other.is_null() || ++times[name + line.value("step", "")] > 12) continue;
-        Lines changed = lines;
+        test::RunLines changed = lines;
         Json with = line;
         with[field] = other;
         changed[i] = with.dump();
-        const CheckReport report = check(trace_of(changed));
+        const CheckReport report = check(test::trace_of_lines(changed));
         if (std::any_of(report.causes.begin(), report.causes.end(), [&](const Cause& cause) {
               return cause.first.step == static_cast<std::int64_t>(i) && cause.first.field == field;
             }))

@@ -70,6 +70,84 @@ std::string named(zoo::Task task, const std::string& mistake, const Program& pro
   return name ? test::named(*name) : "";
 }
 
+/// Which program of the zoo makes it in which of its scenes, and the first step that is wrong then.
+struct BrokenProgram {
+  const char *mistake, *program;
+  std::size_t scene;
+  std::int64_t step;
+};
+constexpr BrokenProgram broken_programs[] = {
+    {"depth_axis_reversed", "viewing", 0, 2},
+    {"no_divide", "viewing", 0, 3},
+    {"divide_twice", "viewing", 0, 3},
+    {"z_v_for_depth", "viewing", 0, 3},
+    {"not_clipped_near", "viewing", 0, 6},
+    {"y_upside_down", "edge table", 1, 10},
+    {"centres_half_off", "viewing", 0, 4},
+    {"clockwise_front", "viewing", 4, 18},
+    {"horizontal_inserted", "edge table", 5, 3},
+    {"ends_one_late", "edge table", 0, 3},
+    {"starts_one_early", "edge table", 0, 3},
+    {"slope_inverted", "edge table", 0, 3},
+    {"slope_whole", "edge table", 0, 3},
+    {"z_slope_of_x", "edge table", 0, 3},
+    {"z_not_swapped", "edge table", 1, 3},
+    {"x_at_vertex", "edge table", 0, 3},
+    {"z_at_vertex", "edge table", 0, 3},
+    {"stepped_too_early", "edge table", 0, 11},
+    {"stepped_twice", "edge table", 0, 15},
+    {"rounded_then_stepped", "edge table", 4, 11},
+    {"z_not_carried", "edge table", 4, 11},
+    {"retired_one_late", "edge table", 0, 14},
+    {"never_retired", "edge table", 0, 14},
+    {"not_sorted", "edge table", 6, 813},
+    {"right_end_included", "edge table", 0, 9},
+    {"left_end_excluded", "edge table", 5, 9},
+    {"ends_rounded", "edge table", 0, 9},
+    {"ends_truncated", "edge table", 0, 9},
+    {"z_by_slope_of_x", "edge table", 2, 14},
+    {"z_by_slope_of_edge", "edge table", 2, 14},
+    {"z_not_to_centre", "edge table", 1, 10},
+    {"z_stepped_before_use", "edge table", 1, 10},
+    {"z_kept_along_span", "flags", 0, 43},
+    {"adds_in_float32", "edge table", 2, 14},
+    {"compare_reversed", "edge table", 2, 183},
+    {"equal_wins", "edge table", 5, 294},
+    {"buffer_begins_at_0", "edge table", 0, 1},
+    {"buffer_reset", "edge table", 2, 183},
+    {"buffer_of_one_line", "edge table", 4, 27},
+    {"written_before_test", "edge table", 1, 12},
+    {"depth_not_written", "edge table", 1, 12},
+    {"depth_always", "edge table", 2, 184},
+    {"colour_not_written", "edge table", 2, 173},
+    {"colour_always", "edge table", 2, 184},
+    {"x_y_exchanged", "edge table", 1, 13},
+    {"flag_missed", "flags", 0, 34},
+    {"wrong_of_two", "flags", 1, 130},
+    {"plane_d_sign", "flags", 0, 8},
+    {"closing_edge_missed", "flags", 0, 23},
+    {"implied_edge_missed", "flags", 1, 331},
+    {"sorted_by_nearest", "depth sort", 0, 26},
+    {"ties_unstable", "depth sort, ties", 1, 46},
+    {"tests_3_4_swapped", "depth sort", 1, 57},
+    {"pieces_lost", "depth sort", 3, 60},
+    {"near_side_first", "BSP tree, order", 4, 152},
+    {"side_by_normal", "BSP tree", 0, 49},
+    {"spanning_not_split", "BSP tree", 3, 18},
+    {"surrounding_unchecked", "areas", 5, 106},
+    {"stops_one_early", "areas", 3, 68},
+    {"quarters_overlap", "areas", 0, 29},
+    {"nearest_by_index", "rays", 3, 233},
+    {"negative_t", "rays", 8, 5},
+    {"box_misses_at_0", "rays, boxes", 0, 33},
+    {"only_upper", "horizon", 0, 139},
+    {"not_interpolated", "horizon", 0, 136},
+    {"farthest_first", "horizon", 0, 139},
+    {"lower_never_moves", "horizon", 0, 139},
+    {"crossing_from_end", "horizon", 1, 217},
+    {"one_ink", "horizon", 4, 3906},
+};
+
 }  // namespace
 
 TEST_CASE("mistakes: each has a text, and its id is the one that the code has for it") {
@@ -146,18 +224,39 @@ TEST_CASE("mistakes: the classic ones are in the catalogue") {
   }
 }
 
-TEST_CASE("mistakes: a program of the zoo makes each of them, under its name") {
-  // Other tests see to it that each of these is named in some scene.
-  std::set<std::string_view> made(std::begin(test::of_edge_table), std::end(test::of_edge_table));
+TEST_CASE("mistakes: each is named where a program of the zoo makes it, at the step where the run goes wrong") {
+  std::map<std::string, test::WrongPrograms> programs;
+  std::set<std::string> rows;
+  programs["edge table"] = {"edge table",
+                            test::edge_table_program,
+                            test::scenes_of_edge_table(),
+                            {std::begin(test::of_edge_table), std::end(test::of_edge_table)}};
   for (const char* method : test::methods_with_mistakes)
-    for (const test::WrongPrograms& wrong : test::wrong_programs(method))
-      made.insert(wrong.mistakes.begin(), wrong.mistakes.end());
-  for (std::size_t k = 0; k < mistakes::mistake_count; ++k) {
-    const std::string_view id = mistakes::text_of(static_cast<Mistake>(k)).id;
-    CAPTURE(id);
-    CHECK(made.erase(id) == 1);
+    for (const test::WrongPrograms& wrong : test::wrong_programs(method)) programs[wrong.what] = wrong;
+  for (const BrokenProgram& broken : broken_programs) {
+    const std::string mistake = broken.mistake;
+    CAPTURE(mistake);
+    const test::WrongPrograms& wrong = programs[broken.program];
+    REQUIRE(broken.scene < wrong.scenes.size());
+    const test::Found found = test::found_in(wrong.program, wrong.scenes[broken.scene], mistake);
+    CAPTURE(found.said);
+    CHECK(found.name == mistake);
+    CHECK(found.at_once);
+    CHECK(found.step == broken.step);
+    rows.insert(mistake);
   }
-  CHECK(made.empty());
+  for (std::size_t k = 0; k < mistakes::mistake_count; ++k) {
+    const std::string id(mistakes::text_of(static_cast<Mistake>(k)).id);
+    CAPTURE(id);
+    CHECK(rows.contains(id));
+  }
+  // Tests that go through all scenes hold what the programs are said to make to the name that it has.
+  for (const auto& program : programs)
+    for (const char* mistake : program.second.mistakes) {
+      CAPTURE(program.first);
+      CAPTURE(std::string(mistake));
+      CHECK(mistakes::mistake_called(mistake));
+    }
 }
 
 TEST_CASE("mistakes: those of the Z-buffer are named as what they are") {

@@ -9,7 +9,8 @@
 
 using namespace zstep;
 
-TEST_CASE("the lesson's wrong runs have one cause each, with as many wrong steps, and as many that follow, as it says") {
+TEST_CASE(
+    "the lesson's wrong runs have one cause each, with as many wrong steps, and as many that follow, as it says") {
   const struct {
     const char* file;
     std::int64_t wrong, follow;
@@ -20,6 +21,21 @@ TEST_CASE("the lesson's wrong runs have one cause each, with as many wrong steps
     CHECK(report.causes.size() == 1);
     CHECK(report.wrong_steps == run.wrong);
     CHECK(report.inherited == run.follow);
+  }
+}
+
+TEST_CASE("of the third of them, the two writes of a wrong compare follow from it, and the next pixel does not") {
+  const Trace trace = open_jsonl(test::in_checkout("lessons/runs/third.jsonl"));
+  CheckMarks marks;
+  check(trace, nullptr, nullptr, &marks);
+  std::int64_t compared = 0;
+  for (const CheckMarks::Step& one : marks.steps) {
+    CAPTURE(one.step);
+    const Event& event = trace.event(one.step).event;
+    if (one.wrong) compared = one.step;
+    const bool follows = one.step == compared + 1 ? holds<DepthWrite>(event)
+                                                  : one.step == compared + 2 && holds<PixelWrite>(event);
+    CHECK((one.wrong ? holds<DepthCompare>(event) : follows));
   }
 }
 

@@ -18,7 +18,7 @@ struct Polygon {
 struct Camera {
   bool there = false;  ///< else points are on the raster already
   Point right, up, away, eye;
-  Point origin;  ///< of the world, in viewing coordinates
+  Point origin;  ///< of the world, in view coordinates
   double d = 1, window = 1, near = 0, far = 0;
 };
 struct Task {

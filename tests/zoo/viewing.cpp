@@ -1,4 +1,4 @@
-// From the world to the screen: viewing coordinates, back faces, clipping, projection, viewport; then a Z-buffer that
+// From the world to the screen: view coordinates, back faces, clipping, projection, viewport; then a Z-buffer that
 // finds the crossings of each scan line with the polygon's edges.
 #include <array>
 

@@ -194,6 +194,7 @@ Found found_in(const ZooProgram& program, const Scene& scene, const std::string&
   const std::vector<grade::Part> parts = parts_of(program, run);
   const grade::Judgement judged = grade::judge(reference, run, parts);
   found.detected = judged.first || !impossible.empty();
+  found.step = judged.first ? judged.first->step : 0;
   found.full_marks = true;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const grade::PartCount& count = judged.parts[k];

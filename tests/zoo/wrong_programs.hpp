@@ -69,14 +69,15 @@ struct Found {
   bool shows = false;     ///< it prints something else than the right one
   bool detected = false;  ///< something is wrong
   bool at_once = false;   ///< and that from the first step on that is wrong, or from the one that it shows in
+  std::int64_t step = 0;    ///< the first one that is wrong; 0 where none is
   bool full_marks = false;  ///< by the picture, and by each kind of step that is printed
   std::string name;       ///< of the catalogue; "" where none is given
   std::string said;       ///< where it shows, and what was found, for who looks into it
 };
 Found found_in(const ZooProgram& program, const Scene& scene, const std::string& mistake);
 
-/// Of two mistakes of zoo::edge_table in one program: the one whose first wrong step, alone, comes first is named; where
-/// both do at one step, either will do.
+/// Of two mistakes of zoo::edge_table in one program: the one whose first wrong step, alone, comes first is named;
+/// where both do at one step, either will do.
 struct PairsNamed {
   int right = 0, none = 0, wrong = 0;
   std::string others;  ///< the pairs that are not named rightly, a line each

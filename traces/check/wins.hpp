@@ -16,7 +16,7 @@ class Wins {
   /// something else begins the last win is held to have been written, as it is before the next pixel.
   template <class E, class Out>
   void look_at(const E& e, const formulas::Situation& at, Out& out) {
-    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, ScanLineBegin>)
+    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, ScanLineBegin> || std::is_same_v<E, SpanBegin>)
       if (formulas::detail::last_win_is_missing(at, out)) out.rule(formulas::Rule::win_is_written, false);
     if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear> || std::is_same_v<E, PassBegin>) {
       ++turn_;

@@ -96,7 +96,7 @@ class SceneGeometry {
     return facts;
   }
 
-  /// A vertex that a run made, from its viewing coordinates.
+  /// A vertex that a run made, from its view coordinates.
   VertexGeometry from_view(std::int32_t vertex, glm::dvec3 view) const;
   glm::dvec3 project(glm::dvec3 view) const;
   glm::dvec2 to_viewport(double x_p, double y_p) const;
@@ -144,7 +144,7 @@ class SceneGeometry {
     std::int32_t some, all;
   };
   Outside outside_of(std::span<const std::int32_t> outline) const;
-  /// What clipping leaves of an outline, in viewing coordinates.
+  /// What clipping leaves of an outline, in view coordinates.
   std::vector<glm::dvec3> clipped(std::span<const std::int32_t> outline, std::int32_t outside_some) const;
   bool in_view(std::span<const std::int32_t> outline) const;  ///< something of it is left by clipping
   void number_pieces() const;

@@ -52,7 +52,7 @@ inline constexpr Description description_of<FacingTest>{
 template <>
 inline constexpr auto fields_of<FacingTest> =
     Fields{Field{"determinant", &FacingTest::determinant, "view^3",
-                 "V0 . (V1 x V2) summed over the fan, in viewing coordinates; negative faces away", As::formula,
+                 "V0 . (V1 x V2) summed over the fan, in view coordinates; negative faces away", As::formula,
                  Guess::formula},
            Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3",
                  "A x + B y + C z + D at the eye; negative faces away", As::formula, Guess::formula},
@@ -114,9 +114,9 @@ inline constexpr auto fields_of<ClipCross> =
            Field{"vertex_outside", &ClipCross::vertex_outside, Measure::vertex, "the end that is cut off", As::subject},
            Field{"t", &ClipCross::t, "1", "d_in / (d_in - d_out), from the kept end", As::formula},
            Field{"vertex", &ClipCross::vertex, Measure::vertex, "the new vertex", As::made, Guess::next},
-           Field{"x_v", &ClipCross::x_v, "view", "its viewing coordinates", As::formula},
-           Field{"y_v", &ClipCross::y_v, "view", "its viewing coordinates", As::formula},
-           Field{"z_v", &ClipCross::z_v, "view", "its viewing coordinates", As::formula}};
+           Field{"x_v", &ClipCross::x_v, "view", "its view coordinates", As::formula},
+           Field{"y_v", &ClipCross::y_v, "view", "its view coordinates", As::formula},
+           Field{"z_v", &ClipCross::z_v, "view", "its view coordinates", As::formula}};
 
 template <>
 inline constexpr Description description_of<OutlineVertex>{

@@ -18,7 +18,7 @@ struct ViewportTransform { std::int32_t vertex; double x_s, y_s; };
 
 template <>
 inline constexpr Description description_of<ViewTransform>{.name = "view_transform",
-                                                           .meaning = "a vertex goes from world to viewing coordinates",
+                                                           .meaning = "a vertex goes from world to view coordinates",
                                                            .work = WorkKind::vertices,
                                                            .called = "vertex {vertex}, viewed"};
 template <>
@@ -31,7 +31,7 @@ inline constexpr auto fields_of<ViewTransform> =
 template <>
 inline constexpr Description description_of<Projection>{
     .name = "projection",
-    .meaning = "a vertex goes from viewing coordinates to the projection plane",
+    .meaning = "a vertex goes from view coordinates to the projection plane",
     .work = WorkKind::vertices,
     .called = "vertex {vertex}, projected"};
 template <>

@@ -43,7 +43,7 @@ inline bool attribute_over_depth(const Scene& scene, const Conventions& conventi
 }
 
 /// The attribute of a vertex is its x_w, as if a texture were projected along y and z. Of a vertex that clipping made,
-/// it follows from its viewing coordinates: T_v turns and moves, so its inverse has T_v's columns for rows.
+/// it follows from its view coordinates: T_v turns and moves, so its inverse has T_v's columns for rows.
 inline double attribute_of(const Scene& scene, std::int32_t vertex, const glm::dvec3& view) {
   if (vertex >= 0 && static_cast<std::size_t>(vertex) < scene.points.size())
     return scene.points[static_cast<std::size_t>(vertex)].x;

@@ -32,7 +32,7 @@ class EyeRays {
     right_ = {view[0][0], view[1][0], view[2][0]};
     up_ = {view[0][1], view[1][1], view[2][1]};
     away_ = {view[0][2], view[1][2], view[2][2]};
-    const glm::dvec3 origin(view[3]);  // of the world, in viewing coordinates
+    const glm::dvec3 origin(view[3]);  // of the world, in view coordinates
     const bool parallel = kind_ == Camera::Kind::orthographic;
     eye_ = parallel ? -(origin.x * right_ + origin.y * up_ + origin.z * away_) : camera.eye;
   }
@@ -52,7 +52,7 @@ class EyeRays {
  private:
   Camera::Kind kind_;
   double d_, window_x_, window_y_, width_, height_;
-  glm::dvec3 eye_, right_, up_, away_;  // the axes of viewing coordinates in the world
+  glm::dvec3 eye_, right_, up_, away_;  // the axes of view coordinates in the world
 };
 
 }  // namespace zstep::formulas

@@ -1,4 +1,4 @@
-// From a pixel and its depth back to viewing coordinates: undoes the steps of viewing.hpp, the last one first. Templates
+// From a pixel and its depth back to view coordinates: undoes the steps of viewing.hpp, the last one first. Templates
 // for the reason in lines.hpp.
 #pragma once
 

@@ -149,7 +149,7 @@ struct Situation {
     const auto at = static_cast<std::size_t>(number);
     return number >= 0 && at < before.vertices.size() ? &before.vertices[at] : nullptr;
   }
-  /// The same once it has viewing coordinates.
+  /// The same once it has view coordinates.
   const VertexStages* viewed(std::int32_t number) const {
     const VertexStages* found = vertex(number);
     return found && found->stage >= VertexStages::viewed ? found : nullptr;

@@ -1,4 +1,4 @@
-// From viewing coordinates to the raster (000, "Viewing"; 003 for pseudodepth; 001, "Scaling Z"). Templates for the
+// From view coordinates to the raster (000, "Viewing"; 003 for pseudodepth; 001, "Scaling Z"). Templates for the
 // reason in lines.hpp.
 #pragma once
 
@@ -62,7 +62,7 @@ struct ViewVolume {
   bool parallel;
   T near, far, d, w_x, w_y;
 };
-/// How far inside a plane of the view volume a point in viewing coordinates is, up to a positive factor: the clip
+/// How far inside a plane of the view volume a point in view coordinates is, up to a positive factor: the clip
 /// coordinates' -w_c <= x_c <= w_c as a difference. For z they are near <= z_v <= far times a factor; so written it is
 /// exact for a face on the plane itself.
 template <class T>

@@ -220,7 +220,7 @@ constexpr std::array<MistakeText, mistake_count> texts{{
     {"tests_3_4_swapped",
      "The answers of tests 3 and 4 are taken for each other.",
      "P may be painted first if it is on which side of Q's plane?",
-     "depth-sort", "Test 3: is P beyond Q's plane?"},
+     "depth-sort", "Test 3: is P behind Q's plane?"},
     {"pieces_lost",
      "The pieces of a polygon that was cut are not put back into the list.",
      "What becomes of the two pieces after a cut?",

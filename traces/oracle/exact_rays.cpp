@@ -32,7 +32,7 @@ const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
     ray_.from = {x, y, 0}, ray_.along = {0, 0, 1};
     return ray_;
   }
-  // The axes of viewing coordinates are the rows of T_v.
+  // The axes of view coordinates are the rows of T_v.
   const auto row = [&](int i) {
     return exactly(glm::dvec3(camera.view[0][i], camera.view[1][i], camera.view[2][i]));
   };
@@ -42,7 +42,7 @@ const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
   const Rational x_p = formulas::ray_x(Rational(x), w_x, width), y_p = formulas::ray_y(Rational(y), w_y, height);
   const Point across = scaled(right, x_p) + scaled(up, y_p);
   if (camera.kind == Camera::Kind::orthographic) {
-    const Point origin = exactly(glm::dvec3(camera.view[3]));  // of the world, in viewing coordinates
+    const Point origin = exactly(glm::dvec3(camera.view[3]));  // of the world, in view coordinates
     ray_.from = across - (scaled(right, origin.x) + scaled(up, origin.y) + scaled(away, origin.z));
     ray_.along = away;
   } else {

@@ -1,4 +1,4 @@
-// The way of a vertex, backwards: raster, projection plane, viewing coordinates, the world, the file's line.
+// The way of a vertex, backwards: raster, projection plane, view coordinates, the world, the file's line.
 #include <array>
 
 #include "sim/answers/origin/planes.hpp"

@@ -110,7 +110,7 @@ class Picture:
             emit.flip(edge["number"], polygon, polygon in inside)
             if following is None or edge["x"] == following["x"]:
                 continue
-            left, right = edge["x"], following["x"]
+            left, right = max(-0.5, edge["x"]), min(self.width - 0.5, following["x"])  # as far as the picture goes
             first = max(0, min(self.width, math.ceil(left)))
             last = max(-1, min(self.width, math.ceil(right))) - 1
             emit.flags(y, left, right, first, last, len(inside))

@@ -62,6 +62,13 @@ TEST_SUITE("why not") {
     CHECK(rounded > 0);
   }
 
+  TEST_CASE("of a polygon none of whose edges is in view, no pixel is named") {
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/wireframe-clipping.jsonl"));
+    const Verdict verdict = why_not(trace, *answers::polygon_called(trace.scene(), "H"));
+    CHECK(verdict.sentence == "H is not seen anywhere: none of its edges is in view.");
+    CHECK_FALSE(verdict.pixel);
+  }
+
   TEST_CASE("a back face of a tree is dropped by a step, and of rays none is spoken where none is cast") {
     Scene scene = look_at_scene(load_scene("pyramid-behind").scene, {});
     const Trace trace = test::recorded_by("bsp", scene);
