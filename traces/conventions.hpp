@@ -12,8 +12,8 @@
 
 namespace zstep {
 
-/// What a run computes in. Its numbers stand in a trace as doubles. fixedN: whole numbers of units, depths from 0 for the
-/// least that there can be to 2ᴺ − 1 for the greatest (formulas/fixed_depths.hpp), positions in 1/65536 of a pixel.
+/// What a run computes in. Its numbers stand in a trace as doubles. fixedN: whole numbers of units, depths from 0 for
+/// the least that there can be to 2ᴺ − 1 for the greatest (formulas/fixed_depths.hpp), positions in 1/65536 of a pixel.
 enum class NumberFormat : std::uint8_t { float64, float32, fixed16, fixed18, fixed20, fixed24, fixed32 };
 
 /// The bits of a fixed-point depth; 0 where the format is floating point.

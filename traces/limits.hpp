@@ -15,7 +15,7 @@ inline constexpr std::int64_t most_facets = 4'000'000;
 inline constexpr std::int64_t most_corners = 6'000'000;
 inline constexpr std::int64_t most_corners_of_polygon = 20'000;  ///< the active edge list is searched from the left
 inline constexpr double least_refraction = 0.1, most_refraction = 10;  ///< diamond has 2.4
-inline constexpr std::int64_t most_surface_samples = 250'000;      ///< columns times rows
-inline constexpr std::size_t longest_formula = 200;                ///< characters
+inline constexpr std::int64_t most_surface_samples = 250'000;          ///< columns times rows
+inline constexpr std::size_t longest_formula = 200;                    ///< characters
 
 }  // namespace zstep

@@ -14,8 +14,8 @@ class Rare {
  public:
   Rare() = default;
   template <class U>
-    requires(std::convertible_to<U, T> && !std::same_as<std::remove_cvref_t<U>, Rare>)
-  Rare(U&& value) : Rare(std::in_place, T(std::forward<U>(value))) {}
+  requires(std::convertible_to<U, T> && !std::same_as<std::remove_cvref_t<U>, Rare>) Rare(U&& value)
+      : Rare(std::in_place, T(std::forward<U>(value))) {}
   Rare(const Rare& other) : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
   Rare(Rare&&) noexcept = default;
   Rare& operator=(const Rare& other) { return *this = Rare(other); }

@@ -115,9 +115,9 @@ struct Raster {
 };
 
 struct Scene {
-  std::string name;                       ///< "pyramid"
-  std::string source;                     ///< the file or "built-in"
-  std::vector<glm::dvec3> points;         ///< world; for Camera::Kind::screen (x_s, y_s, z)
+  std::string name;                ///< "pyramid"
+  std::string source;              ///< the file or "built-in"
+  std::vector<glm::dvec3> points;  ///< world; for Camera::Kind::screen (x_s, y_s, z)
   std::vector<std::int32_t>
       point_lines;  ///< line of its file each point stands at, 0 if there is none; empty if none has one
   std::vector<Polygon> polygons;
@@ -127,7 +127,7 @@ struct Scene {
   Camera camera;
   Raster raster;
   std::optional<Light> light;
-  std::optional<Surface> surface;  ///< if the scene is one; its cells are the polygons
+  std::optional<Surface> surface;     ///< if the scene is one; its cells are the polygons
   std::vector<Placement> placements;  ///< by their points; those of no placement stand in the scene's own file
   std::optional<Fit> fit;
   std::vector<glm::dvec3> file_points;  ///< as their files have them: as many as points; empty if those were not moved
@@ -183,8 +183,8 @@ double buffer_depth(const Camera& camera, const Conventions& conventions, double
 /// By how much z_v is off where the number in the buffer is off by so much.
 double view_depth_error(const Camera& camera, const Conventions& conventions, double buffer_depth, double off);
 
-/// How far apart the depths of a run can lie: from the near plane to the far one; in a screen scene, from the least z of
-/// its points to the greatest. 1 where that is nothing.
+/// How far apart the depths of a run can lie: from the near plane to the far one; in a screen scene, from the least z
+/// of its points to the greatest. 1 where that is nothing.
 double depth_range(const Scene& scene, Conventions::Depth depth);
 /// By how much two fixed-point depths differ at least; 0 where the format is floating point.
 double depth_unit(const Scene& scene, const Conventions& conventions);

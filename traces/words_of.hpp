@@ -3,7 +3,8 @@
 
 namespace zstep {
 
-/// In value order from 0. Specialised, as an array of texts, beside every enumeration that an event or a header carries.
+/// In value order from 0. Specialised, as an array of texts, beside every enumeration that an event or a header
+/// carries.
 template <class Enumeration>
 inline constexpr auto words_of = nullptr;
 

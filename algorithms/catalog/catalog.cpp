@@ -27,11 +27,11 @@ namespace {
 
 // A method is a folder with a page of steps and a function `run`; here it gets its names and its paper.
 // Where the picture alone can be had faster, METHOD_DRAWN_BY says how.
-#define METHOD_DRAWN_BY(render_, module, ...)                                                          \
-  Method {                                                                                             \
-    __VA_ARGS__, .page = module::page, .taught = module::run<NullRecorder>, .render = render_,         \
-                 .count = module::run<CountRecorder>, .collect = module::run<CollectRecorder>,         \
-                 .record = module::run<TraceRecorder>                                                  \
+#define METHOD_DRAWN_BY(render_, module, ...)                                                  \
+  Method {                                                                                     \
+    __VA_ARGS__, .page = module::page, .taught = module::run<NullRecorder>, .render = render_, \
+                 .count = module::run<CountRecorder>, .collect = module::run<CollectRecorder>, \
+                 .record = module::run<TraceRecorder>                                          \
   }
 #define METHOD(module, ...) METHOD_DRAWN_BY(module::run<NullRecorder>, module, __VA_ARGS__)
 
@@ -46,8 +46,8 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
 
 Picture draw_z_buffer(const Scene& scene, const Conventions& conventions, NullRecorder& nothing) {
   using enum Conventions::Coverage;
-  const bool fast = interpolation::is_taught(conventions) &&
-                    (conventions.coverage == top_left || conventions.coverage == inclusive);
+  const bool fast =
+      interpolation::is_taught(conventions) && (conventions.coverage == top_left || conventions.coverage == inclusive);
   return fast ? z_buffer::run_fast(scene, conventions) : interpolation::run(scene, conventions, nothing);
 }
 
@@ -129,8 +129,7 @@ const Method& method(std::string_view id) {
   throw InputError("--algorithm " + std::string(id), "there is no such method", "the methods are: " + known);
 }
 
-void check_run(const Method& method, const Scene& scene, const Conventions& conventions,
-               const std::string& who) {
+void check_run(const Method& method, const Scene& scene, const Conventions& conventions, const std::string& who) {
   const std::string id(method.id);
   check_options(method.options, method.id, conventions, who);
   if (method.check) method.check(conventions, who);

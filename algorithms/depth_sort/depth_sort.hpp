@@ -12,8 +12,8 @@
 //   the plane" passes tests 3 and 4 in that order only.
 // - When a marked Q would have to be moved again, P and Q stand in a ring with those between them in the list. Nearly
 //   always P or Q crosses the other's plane and is split. Where neither does, another pair of the ring is split. There
-//   is one: if no piece of the ring crossed the plane of another, a BSP tree of them would order them without a cut, and
-//   there would be no ring.
+//   is one: if no piece of the ring crossed the plane of another, a BSP tree of them would order them without a cut,
+//   and there would be no ring.
 // - When a piece of a ring is split, those that were moved for its sake go back to their places, unmarked.
 //
 // Why it ends. Between two splits a piece is moved at most once, as it is marked; so after finitely many moves a piece

@@ -40,9 +40,9 @@ class Outlines {
 
   const Scene& scene;
   const Conventions& conventions;
-  std::vector<RasterPoint> points;               ///< the scene's by index, then those that clipping made
-  std::vector<std::int32_t> made;  ///< corners of the outlines that were clipped; indices into points, too
-  std::vector<std::vector<FastOutline>> parts;   ///< after finish(): what find_outline gives, in the order of drawing
+  std::vector<RasterPoint> points;              ///< the scene's by index, then those that clipping made
+  std::vector<std::int32_t> made;               ///< corners of the outlines that were clipped; indices into points, too
+  std::vector<std::vector<FastOutline>> parts;  ///< after finish(): what find_outline gives, in the order of drawing
 };
 
 }  // namespace zstep::z_buffer

@@ -13,7 +13,7 @@ constexpr double farthest_pixel = 1e9;
 }  // namespace
 
 std::optional<Interval> interval_on_raster(const viewing::Lens& lens, const viewing::Vertex& a,
-                                         const viewing::Vertex& b) {
+                                           const viewing::Vertex& b) {
   double t_0 = 0, t_1 = 1;
   for (const ClipPlane plane : {ClipPlane::near, ClipPlane::far}) {
     const double d_0 = distance_inside(lens, a.view, plane), d_1 = distance_inside(lens, b.view, plane);

@@ -23,7 +23,7 @@ struct Crossing {
 struct Cover {
   LineFace outcome;
   std::vector<Crossing> crossings;  ///< within the line
-  std::vector<Interval> hidden;      ///< ascending, longer than shortest
+  std::vector<Interval> hidden;     ///< ascending, longer than shortest
 };
 
 /// Tolerances. An end of the line within on_plane of the face's plane is on it, and what is on a plane is not behind

@@ -37,7 +37,7 @@ Cover hold(std::int32_t number, const Line& line, const pieces::Pieces& faces, c
 // The intervals of an edge that faces hide.
 template <Recorder R>
 std::vector<Interval> find_hidden(std::int32_t number, const Edge& edge, const Line& line, const pieces::Pieces& faces,
-                                 Grid& grid, R& record) {
+                                  Grid& grid, R& record) {
   const std::vector<std::int32_t> near = grid.near(line);
   const auto apart = static_cast<std::int32_t>(faces.pieces.size() - near.size());
   if (apart > 0) {

@@ -165,8 +165,8 @@ void draw(const Line& line, double t_0, double t_1, Color color, bool dashed, Pi
   }
 }
 
-#define INSTANTIATE(R)                                                                                       \
-  template bool bring_into_view<R>(Edge&, const Scene&, const viewing::Lens&, viewing::Vertices&, R&);       \
+#define INSTANTIATE(R)                                                                                 \
+  template bool bring_into_view<R>(Edge&, const Scene&, const viewing::Lens&, viewing::Vertices&, R&); \
   template void draw<R>(const Line&, double, double, Color, bool, Picture&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
 #undef INSTANTIATE

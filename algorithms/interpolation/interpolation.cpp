@@ -43,9 +43,7 @@ struct Ways {
 template <class T>
 struct Plane {
   T x_0{0}, y_0{0}, z_0{0}, dz_dx{0}, dz_dy{0};
-  T at(std::int32_t x, std::int32_t y) const {
-    return formulas::along_plane(z_0, dz_dx, T(x), x_0, dz_dy, T(y), y_0);
-  }
+  T at(std::int32_t x, std::int32_t y) const { return formulas::along_plane(z_0, dz_dx, T(x), x_0, dz_dy, T(y), y_0); }
 };
 
 /// The attribute of the polygons' vertices, along edges, along spans, at a pixel.
@@ -141,9 +139,9 @@ class Drawing {
   void fill(const Span& span, const EdgeOf<T>& left, const EdgeOf<T>& right) {
     if (ways_.shades) attributes_.begin(left, right, span.y);
     T along{0};  // what is interpolated
-    const T slope = ways_.by_plane                    ? plane_.dz_dx
+    const T slope = ways_.by_plane                   ? plane_.dz_dx
                     : !ways_.adds || span.dz_dx == 0 ? T(0)
-                                                      : formulas::slope(left.z, right.z, left.x, right.x);
+                                                     : formulas::slope(left.z, right.z, left.x, right.x);
     for (std::int32_t x = span.first; x <= span.last; ++x) {
       if (ways_.adds && x != span.first) along = along + slope;  // 000, "Speeding up the Algorithm"
       else if (ways_.by_plane) along = ways_.adds ? line_start(x, span.y) : plane_.at(x, span.y);
@@ -153,8 +151,8 @@ class Drawing {
   }
 
  private:
-  /// The plane's depth where a span begins: from line to line the slope along y is added, and from where the line before
-  /// began the slope along x times so many pixels.
+  /// The plane's depth where a span begins: from line to line the slope along y is added, and from where the line
+  /// before began the slope along x times so many pixels.
   T line_start(std::int32_t x, std::int32_t y) {
     if (!started_) started_ = true, x_ = x, y_ = y, along_ = plane_.at(x, y);
     for (; y_ < y; ++y_) along_ = along_ + plane_.dz_dy;
@@ -293,7 +291,8 @@ auto in_numbers(const Scene& scene, const Conventions& conventions, Use&& use) {
   if (conventions.depth == Conventions::Depth::corrected) interpolated.depth = Conventions::Depth::reciprocal;
   const auto fixed = [&]<class T>(T) {
     return NumbersOf<T>{depth_unit(scene, interpolated), depth_unit(scene, conventions),
-                        formulas::least_depth(scene, interpolated.depth), formulas::least_depth(scene, conventions.depth)};
+                        formulas::least_depth(scene, interpolated.depth),
+                        formulas::least_depth(scene, conventions.depth)};
   };
   if (conventions.rounding == Conventions::Rounding::nearest) return use(fixed(FixedNearest{}));
   return use(fixed(FixedDown{}));
@@ -322,8 +321,7 @@ Bounds bounds_of(const Scene& scene, const Conventions& conventions) {
     Bounds bounds;
     bounds.of_pixel.assign(Picture(scene.raster.width, scene.raster.height).depth.size(), 0);
     bounds.of_any = bounds.of_pixel;
-    if (conventions.attribute != Conventions::Attribute::none)
-      bounds.of_attribute = bounds.attribute = bounds.of_pixel;
+    if (conventions.attribute != Conventions::Attribute::none) bounds.of_attribute = bounds.attribute = bounds.of_pixel;
     NullRecorder nothing;
     bounds.picture = draw<Bounded<T>>(scene, conventions, NumbersOf<Bounded<T>>{numbers}, nothing, Keep{bounds});
     return bounds;
@@ -364,9 +362,8 @@ void check(const Scene& scene, const Conventions& c) {
                      "take a scene with a camera; 'zstep list scenes' says which have one");
   if (c.attribute == Conventions::Attribute::perspective && kind != Camera::Kind::perspective)
     throw InputError("--attribute perspective",
-                     kind == Camera::Kind::screen
-                         ? "divides by z_v, and this scene's points are on the screen already"
-                         : "divides by z_v, which parallel projection does not do",
+                     kind == Camera::Kind::screen ? "divides by z_v, and this scene's points are on the screen already"
+                                                  : "divides by z_v, which parallel projection does not do",
                      "give --attribute linear");
   if (c.attribute != Conventions::Attribute::none && bits_of(c.number_format) > 0)
     throw InputError("--attribute " + std::string(word_of(c.attribute)),

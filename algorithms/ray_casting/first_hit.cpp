@@ -40,8 +40,7 @@ struct Search {
     if (meets.cull && crossing.denominator > 0) return;  // the normal points away from where the ray comes from
 
     const bool inside = passes_inside(along, target.corners);
-    const bool nearer =
-        t < nearest.t || (t == nearest.t && (nearest.facet < 0 || target.facet < nearest.facet));
+    const bool nearer = t < nearest.t || (t == nearest.t && (nearest.facet < 0 || target.facet < nearest.facet));
     const glm::dvec3 point = ray.at(t);
     const RayHit hit{target.facet, t, point.x, point.y, point.z, inside, inside && nearer};
     record(meeting::step::hit, hit);

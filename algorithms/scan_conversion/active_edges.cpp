@@ -94,8 +94,7 @@ void end_polygon(ActiveEdges& active, R& record) {
   active.clear();
 }
 
-#define INSTANTIATE(R, T) \
-  template void begin_scan_line<T, R>(ActiveEdges&, EdgeTableOf<T>&, std::int32_t, bool, R&);
+#define INSTANTIATE(R, T) template void begin_scan_line<T, R>(ActiveEdges&, EdgeTableOf<T>&, std::int32_t, bool, R&);
 ZSTEP_FOR_EACH_NUMBER(INSTANTIATE)
 #define INSTANTIATE_END(R) template void end_polygon<R>(ActiveEdges&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE_END)

@@ -102,10 +102,10 @@ void build_edge_table(EdgeTableOf<T>& table, std::int32_t polygon, Outline outli
   fill_buckets(table);
 }
 
-#define INSTANTIATE(R, T)                                                                                           \
-  template void add_edges<T, R>(EdgeTableOf<T>&, std::int32_t, Outline, const viewing::Vertices&, const Raster&,    \
-                                Conventions::Coverage, R&);                                                         \
-  template void build_edge_table<T, R>(EdgeTableOf<T>&, std::int32_t, Outline, const viewing::Vertices&,            \
+#define INSTANTIATE(R, T)                                                                                        \
+  template void add_edges<T, R>(EdgeTableOf<T>&, std::int32_t, Outline, const viewing::Vertices&, const Raster&, \
+                                Conventions::Coverage, R&);                                                      \
+  template void build_edge_table<T, R>(EdgeTableOf<T>&, std::int32_t, Outline, const viewing::Vertices&,         \
                                        const Raster&, Conventions::Coverage, R&);
 ZSTEP_FOR_EACH_NUMBER(INSTANTIATE)
 #undef INSTANTIATE

@@ -1,9 +1,9 @@
 // The types of number that scan conversion is compiled for, each with its rounding: double and float as the processor
 // rounds them, and fixed point, where every number is a whole multiple of a unit.
 //
-// Formulas are written once (traces/formulas) for any of them. Which type an expression has follows from it: the product
-// of two fixed-point numbers keeps all its digits until it is divided, so that p_0 + (p_1 - p_0)(q - q_0)/(q_1 - q_0)
-// rounds once.
+// Formulas are written once (traces/formulas) for any of them. Which type an expression has follows from it: the
+// product of two fixed-point numbers keeps all its digits until it is divided, so that p_0 + (p_1 - p_0)(q - q_0)/(q_1
+// - q_0) rounds once.
 #pragma once
 
 #include <algorithm>
@@ -50,8 +50,8 @@ struct FixedProduct {
   friend FixedProduct operator-(FixedProduct a, FixedProduct b) { return {a.units - b.units, a.unit}; }
 };
 
-/// A fixed-point number: so many units, of a size that goes with it, counted from an origin. Positions count 1/65536 of a
-/// pixel, depths what depth_unit() says, from the least depth that there can be; of a difference the origin is 0, and
+/// A fixed-point number: so many units, of a size that goes with it, counted from an origin. Positions count 1/65536 of
+/// a pixel, depths what depth_unit() says, from the least depth that there can be; of a difference the origin is 0, and
 /// slopes count the unit of what they are added to.
 template <Conventions::Rounding rounding>
 class Fixed {
@@ -115,16 +115,15 @@ struct RoundingOf {
 template <class T>
 RoundingOf rounding_of_result(const T& result) {
   const double share = static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
-  const double off = share * std::abs(static_cast<double>(result)) +
-                     static_cast<double>(std::numeric_limits<T>::denorm_min());
+  const double off =
+      share * std::abs(static_cast<double>(result)) + static_cast<double>(std::numeric_limits<T>::denorm_min());
   return {off, off, off};
 }
 template <Conventions::Rounding rounding>
 RoundingOf rounding_of_result(const Fixed<rounding>& result) {
   // What is out of range stays at its end, however far off that is. With what it is added to, it is beyond half of it.
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (std::abs(result.units()) >= detail::most_units / 2)
-    return {infinity, infinity, infinity};
+  if (std::abs(result.units()) >= detail::most_units / 2) return {infinity, infinity, infinity};
   const double off = rounding == Conventions::Rounding::nearest ? result.unit() / 2 : result.unit();
   return {0, 0, off};
 }
@@ -150,7 +149,9 @@ struct Bounded {
 
 namespace detail {
 template <class T>
-double size_of(const Bounded<T>& of) { return std::abs(static_cast<double>(of.value)); }
+double size_of(const Bounded<T>& of) {
+  return std::abs(static_cast<double>(of.value));
+}
 /// 0 times a number that has no bound has none.
 inline double bound(double off) { return std::isnan(off) ? std::numeric_limits<double>::infinity() : off; }
 }  // namespace detail
@@ -214,14 +215,14 @@ struct NumbersOf<Bounded<T>> {
 }  // namespace zstep::scan_conversion
 
 /// X(R, T) for each recorder and each type of number. Errors are bounded where nothing is recorded.
-#define ZSTEP_FOR_EACH_NUMBER(X)                                                       \
-  ZSTEP_FOR_EACH_RECORDER_OF(X, double)                                                \
-  ZSTEP_FOR_EACH_RECORDER_OF(X, float)                                                 \
-  ZSTEP_FOR_EACH_RECORDER_OF(X, ::zstep::FixedNearest)                                 \
-  ZSTEP_FOR_EACH_RECORDER_OF(X, ::zstep::FixedDown)                                    \
-  X(::zstep::NullRecorder, ::zstep::Bounded<double>)                                   \
-  X(::zstep::NullRecorder, ::zstep::Bounded<float>)                                    \
-  X(::zstep::NullRecorder, ::zstep::Bounded<::zstep::FixedNearest>)                    \
+#define ZSTEP_FOR_EACH_NUMBER(X)                                    \
+  ZSTEP_FOR_EACH_RECORDER_OF(X, double)                             \
+  ZSTEP_FOR_EACH_RECORDER_OF(X, float)                              \
+  ZSTEP_FOR_EACH_RECORDER_OF(X, ::zstep::FixedNearest)              \
+  ZSTEP_FOR_EACH_RECORDER_OF(X, ::zstep::FixedDown)                 \
+  X(::zstep::NullRecorder, ::zstep::Bounded<double>)                \
+  X(::zstep::NullRecorder, ::zstep::Bounded<float>)                 \
+  X(::zstep::NullRecorder, ::zstep::Bounded<::zstep::FixedNearest>) \
   X(::zstep::NullRecorder, ::zstep::Bounded<::zstep::FixedDown>)
 #define ZSTEP_FOR_EACH_RECORDER_OF(X, T) \
   X(::zstep::NullRecorder, T)            \

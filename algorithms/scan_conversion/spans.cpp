@@ -19,8 +19,7 @@ Span begin_span(const EdgeTableOf<T>& table, std::int32_t left, std::int32_t rig
   span.last = formulas::limited_column(formulas::last_pixel(span.x_right, coverage) + 1, raster.width) - 1;
 
   // 001 prints (z1 - z3)/(x1 - x3) for the step along a scan line: the ends of an edge. It is the ends of the span.
-  if (span.x_right != span.x_left)
-    span.dz_dx = formulas::slope(left_edge.z, right_edge.z, left_edge.x, right_edge.x);
+  if (span.x_right != span.x_left) span.dz_dx = formulas::slope(left_edge.z, right_edge.z, left_edge.x, right_edge.x);
   record(step::span, span);
   return span;
 }

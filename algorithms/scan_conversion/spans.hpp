@@ -16,8 +16,8 @@ using Span = SpanBegin;
 /// x_R` of 000, which draws the pixels on a shared edge twice. The others: formulas::first_pixel, formulas::last_pixel.
 /// Limited to the raster's width.
 template <class T, Recorder R>
-Span begin_span(const EdgeTableOf<T>& table, std::int32_t left, std::int32_t right, std::int32_t y, const Raster& raster,
-                Conventions::Coverage coverage, R& record);
+Span begin_span(const EdgeTableOf<T>& table, std::int32_t left, std::int32_t right, std::int32_t y,
+                const Raster& raster, Conventions::Coverage coverage, R& record);
 
 /// z–x interpolation (000): z = z_L + (z_R - z_L)(x - x_L)/(x_R - x_L), by which the trace's codec predicts it.
 inline double depth_on(const Span& span, std::int32_t x) {

@@ -207,9 +207,9 @@ bool Coherence::lie_apart(const Pieces& polygons, std::int32_t one, std::int32_t
   return known->second;
 }
 
-#define INSTANTIATE(R)                                                                                                \
+#define INSTANTIATE(R)                                                                                                 \
   template void find_front<R>(const Pieces&, const std::vector<std::int32_t>&, const Interval&, std::vector<Visible>&, \
-                              R&);                                                                                    \
+                              R&);                                                                                     \
   template bool Coherence::as_before<R>(const Pieces&, std::size_t, const std::vector<std::int32_t>&, const Interval&, \
                                         std::vector<Visible>&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)

@@ -63,9 +63,9 @@ class Coherence {
 
  private:
   struct Seen {
-    std::int32_t left = -1;           // seen on the left; -1: unknown, or more than two
-    std::int32_t right = -1;          // seen beyond the implied edge, if there was one
-    double x = 0, y = 0, dx_dy = 0;   // a point of the implied edge and its slope
+    std::int32_t left = -1;          // seen on the left; -1: unknown, or more than two
+    std::int32_t right = -1;         // seen beyond the implied edge, if there was one
+    double x = 0, y = 0, dx_dy = 0;  // a point of the implied edge and its slope
     double x_at(double row) const { return x + (row - y) * dx_dy; }
   };
   template <Recorder R>

@@ -151,7 +151,8 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
     file_.notes.push_back(fmt::format("{}: {} not drawn, having fewer than three different corners", where,
                                       polygons_are(too_few_corners_)));
   if (no_area_ > 0) {
-    // In screen coordinates the Z-buffer walks its edges, and which pixels of a border it draws is a matter of coverage.
+    // In screen coordinates the Z-buffer walks its edges, and which pixels of a border it draws is a matter of
+    // coverage.
     const bool screen = scene.camera.kind == Camera::Kind::screen;
     file_.notes.push_back(fmt::format("{}: {} {}", where, polygons_are(no_area_),
                                       screen ? "without area; nothing is drawn there but pixels of a border, where the "

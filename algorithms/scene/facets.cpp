@@ -33,8 +33,7 @@ glm::dvec2 flatten(glm::dvec3 p, glm::dvec3 normal) {
 }  // namespace
 
 glm::dvec3 newell_normal(std::span<const glm::dvec3> points, std::span<const std::int32_t> corners) {
-  return formulas::newell_normal(glm::dvec3(0), corners.size(),
-                                 [&](std::size_t i) { return at(points, corners[i]); });
+  return formulas::newell_normal(glm::dvec3(0), corners.size(), [&](std::size_t i) { return at(points, corners[i]); });
 }
 
 bool is_planar(std::span<const glm::dvec3> points, std::span<const std::int32_t> corners) {

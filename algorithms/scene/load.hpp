@@ -33,7 +33,8 @@ struct SceneFile {
 /// with FILE:LINE on anything wrong with it.
 SceneFile load_scene(const std::string& name_or_path);
 
-/// A scene from the text of a file that is, or will be, at `path`: meshes are found from its folder. Throws as load_scene.
+/// A scene from the text of a file that is, or will be, at `path`: meshes are found from its folder. Throws as
+/// load_scene.
 SceneFile read_scene_text(const std::string& text, const std::filesystem::path& path);
 
 /// Whether a scene's name is a formula: "y = …".

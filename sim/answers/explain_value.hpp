@@ -18,10 +18,10 @@ namespace zstep::answers {
 /// state holds at `at`, and stands where it was made.
 struct Question {
   std::int64_t at = 0;
-  std::string field = {};                 ///< as in the vocabulary; empty: the step's main one
-  std::vector<std::uint8_t> kinds = {};   ///< of the last step of one of these kinds …
+  std::string field = {};                                        ///< as in the vocabulary; empty: the step's main one
+  std::vector<std::uint8_t> kinds = {};                          ///< of the last step of one of these kinds …
   std::vector<std::pair<std::string, std::int32_t>> where = {};  ///< … whose other fields have these values …
-  std::optional<double> value = {};       ///< … and whose field has this one
+  std::optional<double> value = {};                              ///< … and whose field has this one
   /// The depth of this pixel, and where its attribute shades it, its colour; of the light's picture with `light`.
   std::optional<Trace::Pixel> pixel = {};
   bool light = false;

@@ -10,7 +10,7 @@ namespace zstep::answers {
 
 namespace {
 
-constexpr double side = 16;  // pixels
+constexpr double side = 16;   // pixels
 constexpr double margin = 1;  // by which a facet may reach farther than its corners say
 
 struct Squares {

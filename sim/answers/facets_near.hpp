@@ -22,9 +22,9 @@ class FacetsNear {
 
  private:
   std::int32_t squares_across_ = 0;
-  std::vector<std::size_t> first_;       ///< of each square, where its facets begin; one more at the end
-  std::vector<std::int32_t> facets_;     ///< square after square
-  std::vector<std::int32_t> anywhere_;   ///< facets with a corner that is not before the eye
+  std::vector<std::size_t> first_;      ///< of each square, where its facets begin; one more at the end
+  std::vector<std::int32_t> facets_;    ///< square after square
+  std::vector<std::int32_t> anywhere_;  ///< facets with a corner that is not before the eye
   std::vector<bool> begun_;
 };
 

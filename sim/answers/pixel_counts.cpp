@@ -64,7 +64,10 @@ void PixelCounts::take(const E& event) {
                 static_cast<std::size_t>(now_.ray_x),
             polygon_of_facet(trace_->scene(), event.facet));
   }
-  if constexpr (requires { event.x; event.y; }) {
+  if constexpr (requires {
+                  event.x;
+                  event.y;
+                }) {
     const std::size_t pixel =
         static_cast<std::size_t>(event.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(event.x);
     const auto counts = [&](Count count) -> std::int32_t& {

@@ -14,12 +14,12 @@
 namespace zstep::answers {
 
 enum class Count : std::uint8_t {
-  writes,   ///< colours that the pixel took: overdraw
-  failed,   ///< compares that were not nearer
-  first,    ///< the polygon whose colour it took first; no_polygon
-  last,     ///< and last
-  work,     ///< events that name it
-  covers,   ///< polygons that were compared or painted there, or met by the eye's ray: depth complexity
+  writes,  ///< colours that the pixel took: overdraw
+  failed,  ///< compares that were not nearer
+  first,   ///< the polygon whose colour it took first; no_polygon
+  last,    ///< and last
+  work,    ///< events that name it
+  covers,  ///< polygons that were compared or painted there, or met by the eye's ray: depth complexity
 };
 inline constexpr std::array<std::string_view, 6> count_names{"overdraw",    "failed", "first-writer",
                                                              "last-writer", "work",   "complexity"};
@@ -34,7 +34,10 @@ class PixelCounts {
   /// Counts up to `position`, forwards or backwards, for about this long; a block is counted whole. True when it is
   /// there. Throws InputError where the trace is damaged.
   bool count_to(std::int64_t position, std::chrono::microseconds time);
-  void count_to(std::int64_t position) { while (!count_to(position, std::chrono::seconds(1))) {} }
+  void count_to(std::int64_t position) {
+    while (!count_to(position, std::chrono::seconds(1))) {
+    }
+  }
 
   /// [height*width]
   const std::vector<std::int32_t>& of(Count count) const { return now_.counts[static_cast<std::size_t>(count)]; }
@@ -46,13 +49,13 @@ class PixelCounts {
     std::array<std::vector<std::int32_t>, count_kinds> counts;
     std::vector<std::int32_t> covered_by;  ///< the last polygon that was counted there
     struct Met {
-      std::int32_t polygon, before;        ///< before: the one met there before it, by its place in `met`; -1 for none
+      std::int32_t polygon, before;  ///< before: the one met there before it, by its place in `met`; -1 for none
     };
-    std::vector<Met> met;                  ///< of methods that come back to a polygon: all that were counted
-    std::vector<std::int32_t> last_met;    ///< by pixel
-    std::vector<std::int32_t> edges;       ///< the polygon of each edge
+    std::vector<Met> met;                ///< of methods that come back to a polygon: all that were counted
+    std::vector<std::int32_t> last_met;  ///< by pixel
+    std::vector<std::int32_t> edges;     ///< the polygon of each edge
     std::int32_t polygon = no_polygon, span_edge = -1;
-    std::int32_t ray_x = -1, ray_y = -1;   ///< the pixel of the eye's ray; -1 where it is another ray
+    std::int32_t ray_x = -1, ray_y = -1;  ///< the pixel of the eye's ray; -1 where it is another ray
     bool light = false, keeps_all = false;
   };
   template <class E>

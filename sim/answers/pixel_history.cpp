@@ -84,10 +84,13 @@ class History {
 
   /// What the eye's ray met, until it ends or casts others.
   void add_hits() {
-    const auto begin = trace_.next(0, [&](const RecordedEvent& recorded) {
-      const auto* ray = get_if<RayBegin>(&recorded.event);
-      return ray && ray->role == RayRole::eye;
-    }, pixel_);
+    const auto begin = trace_.next(
+        0,
+        [&](const RecordedEvent& recorded) {
+          const auto* ray = get_if<RayBegin>(&recorded.event);
+          return ray && ray->role == RayRole::eye;
+        },
+        pixel_);
     if (!begin) return;
     std::optional<double> kept;
     keeper_ = no_polygon;
@@ -133,7 +136,8 @@ class History {
   /// The visit that painted the pixel last, by a method that decides for more than one pixel at once.
   const Visit* owner_by_interval_or_area() const {
     const Page& page = trace_.header().page;
-    if (std::none_of(page.begin(), page.end(), [](const StepInfo& step) { return !description_of_kind(step.kind).gives_around.empty(); }))
+    if (std::none_of(page.begin(), page.end(),
+                     [](const StepInfo& step) { return !description_of_kind(step.kind).gives_around.empty(); }))
       return nullptr;
     const auto last = std::find_if(visits_.rbegin(), visits_.rend(), [](const Visit& visit) { return visit.takes; });
     return last != visits_.rend() && last->outcome == Outcome::painted ? &*last : nullptr;
@@ -144,9 +148,11 @@ class History {
     const Visit* const painted = owner_by_interval_or_area();
     if (!painted || !painted->z) return;
     const Visit owner = *painted;
-    const auto decided = trace_.previous(
-        owner.step, [](const RecordedEvent& recorded) { return !description_of_kind(recorded.event.index()).gives_around.empty(); });
-    const std::string_view around = decided ? description_of_kind(trace_.event(*decided).event.index()).gives_around : "there";
+    const auto decided = trace_.previous(owner.step, [](const RecordedEvent& recorded) {
+      return !description_of_kind(recorded.event.index()).gives_around.empty();
+    });
+    const std::string_view around =
+        decided ? description_of_kind(trace_.event(*decided).event.index()).gives_around : "there";
     const std::string symbol = depth_symbol(trace_.scene(), trace_.header().conventions),
                       other = polygon_label(trace_.scene(), owner.polygon);
     for (const auto& [polygon, z] : depths_) {
@@ -154,9 +160,8 @@ class History {
       const std::string name = polygon_label(trace_.scene(), polygon);
       Visit& visit = add(decided.value_or(owner.step), polygon, Outcome::behind);
       visit.z = z, visit.stored = owner.z, visit.stored_polygon = owner.polygon;
-      visit.sentence =
-          fmt::format("{} covers pixel ({}, {}), but {} was found to be in front {}.", name, pixel_.x, pixel_.y, other,
-                      around);
+      visit.sentence = fmt::format("{} covers pixel ({}, {}), but {} was found to be in front {}.", name, pixel_.x,
+                                   pixel_.y, other, around);
       visit.formulas.push_back(difference(symbol, name, other, z, *owner.z));
     }
   }
@@ -327,7 +332,9 @@ std::string behind_text(double gap, double z, double stored) {
 std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit) {
   std::string text;
   switch (visit.outcome) {
-    case Outcome::won: text = "nearer"; break;
+    case Outcome::won:
+      text = "nearer";
+      break;
     case Outcome::lost:
       text = visit.z && visit.stored
                  ? "behind by " + depth_text(trace.header().comparison.behind(*visit.z, *visit.stored))
@@ -337,14 +344,24 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
       text = trace.header().declares(Convention::ties) ? "a tie: the first stays" : "a tie: the trace says not nearer";
       break;
     case Outcome::written:
-    case Outcome::painted: text = "painted"; break;
+    case Outcome::painted:
+      text = "painted";
+      break;
     case Outcome::mixed:
       text = visit.opacity < 1 ? "mixed in, with opacity " + depth_text(visit.opacity) : "the pixel's colour";
       break;
-    case Outcome::colored: text = "the pixel's colour"; break;
-    case Outcome::behind: text = behind_text(*visit.z - *visit.stored, *visit.z, *visit.stored); break;
-    case Outcome::rejected: text = "not drawn: " + visit.reason; break;
-    case Outcome::cut_off: text = visit.reason; break;
+    case Outcome::colored:
+      text = "the pixel's colour";
+      break;
+    case Outcome::behind:
+      text = behind_text(*visit.z - *visit.stored, *visit.z, *visit.stored);
+      break;
+    case Outcome::rejected:
+      text = "not drawn: " + visit.reason;
+      break;
+    case Outcome::cut_off:
+      text = visit.reason;
+      break;
   }
   if (contradicts(trace, visit))
     text = contradiction_text(trace, visit.outcome == Outcome::won, *visit.z, *visit.stored);

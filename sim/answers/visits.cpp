@@ -39,7 +39,9 @@ AtWork at_work(const Trace& trace, std::int64_t step) {
 class Reading {
  public:
   explicit Reading(const Trace& trace)
-      : trace_(trace), depth_(trace.header().empty_depth()), known_(trace.header().initial_depth.has_value()),
+      : trace_(trace),
+        depth_(trace.header().empty_depth()),
+        known_(trace.header().initial_depth.has_value()),
         shades_(trace.has(kind_of<AttributeInterpolate>)) {}
 
   void clear(double z) {
@@ -118,9 +120,7 @@ class Reading {
     work_ = work, open_ = true;
     return all.back();
   }
-  void take_pixel(Visit& visit, std::int32_t polygon) {
-    visit.takes = true, visit.shows = polygon_ = polygon;
-  }
+  void take_pixel(Visit& visit, std::int32_t polygon) { visit.takes = true, visit.shows = polygon_ = polygon; }
 
   const Trace& trace_;
   double depth_;

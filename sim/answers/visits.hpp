@@ -37,13 +37,13 @@ struct Visit {
   std::int32_t stored_polygon = no_polygon;  ///< whose the pixel was before
   bool only_cleared = true;                  ///< no depth was written here since the buffers were cleared
 
-  std::optional<double> kept;         ///< the depth that was written
-  std::int64_t kept_at = 0;           ///< the step that wrote it
-  std::int64_t written = 0;           ///< the step that changed the pixel's colour, 0 if none did
-  bool takes = false;                 ///< afterwards it is one polygon's alone: glass that is mixed in only colours it
-  std::int32_t shows = no_polygon;    ///< that polygon: mostly its own
-  double opacity = 1;                 ///< of what is mixed in
-  std::int64_t blended = 0;           ///< the step that mixed it in, also where a compare came first
+  std::optional<double> kept;       ///< the depth that was written
+  std::int64_t kept_at = 0;         ///< the step that wrote it
+  std::int64_t written = 0;         ///< the step that changed the pixel's colour, 0 if none did
+  bool takes = false;               ///< afterwards it is one polygon's alone: glass that is mixed in only colours it
+  std::int32_t shows = no_polygon;  ///< that polygon: mostly its own
+  double opacity = 1;               ///< of what is mixed in
+  std::int64_t blended = 0;         ///< the step that mixed it in, also where a compare came first
 
   // What the history of the pixel adds.
   std::string sentence;               ///< why, in words, once tell() was asked

@@ -18,8 +18,10 @@ bool does_not_cover(Why kind) {
     case Why::not_covered:
     case Why::flag_out:
     case Why::apart:
-    case Why::box_missed: return true;
-    default: return false;
+    case Why::box_missed:
+      return true;
+    default:
+      return false;
   }
 }
 

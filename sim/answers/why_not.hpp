@@ -53,10 +53,10 @@ struct Link {
 
 struct Verdict {
   Why kind = Why::not_recorded;
-  std::int64_t step = 0;              ///< that decided it, 0 where none is recorded
-  std::int32_t facet = -1;  ///< of the polygon's facets the one nearest to be seen; -1 where it does not matter
-  std::int32_t other = no_polygon;    ///< who is there instead
-  std::optional<double> gap;          ///< its depth (along a ray its t) minus the other's: positive is behind it
+  std::int64_t step = 0;            ///< that decided it, 0 where none is recorded
+  std::int32_t facet = -1;          ///< of the polygon's facets the one nearest to be seen; -1 where it does not matter
+  std::int32_t other = no_polygon;  ///< who is there instead
+  std::optional<double> gap;        ///< its depth (along a ray its t) minus the other's: positive is behind it
   std::optional<Trace::Pixel> pixel;  ///< asked for, or picked where none was
   std::string sentence;               ///< why, in words
   std::vector<std::string> formulas;  ///< and in numbers

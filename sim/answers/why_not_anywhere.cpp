@@ -121,8 +121,7 @@ Verdict filled(Asked& q, const Picture& picture) {
     }
   if (first)
     return with_pixel(
-        q, *first,
-        fmt::format("{} is seen at {}; the first of them:", q.name, count_text(count, "pixel", "pixels")));
+        q, *first, fmt::format("{} is seen at {}; the first of them:", q.name, count_text(count, "pixel", "pixels")));
 
   const std::vector<FacetThere> facets = facets_there(q);
   if (auto verdict = gone_as_a_whole(q, facets)) {

@@ -83,10 +83,14 @@ void add_facing(Asked& q, Verdict& verdict, const FacetThere& there) {
 
 const char* dropped_as(Reject reason) {
   switch (reason) {
-    case Reject::back_facing: return "facing away";
-    case Reject::edge_on: return "seen edge-on";
-    case Reject::outside: return "outside the view volume";
-    case Reject::degenerate: return "having no area";
+    case Reject::back_facing:
+      return "facing away";
+    case Reject::edge_on:
+      return "seen edge-on";
+    case Reject::outside:
+      return "outside the view volume";
+    case Reject::degenerate:
+      return "having no area";
   }
   return "";
 }
@@ -103,20 +107,28 @@ RejectCheck check_of(const Asked& q, const FacetThere& there) {
 
 const char* reason_text(Reject reason) {
   switch (reason) {
-    case Reject::back_facing: return "it faces away and was dropped";
-    case Reject::edge_on: return "it is seen edge-on and covers no area";
-    case Reject::outside: return "nothing of it lies in the view volume";
-    case Reject::degenerate: return "it has no area, or coordinates that no raster can hold";
+    case Reject::back_facing:
+      return "it faces away and was dropped";
+    case Reject::edge_on:
+      return "it is seen edge-on and covers no area";
+    case Reject::outside:
+      return "nothing of it lies in the view volume";
+    case Reject::degenerate:
+      return "it has no area, or coordinates that no raster can hold";
   }
   return "";
 }
 
 Why kind_of_reason(Reject reason) {
   switch (reason) {
-    case Reject::back_facing: return Why::culled;
-    case Reject::edge_on: return Why::edge_on;
-    case Reject::outside: return Why::outside;
-    case Reject::degenerate: break;
+    case Reject::back_facing:
+      return Why::culled;
+    case Reject::edge_on:
+      return Why::edge_on;
+    case Reject::outside:
+      return Why::outside;
+    case Reject::degenerate:
+      break;
   }
   return Why::degenerate;
 }
@@ -252,9 +264,9 @@ std::string beside_text(const Asked& q, const FacetThere& there) {
   if (!there.at) return fmt::format("no part of it is in view {}", q.where);
   const std::string far = number(there.at->candidate.edge);
   const bool fixed = bits_of(q.trace.header().conventions.number_format) > 0;
-  const double rounding = fixed ? 2 / fixed_positions_a_pixel
-                                : formulas::rounding_of(q.trace.header()) *
-                                      std::max(q.scene.raster.width, q.scene.raster.height);
+  const double rounding =
+      fixed ? 2 / fixed_positions_a_pixel
+            : formulas::rounding_of(q.trace.header()) * std::max(q.scene.raster.width, q.scene.raster.height);
   if (there.at->candidate.edge <= rounding && half_open(q))
     return "the pixel's centre lies on a right or last edge of it, and by the half-open rule such a centre is outside";
   if (there.at->candidate.edge <= rounding || there.covers())

@@ -72,13 +72,13 @@ struct Asked {
 /// One facet of the polygon before the raster: was it drawn, and does it cover the pixel?
 struct FacetThere {
   std::int32_t facet = -1;
-  std::int64_t mark = 0;                       ///< where work on it begins, 0 where that is not recorded
-  std::int64_t reject_step = 0;                ///< 0 if it was not rejected
-  Reject reason = Reject::degenerate;          ///< if it was
-  bool away = false;                           ///< it faces away, and such are not drawn
-  std::optional<compare::FacetAt> at;          ///< facing left aside
-  std::optional<Trace::Pixel> surely;          ///< whose centre it covers beyond rounding
-  std::optional<double> cut_at;                ///< z_v at which it would be seen, were it not before near or beyond far
+  std::int64_t mark = 0;               ///< where work on it begins, 0 where that is not recorded
+  std::int64_t reject_step = 0;        ///< 0 if it was not rejected
+  Reject reason = Reject::degenerate;  ///< if it was
+  bool away = false;                   ///< it faces away, and such are not drawn
+  std::optional<compare::FacetAt> at;  ///< facing left aside
+  std::optional<Trace::Pixel> surely;  ///< whose centre it covers beyond rounding
+  std::optional<double> cut_at;        ///< z_v at which it would be seen, were it not before near or beyond far
   bool rejected() const { return reject_step != 0; }
   bool covers() const { return at && at->candidate.covers; }
 };

@@ -81,8 +81,9 @@ std::string lost_text(const Asked& q, const Visit& mine) {
     return fmt::format("at {} it was found to be nearer, but the trace does not say that it was written", step);
   if (!mine.stored) return fmt::format("at {} the trace says that it is not nearer, and does not say than what", step);
   const bool tie = mine.outcome == Outcome::tie;
-  const std::string cleared = fmt::format("{}, to which the {} was cleared", told(*mine.stored),
-                                          depth_buffer(q.trace.header()) == DepthBuffer::line ? "line buffer" : "depth buffer");
+  const std::string cleared =
+      fmt::format("{}, to which the {} was cleared", told(*mine.stored),
+                  depth_buffer(q.trace.header()) == DepthBuffer::line ? "line buffer" : "depth buffer");
   if (mine.only_cleared && mine.stored_polygon == no_polygon)
     return fmt::format("at {} its {} is {} {}", step, q.z, tie ? "equal to" : "not nearer than", cleared);
   if (mine.only_cleared)
@@ -313,8 +314,7 @@ Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
     if ((visit.takes && visit.shows == q.polygon) || (its_own && visit.outcome == Outcome::mixed))
       mine = &visit;  // the last time that it changed the pixel
     else if (its_own && visit.takes) miswritten = &visit;
-    else if (its_own && visit.compared() && (!least || behind(q, visit) < behind(q, *least)))
-      least = &visit;
+    else if (its_own && visit.compared() && (!least || behind(q, visit) < behind(q, *least))) least = &visit;
   }
   if (last && last->shows == q.polygon) return why_seen(q, visits, *last);
   if (mine && mine->outcome == Outcome::mixed)

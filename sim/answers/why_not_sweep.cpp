@@ -32,8 +32,8 @@ std::vector<Row> rows_of(const Asked& q, const std::vector<FacetThere>& facets) 
 /// What the sweep along the pixel's line did, as far as it matters here.
 struct Line {
   std::int64_t interval = 0, winner = 0, paint = 0, cover = 0;  ///< steps, 0 where there is none
-  std::int64_t flip_before = 0, flip_after = 0;                ///< of the polygon, next to the pixel
-  std::vector<std::int32_t> in;                                ///< the polygon's pieces whose flag is in there
+  std::int64_t flip_before = 0, flip_after = 0;                 ///< of the polygon, next to the pixel
+  std::vector<std::int32_t> in;                                 ///< the polygon's pieces whose flag is in there
   std::int32_t owner = no_polygon;
   double z = 0, share = 0;
   std::vector<Link> links;  ///< depths and implied edges on the interval
@@ -78,8 +78,7 @@ Line look_along(Asked& q, const std::vector<Row>& rows) {
       line.winner = step;
     } else if (const auto* paint = get_if<PixelPaint>(&event); paint && paint->x == x) {
       line.paint = step, line.owner = paint->polygon, line.z = paint->z;
-    } else if (const auto* cover = get_if<CoverageAdd>(&event);
-               cover && cover->x == x && cover->owner == q.polygon) {
+    } else if (const auto* cover = get_if<CoverageAdd>(&event); cover && cover->x == x && cover->owner == q.polygon) {
       line.cover = step, line.share = cover->coverage;
     }
   }

@@ -117,16 +117,16 @@ struct Parser {
 
   Expression comparison() {
     static constexpr std::array<std::pair<std::string_view, Kind>, 11> signs{{{"<>", Kind::unequal},
-                                                                             {"==", Kind::equal},
-                                                                             {"!=", Kind::unequal},
-                                                                             {"≠", Kind::unequal},
-                                                                             {"<=", Kind::less_equal},
-                                                                             {"≤", Kind::less_equal},
-                                                                             {">=", Kind::greater_equal},
-                                                                             {"≥", Kind::greater_equal},
-                                                                             {"<", Kind::less},
-                                                                             {">", Kind::greater},
-                                                                             {"=", Kind::equal}}};
+                                                                              {"==", Kind::equal},
+                                                                              {"!=", Kind::unequal},
+                                                                              {"≠", Kind::unequal},
+                                                                              {"<=", Kind::less_equal},
+                                                                              {"≤", Kind::less_equal},
+                                                                              {">=", Kind::greater_equal},
+                                                                              {"≥", Kind::greater_equal},
+                                                                              {"<", Kind::less},
+                                                                              {">", Kind::greater},
+                                                                              {"=", Kind::equal}}};
     Expression first = sum();
     for (const auto& [sign, kind] : signs) {
       if (!typed && (sign == "=" || sign == "<>")) continue;

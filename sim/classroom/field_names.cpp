@@ -5,9 +5,12 @@ namespace zstep::classroom {
 
 Quantity::Type type_of(const FieldOfKind& field) {
   switch (field.type) {
-    case FieldOfKind::Type::truth: return Quantity::Type::truth;
-    case FieldOfKind::Type::word: return Quantity::Type::word;
-    default: return field.name == "polygon" ? Quantity::Type::polygon : Quantity::Type::number;
+    case FieldOfKind::Type::truth:
+      return Quantity::Type::truth;
+    case FieldOfKind::Type::word:
+      return Quantity::Type::word;
+    default:
+      return field.name == "polygon" ? Quantity::Type::polygon : Quantity::Type::number;
   }
 }
 

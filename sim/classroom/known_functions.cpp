@@ -123,10 +123,9 @@ double radians(double degrees) { return degrees * (3.14159265358979323846 / 180)
   KnownFunction {                                                                                             \
     name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(point(m, a[0]).part); }, meaning \
   }
-#define OF_EDGE(member, meaning)                                                                      \
-  KnownFunction {                                                                                     \
-#member, 1, Type::number,                                                                         \
-        [](const Moment& m, Args a) { return Quantity::of(edge_row(m, a[0]).member); }, meaning \
+#define OF_EDGE(member, meaning)                                                                                      \
+  KnownFunction {                                                                                                     \
+#member, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(edge_row(m, a[0]).member); }, meaning \
   }
 #define OF_PLANE(name, member, meaning)                                                                         \
   KnownFunction {                                                                                               \

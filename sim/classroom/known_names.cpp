@@ -50,8 +50,8 @@ std::optional<std::size_t> coming_pixel(const Moment& moment) {
   if (!moment.event) return std::nullopt;
   const auto pixel_of = [&](const auto& coming) -> std::optional<std::size_t> {
     const auto& fragment = moment.state().machine.fragment;
-    const bool arrived = fragment && fragment->x == coming.x && fragment->y == coming.y && fragment->z == coming.z &&
-                         !fragment->nearer;
+    const bool arrived =
+        fragment && fragment->x == coming.x && fragment->y == coming.y && fragment->z == coming.z && !fragment->nearer;
     if (arrived) return std::nullopt;
     return moment.state().picture.at(coming.x, coming.y);
   };

@@ -44,10 +44,10 @@ struct Task {
 struct Marking {
   enum class Kind : std::uint8_t { pixels, scan_line, order };
   Kind kind = Kind::pixels;
-  std::string text;                 ///< Markdown: what is to be marked
-  std::string value, steps;         ///< as written: "first_row(edge)" of "insert_edge where edge == 2"; pixels: no value
-  std::string why;                  ///< Markdown, said when it is right
-  std::vector<std::string> hints;   ///< one after the other, as they are asked for
+  std::string text;                ///< Markdown: what is to be marked
+  std::string value, steps;        ///< as written: "first_row(edge)" of "insert_edge where edge == 2"; pixels: no value
+  std::string why;                 ///< Markdown, said when it is right
+  std::vector<std::string> hints;  ///< one after the other, as they are asked for
   /// Pixels as y · width + x, from the smallest; the scan line; or polygons in their order. Set by resolve.
   std::vector<std::int32_t> right;
   std::int32_t line = 0, text_line = 0, steps_line = 0, why_line = 0;  ///< of the lesson's file
@@ -63,10 +63,10 @@ struct SpeakerNotes {
 /// One stop of the narration.
 struct Stop {
   std::string heading;
-  std::string text;                      ///< Markdown; its {…} are filled with the trace's numbers when resolved
-  std::optional<Question> question;      ///< asked here, answered by the steps that follow
+  std::string text;                  ///< Markdown; its {…} are filled with the trace's numbers when resolved
+  std::optional<Question> question;  ///< asked here, answered by the steps that follow
   std::optional<Task> task;
-  std::optional<Marking> marking;        ///< at most one of the three
+  std::optional<Marking> marking;  ///< at most one of the three
   std::optional<SpeakerNotes> notes;
   std::string anchor;                    ///< as written in the file: step name and condition
   std::string focus;                     ///< the pane that leads meanwhile, as the viewer calls it; mostly none

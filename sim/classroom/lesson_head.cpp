@@ -137,9 +137,9 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
   read.size(raster, "height", view.height);
 
   const toml::table& conventions = read.table(all, "conventions");
-  read.known_keys(conventions, "[conventions]",
-                  {"depth", "interpolation", "coverage", "number_format", "rounding", "positions", "attribute",
-                   "cull"});
+  read.known_keys(
+      conventions, "[conventions]",
+      {"depth", "interpolation", "coverage", "number_format", "rounding", "positions", "attribute", "cull"});
   for_each_convention([&]<class E>(std::string_view key, E Conventions::*) {
     read.word(conventions, key, words_of<E>, lesson.conventions.choices);
   });

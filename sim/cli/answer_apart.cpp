@@ -72,8 +72,7 @@ Answer answer_apart(const homework::GradingLimits& limits, const std::function<A
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
   std::unique_ptr<homework::Child> child;
   try {
-    if (file)
-      child = std::make_unique<homework::Child>(walls, [&] { return write_answer(limits, work, file.get()); });
+    if (file) child = std::make_unique<homework::Child>(walls, [&] { return write_answer(limits, work, file.get()); });
   } catch (const InputError&) {
     // No process: see below.
   }

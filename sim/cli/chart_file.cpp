@@ -22,8 +22,7 @@ std::vector<std::string> chart_outputs(const std::string& plot) {
 std::string write_chart(const std::string& plot, const Drawing& drawing) {
   if (std::filesystem::path(plot).extension() == ".svg")
     write_file(plot, std::vector<std::uint8_t>(drawing.svg.begin(), drawing.svg.end()));
-  else
-    write_png(plot, drawing.width, drawing.height, drawing.rgb);
+  else write_png(plot, drawing.width, drawing.height, drawing.rgb);
   return fmt::format("the chart, {}x{} pixels", drawing.width, drawing.height);
 }
 

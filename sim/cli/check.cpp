@@ -68,9 +68,10 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
           ? ""
           : fmt::format("The run is judged up to a step that is impossible:\n{}\n", checked.impossible);
   if (const auto left = not_judged_in_words(trace, report); !left.empty())
-    fmt::print("Not judged, as the run does not have what it follows from:\n  {}\n"
-               "To find a mistake in that, compare the run with a right one: zstep diff.\n",
-               fmt::join(left, "\n  "));
+    fmt::print(
+        "Not judged, as the run does not have what it follows from:\n  {}\n"
+        "To find a mistake in that, compare the run with a right one: zstep diff.\n",
+        fmt::join(left, "\n  "));
   if (const auto never = never_recorded(trace.header(), report); !never.empty())
     fmt::print("Not in the run, and so not judged: {}\n", fmt::join(never, ", "));
   fmt::print("\n");
@@ -115,14 +116,16 @@ void print_json(const Trace& trace, const CheckOptions& options, const CheckedRu
     one["again"] = cause.again, one["inherited"] = cause.inherited;
     causes.push_back(one);
   }
-  Json all{{"trace", trace.name()},       {"steps", report.steps},     {"judged", report.judged},
-                 {"numbers", report.numbers},   {"exact", report.exact},     {"rounded", report.rounded},
-                 {"format", report.precision.text}, {"wrong", report.wrong_steps}, {"inherited", report.inherited},
-                 {"causes", causes}};
+  Json all{{"trace", trace.name()},           {"steps", report.steps},
+           {"judged", report.judged},         {"numbers", report.numbers},
+           {"exact", report.exact},           {"rounded", report.rounded},
+           {"format", report.precision.text}, {"wrong", report.wrong_steps},
+           {"inherited", report.inherited},   {"causes", causes}};
   all["verdict"] = checked.impossible.empty() ? word_of(verdict_of(report)) : word_of(Verdict::wrong);
   Json left = Json::array();
   for (const NotJudged& one : not_judged(report))
-    left.push_back({{"event", description_of_kind(one.kind).name}, {"steps", one.steps}, {"of", one.of}, {"fields", one.fields}});
+    left.push_back(
+        {{"event", description_of_kind(one.kind).name}, {"steps", one.steps}, {"of", one.of}, {"fields", one.fields}});
   all["not_judged"] = left;
   all["coverage_judged"] = report.coverage;
   all["polygons_missing"] = report.polygons_missing;
@@ -178,7 +181,8 @@ int run(const CheckOptions& options) {
   if (options.view) {
     ShowOptions show_options = options.show;
     if (show_options.at.empty()) show_options.at = first_place(trace, checked);
-    if (const int code = show(trace, show_options, {.checked = &checked, .kept = judged}); code != exit_code::done) return code;
+    if (const int code = show(trace, show_options, {.checked = &checked, .kept = judged}); code != exit_code::done)
+      return code;
   }
   return right ? exit_code::done : exit_code::finding;
 }

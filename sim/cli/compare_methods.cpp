@@ -102,9 +102,12 @@ void print_summary(const CompareOptions& options, const Run& run, const std::vec
   }
   fmt::print("{}{}\n", table.text(0), ends);
   fmt::print(
-      "EQUAL, EDGES, TIES, WRONG: pixels with the same polygon in the same colour; with another polygon, as an edge runs\n"
-      "within 1.5/256 of a pixel of the centre, or as depths are equal to 1e-5; and those that neither explains. COLOUR:\n"
-      "pixels with the same polygon in another colour: one method shades, or the two shade otherwise. - where a method\n"
+      "EQUAL, EDGES, TIES, WRONG: pixels with the same polygon in the same colour; with another polygon, as an edge "
+      "runs\n"
+      "within 1.5/256 of a pixel of the centre, or as depths are equal to 1e-5; and those that neither explains. "
+      "COLOUR:\n"
+      "pixels with the same polygon in another colour: one method shades, or the two shade otherwise. - where a "
+      "method\n"
       "draws lines, or glass is mixed with what lies behind. STEPS: what a recording would hold.\n"
       "MEMORY: the most that a run holds at once, its picture included. TIME: of the processor, the median of\n"
       "runs without recording.\n");

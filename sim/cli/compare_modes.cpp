@@ -90,13 +90,13 @@ void print_rows(const Scene& scene, const std::vector<ModeRow>& rows) {
       "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error by rounding alone of a\n"
       "depth that stays in the buffer, in the buffer's own units; BOUND: the most that theory allows. WRONG: pixels\n"
       "that do not show the nearest polygon; TURNED: pixels where rounding turned a compare; BENT: pixels where a\n"
-      "compare goes wrong without rounding, as z_v is interpolated as if it were linear on the picture. +, \u00d7, \u00f7:\n"
+      "compare goes wrong without rounding, as z_v is interpolated as if it were linear on the picture. +, \u00d7, "
+      "\u00f7:\n"
       "additions, multiplications, divisions per pixel. TIME: processor time of a run without recording.\n");
 }
 
 bool has_attributes(const std::vector<ModeRow>& rows) {
-  return std::any_of(rows.begin(), rows.end(),
-                     [](const ModeRow& row) { return row.errors.attribute.attributes > 0; });
+  return std::any_of(rows.begin(), rows.end(), [](const ModeRow& row) { return row.errors.attribute.attributes > 0; });
 }
 
 void print_attributes(const std::vector<ModeRow>& rows) {
@@ -149,7 +149,7 @@ std::string csv_of(const std::string& scene, const std::string& swept, const std
 }
 
 std::vector<ModeRow> rows_of(const Scene& scene, const Conventions& conventions, const Words& words, bool timed,
-                         double limit, Watch& watch, const std::string& where, bool first) {
+                             double limit, Watch& watch, const std::string& where, bool first) {
   std::vector<std::string> left_out;
   std::vector<ModeRow> rows;
   for (Mode& mode : compare::modes_of(scene, conventions, words, left_out)) rows.push_back({std::move(mode), {}});
@@ -223,9 +223,8 @@ void print_beginnings(const Sweep& sweep, const std::vector<double>& values,
       std::vector<compare::Sample> samples;
       for (std::size_t k = 0; k < values.size(); ++k) samples.push_back({values[k], count(runs[k][mode].errors)});
       if (near) std::reverse(samples.begin(), samples.end());
-      return compare::threshold_of(std::move(samples), [&](double at) {
-        return count(errors_at(at, runs.front()[mode].mode));
-      });
+      return compare::threshold_of(std::move(samples),
+                                   [&](double at) { return count(errors_at(at, runs.front()[mode].mode)); });
     };
     const compare::Threshold measured = begins(wrong_pixels);
     fmt::print("{}: wrong pixels begin {}; a unit of the depth buffer exceeds the smallest gap {}\n",
@@ -326,9 +325,8 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
       cells.insert(cells.end(), {error_text(row.errors.largest), grouped(row.errors.wrong_pixels)});
     table.row(cells);
   }
-  fmt::print(
-      "{}, {}x{} pixels: the largest error of z_v, and how many pixels do not show the nearest polygon\n\n{}\n",
-      scene.name, scene.raster.width, scene.raster.height, table.text(0));
+  fmt::print("{}, {}x{} pixels: the largest error of z_v, and how many pixels do not show the nearest polygon\n\n{}\n",
+             scene.name, scene.raster.width, scene.raster.height, table.text(0));
   print_beginnings(sweep, values, runs, errors_at);
   write_comparison(options, csv_of(scene.name, sweep.name, values, runs),
                    [&] { return chart_of(sweep, scene, values, runs); });

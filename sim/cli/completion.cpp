@@ -17,7 +17,7 @@ namespace zstep::cli {
 namespace {
 
 struct OptionWords {
-  std::vector<std::string> names;   ///< "--depth", "-o"
+  std::vector<std::string> names;  ///< "--depth", "-o"
   std::string help;
   bool takes_value = false;
   bool takes_file = false;

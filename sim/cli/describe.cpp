@@ -78,10 +78,18 @@ std::string fields_text(const Event& event) {
   for (const FieldOfKind& field : fields_of_kind(event.index())) {
     text += fmt::format("{}{}=", text.empty() ? "" : " ", field.name);
     switch (field.type) {
-      case FieldOfKind::Type::whole: text += std::to_string(field.whole_in(event)); break;
-      case FieldOfKind::Type::real: text += value_text(field.read(event)); break;
-      case FieldOfKind::Type::truth: text += field.true_in(event) ? "true" : "false"; break;
-      case FieldOfKind::Type::word: text += field.word_in(event); break;
+      case FieldOfKind::Type::whole:
+        text += std::to_string(field.whole_in(event));
+        break;
+      case FieldOfKind::Type::real:
+        text += value_text(field.read(event));
+        break;
+      case FieldOfKind::Type::truth:
+        text += field.true_in(event) ? "true" : "false";
+        break;
+      case FieldOfKind::Type::word:
+        text += field.word_in(event);
+        break;
     }
   }
   return text;

@@ -100,8 +100,7 @@ int runs(const DiffOptions& options) {
     if (const int code = show_both(both, options.show, options.show.at.empty()); code != exit_code::done) return code;
   }
   if (!report.alignment.complete) {
-    complain_incomplete(
-        "the runs do too much in another order: only their beginnings were compared");
+    complain_incomplete("the runs do too much in another order: only their beginnings were compared");
     return exit_code::incomplete;
   }
   if (report.alignment.not_kept > 0) {
@@ -114,8 +113,8 @@ int runs(const DiffOptions& options) {
 }
 
 int run(const DiffOptions& options) {
-  check_outputs({}, {options.a, options.b}, options.page.empty() ? std::vector<std::string>{}
-                                                                 : std::vector<std::string>{options.page});
+  check_outputs({}, {options.a, options.b},
+                options.page.empty() ? std::vector<std::string>{} : std::vector<std::string>{options.page});
   const std::string extension = std::filesystem::path(options.b).extension().string();
   const bool picture = extension == ".png" || extension == ".npy" || extension == ".pfm";
   if (picture && options.view)

@@ -195,8 +195,7 @@ DiffText diff_text(const Trace& a, const Trace& b, const DiffOptions& options, c
   for (std::size_t i = 0; i < shown; ++i) order[i] = i;
   text.causes.resize(shown);
   const auto by = [&](auto step) {
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t one, std::size_t other) { return step(one) < step(other); });
+    std::sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) { return step(one) < step(other); });
   };
   by([&](std::size_t i) { return report.causes[i].first.a; });
   for (const std::size_t i : order)
@@ -221,9 +220,9 @@ void print_diff(const DiffText& text, const DiffReport& report, const diff::Buff
   fmt::print("A: {}\nB: {}\n", text.name_a, text.name_b);
   for (const std::string& note : text.notes) fmt::print("{}\n", note);
   fmt::print("\n");
-  const auto different = static_cast<std::int64_t>(
-      std::count_if(report.causes.begin(), report.causes.end(),
-                    [](const diff::Cause& cause) { return cause.part == Part::different; }));
+  const auto different =
+      static_cast<std::int64_t>(std::count_if(report.causes.begin(), report.causes.end(),
+                                              [](const diff::Cause& cause) { return cause.part == Part::different; }));
   const bool same_pictures = pictures.colors == 0 && pictures.depths == 0;
   if (report.causes.empty()) fmt::print("All steps that both have are the same, to the last bit.\n");
   else if (different == 0 && same_pictures)
@@ -273,12 +272,9 @@ void print_diff_json(const DiffText& text, const DiffReport& report, const diff:
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
     const diff::KindDifference& row = report.kinds[kind];
     if (row.same + row.rounding + row.different + row.only_a + row.only_b + row.not_followed == 0) continue;
-    kinds[kind_name(kind)] = Json{{"same", row.same},
-                                  {"rounding", row.rounding},
-                                  {"different", row.different},
-                                  {"only_a", row.only_a},
-                                  {"only_b", row.only_b},
-                                  {"not_followed", row.not_followed}};
+    kinds[kind_name(kind)] =
+        Json{{"same", row.same},     {"rounding", row.rounding}, {"different", row.different},
+             {"only_a", row.only_a}, {"only_b", row.only_b},     {"not_followed", row.not_followed}};
   }
   const Json all{{"a", text.name_a},
                  {"b", text.name_b},

@@ -226,9 +226,9 @@ Image picture_of(const std::vector<double>& errors, const Raster& raster) {
 Drawing drift_of(const Trace& trace, const Errors& errors) {
   LineChart chart;
   chart.title = fmt::format("{}: how errors of depth add up", printable(trace.name()));
-  chart.subtitle = fmt::format(
-      "Errors along the longest span, and of the first pixels along the longest edge, in ulps of {}.",
-      word_of(trace.header().conventions.number_format));
+  chart.subtitle =
+      fmt::format("Errors along the longest span, and of the first pixels along the longest edge, in ulps of {}.",
+                  word_of(trace.header().conventions.number_format));
   chart.x_title = "1 + pixels from the first of the span, or lines from the first of the edge";
   chart.y_title = "ulps";
   const auto add = [&](const char* name, int look, const std::vector<double>& all) {

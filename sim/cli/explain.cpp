@@ -84,10 +84,12 @@ std::string most_text(const answers::Chain& chain, const answers::Exactness& exa
   if (!exactness.most) return "";
   const auto [at, value] = *exactness.most;
   const double brought = exactness.of[at][value].brought, unit = exactness.buffer_unit;
-  return fmt::format("The error of {}, {}{}, is the sum of what each rounding brings. The largest part, {}{}, comes from "
-                     "{} at step {} ({}).\n",
-                     asked.name, answers::roughly(whole.error), in_buffer(whole.error, unit), answers::roughly(brought),
-                     in_buffer(brought, unit), chain.links[at].values[value].name, grouped(chain.links[at].step), chain.links[at].what);
+  return fmt::format(
+      "The error of {}, {}{}, is the sum of what each rounding brings. The largest part, {}{}, comes from "
+      "{} at step {} ({}).\n",
+      asked.name, answers::roughly(whole.error), in_buffer(whole.error, unit), answers::roughly(brought),
+      in_buffer(brought, unit), chain.links[at].values[value].name, grouped(chain.links[at].step),
+      chain.links[at].what);
 }
 
 std::string text_of(const answers::Chain& chain, const Exactness& exactness) {

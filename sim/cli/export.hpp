@@ -16,8 +16,8 @@ struct ExportOptions {
   std::string buffer;  ///< empty: depth
   std::optional<std::int64_t> sheet, from, to, frames, columns;
   std::optional<double> fps;
-  std::string steps;   ///< "12,40,the first tie"
-  std::string pane;    ///< empty: the window, and on a sheet the frame
+  std::string steps;  ///< "12,40,the first tie"
+  std::string pane;   ///< empty: the window, and on a sheet the frame
   std::optional<std::array<std::int32_t, 2>> size;
   bool dark = false;
 };

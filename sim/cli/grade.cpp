@@ -76,9 +76,9 @@ int show_runs(const homework::Homework& given, const homework::Assessment& all, 
                             });
   if (judged == all.tasks.end())
     throw InputError("--view", "there is no run that can be shown", "hand in one that can be read");
-  const homework::Runs runs = homework::runs_of(
-      given, *judged->task, judged->file,
-      judged->left_out.empty() ? homework::Look::at_all : homework::Look::at_what_is_there);
+  const homework::Runs runs =
+      homework::runs_of(given, *judged->task, judged->file,
+                        judged->left_out.empty() ? homework::Look::at_all : homework::Look::at_what_is_there);
   const diff::DiffReport difference = diff::compare(*runs.reference, runs.submission);
   const AgainstRun with{&runs.submission, &difference, options.show.at.empty()};
   return show(*runs.reference, options.show, {.against = &with});
@@ -126,9 +126,7 @@ void check_steps_page(const GradeOptions& options) {
 /// Grades in a process of its own: whatever becomes of that, there is a report, and it says so.
 Answer grade_apart(const homework::Homework& given, const GradeOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto seconds = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   const auto grade = [&] {
     const homework::Assessment all = homework::assess(given, options.submission, options.scene);
     return Answer{report(all, options, seconds(), made_steps_page(given, all, options)), code_of(all)};

@@ -85,9 +85,8 @@ int info(const std::string& path) {
   Table steps({left, left, right, right, left});
   steps.row({"STEP", "KIND", "COUNT", "SHARE", "PSEUDO-CODE"});
   for (const StepInfo& step : trace.header().page)
-    steps.row({step.module + "." + step.name, std::string(kind_names()[step.kind]),
-               fmt::format("{}", by_step[step.id]), share(by_step[step.id]),
-               std::string(2 * std::size_t{step.indent}, ' ') + step.text});
+    steps.row({step.module + "." + step.name, std::string(kind_names()[step.kind]), fmt::format("{}", by_step[step.id]),
+               share(by_step[step.id]), std::string(2 * std::size_t{step.indent}, ' ') + step.text});
   Table kinds({left, right, right});
   kinds.row({"KIND", "COUNT", "SHARE"});
   for (std::size_t kind = 0; kind < kind_count; ++kind)

@@ -76,13 +76,14 @@ int list(const std::string& what) {
 
 void add_list(CLI::App& app, Action& action) {
   const auto what = std::make_shared<std::string>();
-  CLI::App* command =
-      app.add_subcommand("list", "Name the methods and their options, the lessons, the scenes and the mistakes there are");
+  CLI::App* command = app.add_subcommand(
+      "list", "Name the methods and their options, the lessons, the scenes and the mistakes there are");
   const auto take = [what](const std::string& text) {
     const std::vector<std::string> words{"methods", "options", "lessons", "scenes", "mistakes"};
     *what = words.at(parse_choice("zstep list", text, words));
   };
-  command->add_option_function<std::string>("what", take, "Only these")->type_name("methods|options|lessons|scenes|mistakes");
+  command->add_option_function<std::string>("what", take, "Only these")
+      ->type_name("methods|options|lessons|scenes|mistakes");
   command->footer("Examples:\n  zstep list\n  zstep list lessons");
   command->callback([what, &action] { action = [what] { return list(*what); }; });
 }

@@ -10,11 +10,11 @@ namespace zstep::cli {
 /// docs/command-line.md has this table for who writes scripts.
 namespace exit_code {
 inline constexpr int done = 0;
-inline constexpr int finding = 1;       ///< done, and something is not as it should be
-inline constexpr int bad_input = 2;     ///< or an output that cannot be written there
-inline constexpr int incomplete = 3;    ///< a part of the file, or of the work, is missing
-inline constexpr int exhausted = 4;     ///< memory, or room on the disk
-inline constexpr int mistake = 70;      ///< of zstep's own
+inline constexpr int finding = 1;     ///< done, and something is not as it should be
+inline constexpr int bad_input = 2;   ///< or an output that cannot be written there
+inline constexpr int incomplete = 3;  ///< a part of the file, or of the work, is missing
+inline constexpr int exhausted = 4;   ///< memory, or room on the disk
+inline constexpr int mistake = 70;    ///< of zstep's own
 inline constexpr int interrupted = 130;
 }  // namespace exit_code
 

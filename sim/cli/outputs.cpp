@@ -44,7 +44,8 @@ void add_outputs(CLI::App& command, Outputs& outputs) {
       "Write the view depth z_v seen at each pixel: float32 [H,W], +inf where nothing is");
   add("--save-depth-raw", outputs.raw_depth, "FILE.npy", "Write the depths in the run's own numbers: float64 [H,W]");
   add("--save-scene", outputs.scene, "FILE.toml",
-      "Write the scene as it is run, with all that --change and other options say of it; comments of a scene file stay");
+      "Write the scene as it is run, with all that --change and other options say of it; comments of a scene file "
+      "stay");
   const auto take = [&outputs](const std::string& text) { outputs.enlarge = parse_whole("--enlarge", text, 1); };
   command.add_option_function<std::string>("--enlarge", take, "Draw each pixel as N x N pixels of the PNG (default 1)")
       ->type_name("N")

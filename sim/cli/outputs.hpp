@@ -15,7 +15,7 @@ namespace zstep::cli {
 
 struct Outputs {
   std::string image, ids, depth, raw_depth, scene;  ///< paths; empty ones are not written
-  std::int64_t enlarge = 1;                  ///< each pixel becomes enlarge x enlarge pixels of the PNG
+  std::int64_t enlarge = 1;                         ///< each pixel becomes enlarge x enlarge pixels of the PNG
   bool any() const { return !(image.empty() && ids.empty() && depth.empty() && raw_depth.empty() && scene.empty()); }
 };
 

@@ -50,8 +50,7 @@ std::string number_text(double value) {
 class Csv : public Answer {
  public:
   void columns(const std::vector<std::string>& names) override {
-    for (std::size_t i = 0; i < names.size(); ++i)
-      fmt::print("{}{}", i == 0 ? "" : ",", compare::csv_cell(names[i]));
+    for (std::size_t i = 0; i < names.size(); ++i) fmt::print("{}{}", i == 0 ? "" : ",", compare::csv_cell(names[i]));
     fmt::print("\n");
   }
   void row(std::span<const query::Value> values) override {
@@ -64,7 +63,6 @@ class Csv : public Answer {
     }
     fmt::print("{}\n", line);
   }
-
 };
 
 /// A list of objects, one a line. JSON has no infinity; it is written as in traces, "inf".

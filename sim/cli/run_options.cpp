@@ -35,8 +35,9 @@ const std::map<std::string_view, const char*> convention_help{
     {"interpolation",
      "How x and z go along edges and spans: by the formula each time (default), by adding slopes, or z by the slopes "
      "of the polygon's plane, each time or added"},
-    {"coverage", "Which pixels a polygon owns: centres inside, top-left rule (default), the textbook's x_L to x_R, or "
-                 "round(x_L) to round(x_R), or ceil(x_L) to floor(x_R)"},
+    {"coverage",
+     "Which pixels a polygon owns: centres inside, top-left rule (default), the textbook's x_L to x_R, or "
+     "round(x_L) to round(x_R), or ceil(x_L) to floor(x_R)"},
     {"number_format", "What is computed in (default float64); of fixed-point numbers, the bits of a depth"},
     {"rounding", "How fixed-point quotients become whole (default nearest)"},
     {"positions", "Where vertices are on the raster: as they come (default), or at whole pixels"},
@@ -175,9 +176,8 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
                                                      "Pixels of the raster, as 640x480 (default: the scene's)")
                    ->type_name("WxH"));
   in("Method", command.add_flag("--no-cull", options.no_cull, "Draw back faces too"));
-  for_each_convention([&](const char* key, auto member) {
-    in("Method", add_convention(command, options.conventions, key, member));
-  });
+  for_each_convention(
+      [&](const char* key, auto member) { in("Method", add_convention(command, options.conventions, key, member)); });
 
   in("Camera", add_number(command, "--rho", view.rho, "Distance of the eye from the origin"));
   in("Camera",

@@ -23,7 +23,7 @@ struct RunOptions {
   bool no_cull = false;
   std::map<std::string, std::string> options;  ///< of the method
   std::vector<Change> changes;                 ///< made last, one after the other
-  std::vector<CLI::Option*> declared;  ///< all of the options below
+  std::vector<CLI::Option*> declared;          ///< all of the options below
 
   /// The first of these options that the command line gives, or "".
   std::string given() const;

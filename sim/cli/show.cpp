@@ -69,8 +69,7 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
 
 void add_notes_option(CLI::App& command, ShowOptions& options) {
   command
-      .add_flag("--notes", options.notes,
-                "The speaker's notes in a second window; the screenshot is a picture of them")
+      .add_flag("--notes", options.notes, "The speaker's notes in a second window; the screenshot is a picture of them")
       ->group("Viewer");
 }
 
@@ -259,7 +258,9 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   if (options.describe && options.screenshot.empty()) return exit_code::done;
   const int code = run_viewer(trace, viewer);
   if (code == exit_code::done && viewer.screenshot)
-    say_written(options.screenshot, fmt::format("{}, {}x{} pixels", options.notes ? "the speaker's notes" : "the viewer", options.width, options.height));
+    say_written(options.screenshot,
+                fmt::format("{}, {}x{} pixels", options.notes ? "the speaker's notes" : "the viewer", options.width,
+                            options.height));
   return code;
 #else
   (void)trace;

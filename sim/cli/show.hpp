@@ -18,15 +18,15 @@ struct ShowOptions {
   std::string at;  ///< a step, or the name of a bookmark
   std::string screenshot;
   bool describe = false;  ///< text instead of a window
-  std::string pane;  ///< of the screenshot; empty: all of the window
+  std::string pane;       ///< of the screenshot; empty: all of the window
   /// Neither a picture nor text is asked for.
   bool opens_window() const { return screenshot.empty() && !describe; }
   std::int32_t width = 1280, height = 720;
   bool dark = false, light = false, presenter = false, notes = false, embed = false;
-  std::string pixel, lead;                       ///< to be selected; to lead on the stage
-  bool patient = false;  ///< a link asks for it: what takes too long is cut off
+  std::string pixel, lead;                   ///< to be selected; to lead on the stage
+  bool patient = false;                      ///< a link asks for it: what takes too long is cut off
   std::string race, race_by = "operations";  ///< who races, with commas between; empty: no race
-  const CLI::App* command = nullptr;  ///< whose words opened the view; lives as long as the action runs
+  const CLI::App* command = nullptr;         ///< whose words opened the view; lives as long as the action runs
 };
 
 /// Adds what names a place and how it is looked at: --at, --pixel, --lead, --dark, --light, --presenter and --embed.

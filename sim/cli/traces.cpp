@@ -157,7 +157,8 @@ std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {
   while (place < count && all[static_cast<std::size_t>(place)].id != trace.header().algorithm) ++place;
   for (std::int64_t away = 1; away < count; ++away) {
     const Method& other = all[static_cast<std::size_t>(((place + direction * away) % count + count) % count)];
-    if (can_draw(other, trace.scene(), conventions_for(other, trace.header().conventions))) return record_by(other, trace);
+    if (can_draw(other, trace.scene(), conventions_for(other, trace.header().conventions)))
+      return record_by(other, trace);
   }
   return std::nullopt;
 }

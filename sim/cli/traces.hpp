@@ -24,8 +24,8 @@ Trace open_to_judge(const std::string& path, std::string& impossible, Cost cost 
 /// Records the run to memory. Throws Interrupted after Ctrl-C.
 Trace record_to_memory(const Run& run);
 
-/// A run for who waits before a window: one that is too long for a reader's patience is cut off there. Throws InputError
-/// where the method cannot draw the scene.
+/// A run for who waits before a window: one that is too long for a reader's patience is cut off there. Throws
+/// InputError where the method cannot draw the scene.
 OtherRun record_patiently(const Method& method, const Scene& scene, const Conventions& conventions);
 /// This method's, on the scene of a trace; its own options have their standard values.
 OtherRun record_by(const Method& method, const Trace& trace);

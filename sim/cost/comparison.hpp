@@ -25,8 +25,8 @@ struct Compared {
   std::string id;     ///< "bsp", or with its options "bsp:root=random"
   std::string title;  ///< "BSP tree", "BSP tree, root=random"
   Measured measured;
-  Agreement agreement;      ///< with the first method's picture
-  bool comparable = false;  ///< both are done and have polygons at their pixels
+  Agreement agreement;        ///< with the first method's picture
+  bool comparable = false;    ///< both are done and have polygons at their pixels
   bool same_shading = false;  ///< and both should have the same colours there
   /// Is there a pixel that nothing explains?
   bool wrong() const { return comparable && agreement.unexplained + (same_shading ? agreement.colors : 0) > 0; }

@@ -79,9 +79,9 @@ struct Counter {
 };
 
 template <class E>
-constexpr bool interpolates = std::is_same_v<E, EdgeTableInsert> || std::is_same_v<E, EdgeStep> ||
-                              std::is_same_v<E, SpanBegin> || std::is_same_v<E, PlaneSlopes> ||
-                              std::is_same_v<E, DepthInterpolate>;
+constexpr bool interpolates =
+    std::is_same_v<E, EdgeTableInsert> || std::is_same_v<E, EdgeStep> || std::is_same_v<E, SpanBegin> ||
+    std::is_same_v<E, PlaneSlopes> || std::is_same_v<E, DepthInterpolate>;
 
 /// What an attribute costs: the same at every vertex, on every edge, at every pixel.
 struct AttributeCosts {

@@ -10,7 +10,7 @@ namespace zstep::compare {
 
 struct Operations {
   std::int64_t additions = 0, multiplications = 0, divisions = 0;  ///< subtractions are additions
-  std::int64_t pixels = 0;  ///< depths that were interpolated
+  std::int64_t pixels = 0;                                         ///< depths that were interpolated
   double each(std::int64_t count) const {
     return pixels == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pixels);
   }

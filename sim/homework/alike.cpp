@@ -190,9 +190,8 @@ std::vector<AlikeRuns> alike_runs(const std::vector<HandedIn>& all, const std::v
   std::map<std::string, std::vector<OwnItem>> by_scene;
   for (std::size_t who = 0; who < all.size(); ++who)
     for (const OwnRun& run : all[who].runs) {
-      const bool is_public = std::any_of(right_public.begin(), right_public.end(), [&](const Sketch& right) {
-        return in_common(run.run, right) >= alike_from;
-      });
+      const bool is_public = std::any_of(right_public.begin(), right_public.end(),
+                                         [&](const Sketch& right) { return in_common(run.run, right) >= alike_from; });
       if (is_telling(run.run) && !is_public) by_scene[run.scene].push_back({who, false, &run});
       if (is_telling(run.right)) by_scene[run.scene].push_back({who, true, &run});
     }

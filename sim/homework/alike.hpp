@@ -38,10 +38,10 @@ struct HandedIn {
 /// Runs of one scene's name that are nearly the same, although the scenes are not.
 struct AlikeRuns {
   std::string scene;
-  std::vector<std::string> names;  ///< of who handed them in
-  bool same = true;                ///< all steps that hold numbers
-  double share = 1;                ///< of them that any has in common with the first, at least
-  std::int64_t steps = 0;          ///< of the first
+  std::vector<std::string> names;      ///< of who handed them in
+  bool same = true;                    ///< all steps that hold numbers
+  double share = 1;                    ///< of them that any has in common with the first, at least
+  std::int64_t steps = 0;              ///< of the first
   std::vector<std::string> right_for;  ///< students on whose scenes they are right, or nearly
 };
 /// Finds them in n log n. Runs that are those of a public scene are none: who mixes up files has them, too.

@@ -46,7 +46,8 @@ bool ends_block(const std::string& line) {
 std::string step_of_call(const std::string& call) {
   std::string step;
   for (const char c : call)
-    if (std::isupper(static_cast<unsigned char>(c))) step += {'_', static_cast<char>(std::tolower(static_cast<unsigned char>(c)))};
+    if (std::isupper(static_cast<unsigned char>(c)))
+      step += {'_', static_cast<char>(std::tolower(static_cast<unsigned char>(c)))};
     else step += c;
   return step;
 }

@@ -46,7 +46,8 @@ std::string_view text_of(grade::Numbering numbering) {
     case grade::Numbering::vertices_from_1:
       return "Vertices are numbered from 0, in the order of the file's points; yours begin with 1.";
     case grade::Numbering::vertices_of_polygon:
-      return "A vertex has the number of its point in the file, the same in each polygon; yours are counted anew in each.";
+      return "A vertex has the number of its point in the file, the same in each polygon; yours are counted anew in "
+             "each.";
     case grade::Numbering::as_scene:
       break;
   }
@@ -105,8 +106,10 @@ std::string note_of_unknown_edges(const Trace& run) {
   std::string names;
   for (const StepInfo& step : run.header().page)
     if (kinds.contains(step.kind)) names += (names.empty() ? "" : ", ") + step.name;
-  return fmt::format("{} name edges, and the run has no edge table that says which: they are left aside until it is "
-                     "printed, too.", names);
+  return fmt::format(
+      "{} name edges, and the run has no edge table that says which: they are left aside until it is "
+      "printed, too.",
+      names);
 }
 
 std::string names_of(const std::vector<fs::path>& files) {
@@ -323,8 +326,8 @@ std::string Graded::shown() const {
 }
 
 bool Graded::is_whole() const {
-  return state == State::judged && std::all_of(counts.begin(), counts.end(),
-                                               [](const grade::PartCount& count) { return count.lost.empty(); });
+  return state == State::judged &&
+         std::all_of(counts.begin(), counts.end(), [](const grade::PartCount& count) { return count.lost.empty(); });
 }
 
 double Assessment::most(const Graded& task, std::size_t part) const {

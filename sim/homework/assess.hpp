@@ -18,13 +18,13 @@ namespace zstep::homework {
 
 /// The first step of a run that is wrong, in words.
 struct FirstWrong {
-  std::int64_t at = 0;                       ///< the step of the run, for a viewer
-  std::string step, subject;                 ///< "insert_edge", "edge e1 (1–2)"
-  std::string where;                         ///< "one.jsonl:12"; empty where the run lacks the step
-  std::string what;                          ///< one sentence
+  std::int64_t at = 0;                     ///< the step of the run, for a viewer
+  std::string step, subject;               ///< "insert_edge", "edge e1 (1–2)"
+  std::string where;                       ///< "one.jsonl:12"; empty where the run lacks the step
+  std::string what;                        ///< one sentence
   std::vector<FieldText> expected, found;  ///< what the reference has, and the run, field by field
-  std::optional<grade::Likely> mistake;  ///< that makes the run's very numbers from there on
-  std::vector<mistakes::Mistake> either;  ///< that make the same numbers here, where none is named for that
+  std::optional<grade::Likely> mistake;    ///< that makes the run's very numbers from there on
+  std::vector<mistakes::Mistake> either;   ///< that make the same numbers here, where none is named for that
 };
 /// The likely mistake for its writer: what it is, what to ask oneself, and where that is taught; a line each.
 std::vector<std::string> mistake_lines(const FirstWrong& first);
@@ -39,12 +39,12 @@ struct Graded {
   };
   const Task* task = nullptr;
   State state = State::missing;
-  std::string file;  ///< that was handed in
-  std::string why;   ///< it has no grade, or ends early
-  std::string ended;  ///< how the program ended that made it, where it did not end well
-  PassedOver passed_over;   ///< lines of the run that cannot be read
-  bool breaks_off = false;  ///< its run does, or comes to a step that cannot be
-  std::string note;  ///< what else there is to know of it, and changes nothing
+  std::string file;           ///< that was handed in
+  std::string why;            ///< it has no grade, or ends early
+  std::string ended;          ///< how the program ended that made it, where it did not end well
+  PassedOver passed_over;     ///< lines of the run that cannot be read
+  bool breaks_off = false;    ///< its run does, or comes to a step that cannot be
+  std::string note;           ///< what else there is to know of it, and changes nothing
   bool from_picture = false;  ///< it has no steps: only parts of level "buffers" are graded
   std::int64_t steps = 0;
   std::vector<grade::PartCount> counts;  ///< by part; empty unless judged
@@ -97,7 +97,7 @@ struct Runs {
   std::shared_ptr<const Trace> reference;
   Trace submission;
   bool had_header = true;
-  std::string impossible;  ///< why the run's next step cannot be
+  std::string impossible;             ///< why the run's next step cannot be
   std::vector<std::string> left_out;  ///< the parts that are not looked at, as the submission has no step of them
   PassedOver passed_over;             ///< lines of the submission
 };

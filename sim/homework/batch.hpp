@@ -49,11 +49,11 @@ struct BatchOptions {
 };
 
 struct Batch {
-  std::vector<Result> results;  ///< by name
+  std::vector<Result> results;   ///< by name
   std::vector<AlikeRuns> alike;  ///< of scenes of each student's own
-  double share = 1;             ///< of all points: of all scenes, or of the one that was graded
-  int taken_over = 0;           ///< graded before, and nothing changed since
-  int left_out = 0;             ///< names that begin with a dot
+  double share = 1;              ///< of all points: of all scenes, or of the one that was graded
+  int taken_over = 0;            ///< graded before, and nothing changed since
+  int left_out = 0;              ///< names that begin with a dot
 };
 
 /// Grades all of them. `on_progress(done, all)` is called now and then; what it throws stops the batch.

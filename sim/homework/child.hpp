@@ -11,7 +11,7 @@
 namespace zstep::homework {
 
 struct GradingLimits {
-  double seconds = 60;                            ///< of the processor; three times as long, and a while, by the clock
+  double seconds = 60;  ///< of the processor; three times as long, and a while, by the clock
   std::uintmax_t memory = std::uintmax_t{2} << 30;  ///< bytes, of addresses
   std::uintmax_t file = std::uintmax_t{64} << 20;   ///< bytes of a file that it writes
 };

@@ -155,8 +155,8 @@ std::string alike_table(const std::vector<AlikeRuns>& all) {
                                                           std::floor(100 * one.share), one.steps);
     if (!one.right_for.empty())
       what += fmt::format("{}right on the scene of {}", what.empty() ? "" : "; ", list(one.right_for));
-    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", shown(one.scene),
-                        list(one.names), what);
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", shown(one.scene), list(one.names),
+                        what);
   }
   return fmt::format(
       "<h2>Near-identical runs</h2>\n<p>Each student has a scene of their own, so that right runs are not the same. "

@@ -38,8 +38,8 @@ std::string in_c(const StepFields& f) {
 }
 
 std::string in_python(const StepFields& f) {
-  return fmt::format("def {}({}):  # {}\n    _step(\"{}\"{}{})\n", f.step, listed(f.fields, name_of),
-                     f.meaning, f.step, f.fields.empty() ? "" : ", ",
+  return fmt::format("def {}({}):  # {}\n    _step(\"{}\"{}{})\n", f.step, listed(f.fields, name_of), f.meaning, f.step,
+                     f.fields.empty() ? "" : ", ",
                      listed(f.fields, [](const FieldOfKind& one) { return fmt::format("{0}={0}", one.name); }));
 }
 

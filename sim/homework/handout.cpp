@@ -112,10 +112,9 @@ std::string scene_html(const Method& method, const Task& task, const Trace& refe
       fmt::format("<h3>{}</h3>\n<p>{}.</p>\n", shown(task.name), size_of(task, picture, curves)) +
       figure(image_of(picture, task.scene, 1), "The picture", picture_in_words(picture, task.scene) + ".");
   if (method.gives == Gives::lines) return picture_alone;
-  return picture_alone +
-         figure(depths_of(picture, task.scene.raster.y_up, range),
-                "The depths: the smaller z, the darker; a stroke where nothing is drawn",
-                depths_in_words(picture) + ".");
+  return picture_alone + figure(depths_of(picture, task.scene.raster.y_up, range),
+                                "The depths: the smaller z, the darker; a stroke where nothing is drawn",
+                                depths_in_words(picture) + ".");
 }
 
 }  // namespace

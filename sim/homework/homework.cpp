@@ -178,7 +178,8 @@ class Reader {
               "name a scene file, from the homework's folder");
     task.name = path.stem().string();
     if (const std::string why = why_no_name(task.name); !why.empty())
-      fail_at(at, file_, fmt::format("the scene's name, '{}', {}", printable(task.name), why), "call the file otherwise");
+      fail_at(at, file_, fmt::format("the scene's name, '{}', {}", printable(task.name), why),
+              "call the file otherwise");
     take_scene(at, load_scene(path.string()), task);
     homework_.tasks.push_back(std::move(task));
   }

@@ -9,9 +9,9 @@ namespace zstep::homework {
 using Why = grade::Loss::Why;
 
 std::string_view word_of(Why why) {
-  static constexpr std::array<std::string_view, 12> words{"never",         "missing", "additional", "numbers",
-                                                          "computation",   "order",   "unknown_edges", "colors",
-                                                          "depths",        "no_colors", "no_depths",  "beyond"};
+  static constexpr std::array<std::string_view, 12> words{"never",       "missing",   "additional",    "numbers",
+                                                          "computation", "order",     "unknown_edges", "colors",
+                                                          "depths",      "no_colors", "no_depths",     "beyond"};
   return words[static_cast<std::size_t>(why)];
 }
 

@@ -126,7 +126,8 @@ std::vector<std::string> pack_homework(const fs::path& folder, Service service, 
     throw InputError(out.string(), "is no zip file's name", "Gradescope takes a zip: give -o autograder.zip");
   if (!fs::is_directory(fs::absolute(out / "").parent_path().parent_path(), ignored))
     throw InputError(out.string(), "lies in a folder that is not there", "make the folder first");
-  const fs::path from_home = fs::weakly_canonical(out, ignored).lexically_relative(fs::weakly_canonical(folder, ignored));
+  const fs::path from_home =
+      fs::weakly_canonical(out, ignored).lexically_relative(fs::weakly_canonical(folder, ignored));
   if (!from_home.empty() && *from_home.begin() != "..")
     throw InputError(out.string(), "lies in the folder of the homework", "choose a place beside it");
   try {

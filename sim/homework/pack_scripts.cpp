@@ -147,7 +147,8 @@ std::string prairielearn_question(const Homework& homework) {
   std::string files, what;
   if (homework.program.empty()) {
     for (const Task& task : homework.tasks)
-      if (!task.hidden) what += (what.empty() ? "" : ", ") + fmt::format("<code>{}.jsonl</code>", in_question(task.name));
+      if (!task.hidden)
+        what += (what.empty() ? "" : ", ") + fmt::format("<code>{}.jsonl</code>", in_question(task.name));
     what = "Hand in what your program prints on each scene: " + what + ".";
     files = "*.jsonl, *.png, *.npy, *.pfm";
   } else {

@@ -175,8 +175,8 @@ class Printed {
   std::vector<double> depths_;     ///< [pixels], empty where no depths were
 };
 
-/// How far apart the two are, by pixel. Depths are handed in with inf where nothing is: a finite one there is wrong, also
-/// where all of these are the same, which else were taken for what the buffer was cleared to.
+/// How far apart the two are, by pixel. Depths are handed in with inf where nothing is: a finite one there is wrong,
+/// also where all of these are the same, which else were taken for what the buffer was cleared to.
 grade::PixelsApart differences(const Picture& ours, const Scene& scene, const Printed& theirs) {
   grade::PixelsApart apart;
   if (theirs.has_colors()) apart.color = diff::compare_colors(colors_of(ours, scene), theirs.colors()).apart;
@@ -257,7 +257,7 @@ PictureGrade grade_pictures(const Trace& reference, const std::vector<fs::path>&
   if (theirs.has_colors()) {
     const std::int32_t polygon = ours.polygon[pixel];
     const Color color = color_at(ours, scene, pixel);
-    expected = polygon != no_polygon        ? "polygon " + Printed::name_of(scene, polygon)
+    expected = polygon != no_polygon       ? "polygon " + Printed::name_of(scene, polygon)
                : color == scene.background ? "background"
                                            : Printed::color_text(color);
   }

@@ -34,7 +34,7 @@ double turn_at(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 /// Of an outline on the screen, whether it turns one way, and once round; and where it turns most.
 struct Turns {
   bool convex = true;
-  std::size_t sharpest = 0;  ///< the first of the three corners that enclose most
+  std::size_t sharpest = 0;    ///< the first of the three corners that enclose most
   double first = 0, most = 0;  ///< what the first three corners enclose, and these
 };
 Turns turns_of(std::span<const glm::dvec3> corners) {
@@ -191,7 +191,7 @@ class Builder {
   const bool cull_;
   viewing::Vertices vertices_;
   scene::EarClipper clipper_;
-  std::map<std::int32_t, std::int32_t> made_;               ///< vertices that are handed out, with their numbers
+  std::map<std::int32_t, std::int32_t> made_;                   ///< vertices that are handed out, with their numbers
   std::map<std::int32_t, std::vector<std::int32_t>> parts_of_;  ///< what became of each polygon
   std::size_t kept_ = 0;
   bool changed_ = false;
@@ -239,17 +239,16 @@ PolygonsAsked polygons_asked(const Method& method, const Conventions& convention
   asked.planar = by_rays || has_step(method, kind_of<PlaneEquation>);
   if (by_rays) asked.space = PolygonsAsked::Space::world;
   if (by_rays || !has_step(method, kind_of<ViewportTransform>)) return asked;
-  const bool viewing = std::ranges::any_of(
-      std::array{kind_of<ViewTransform>, kind_of<Projection>, kind_of<ViewportTransform>, kind_of<FacingTest>,
-                 kind_of<ClipTest>, kind_of<ClipVertex>, kind_of<ClipCross>},
-      [&](std::uint8_t kind) { return printed.contains(kind); });
+  const bool viewing =
+      std::ranges::any_of(std::array{kind_of<ViewTransform>, kind_of<Projection>, kind_of<ViewportTransform>,
+                                     kind_of<FacingTest>, kind_of<ClipTest>, kind_of<ClipVertex>, kind_of<ClipCross>},
+                          [&](std::uint8_t kind) { return printed.contains(kind); });
   // What these say of a run begins with the camera.
-  const bool by_camera = (conventions.depth != pseudodepth && conventions.depth != view) ||
-                         conventions.positions != Conventions::Positions::exact ||
-                         conventions.attribute != Conventions::Attribute::none ||
-                         std::ranges::any_of(free, [](const std::string& key) {
-                           return key == "depth" || key == "positions" || key == "attribute";
-                         });
+  const bool by_camera =
+      (conventions.depth != pseudodepth && conventions.depth != view) ||
+      conventions.positions != Conventions::Positions::exact || conventions.attribute != Conventions::Attribute::none ||
+      std::ranges::any_of(
+          free, [](const std::string& key) { return key == "depth" || key == "positions" || key == "attribute"; });
   if (!viewing && !by_camera) asked.space = PolygonsAsked::Space::screen;
   return asked;
 }

@@ -132,8 +132,12 @@ std::string report_json(const Assessment& all) {
     }
     one["parts"] = parts;
     if (task.first)
-      one["first"] = {{"at", task.first->at},       {"step", task.first->step}, {"subject", task.first->subject},
-                      {"where", task.first->where}, {"what", task.first->what}, {"expected", lines_of(task.first->expected)},
+      one["first"] = {{"at", task.first->at},
+                      {"step", task.first->step},
+                      {"subject", task.first->subject},
+                      {"where", task.first->where},
+                      {"what", task.first->what},
+                      {"expected", lines_of(task.first->expected)},
                       {"found", lines_of(task.first->found)}};
     if (task.first && task.first->mistake) {
       const auto said_of = [](mistakes::Mistake mistake) {
@@ -195,16 +199,17 @@ std::string report_prairielearn(const Assessment& all) {
   const std::size_t count = all.tasks.size() * all.homework->parts.size();
   Json tests = Json::array();
   for_each_test(all, [&](const std::string& name, const Graded& task, std::size_t part) {
-    tests.push_back({{"name", name},
-                     {"points", all.points(task, part)},
-                     {"max_points", all.most(task, part)},
-                     {"message", shared(task.task->hidden ? hidden_message(all, task, part) : message(all, task, part), count)}});
+    tests.push_back(
+        {{"name", name},
+         {"points", all.points(task, part)},
+         {"max_points", all.most(task, part)},
+         {"message", shared(task.task->hidden ? hidden_message(all, task, part) : message(all, task, part), count)}});
   });
-  Json result{{"gradable", true},
-              {"score", all.points() / all.most()},
-              {"message",
-               fmt::format("{} of {} points", points_text(all.points(), all.most()), points_text(all.most()))},
-              {"output", overview(all)}};
+  Json result{
+      {"gradable", true},
+      {"score", all.points() / all.most()},
+      {"message", fmt::format("{} of {} points", points_text(all.points(), all.most()), points_text(all.most()))},
+      {"output", overview(all)}};
   if (count <= 2000) result["tests"] = tests;
   else result["output"] = fmt::format("There are too many parts to list their points.\n{}", overview(all));
   return dumped(result);

@@ -84,10 +84,9 @@ std::string pictures(const Graded& task) {
                   fmt::format("The picture, {}. {}.", whose, picture_in_words(picture, scene)));
   };
   const auto depths = [&](const Picture& picture, std::string_view whose) {
-    return figure(
-        depths_of(picture, y_up, range),
-        fmt::format("The depths, {}: the smaller z, the darker; a stroke where nothing was drawn", whose),
-        fmt::format("The depths, {}. {}.", whose, depths_in_words(picture)));
+    return figure(depths_of(picture, y_up, range),
+                  fmt::format("The depths, {}: the smaller z, the darker; a stroke where nothing was drawn", whose),
+                  fmt::format("The depths, {}. {}.", whose, depths_in_words(picture)));
   };
   std::string text = fmt::format("<h2>The end of {}</h2>\n", shown(task.task->name));
   text += frame(ends.reference, "expected") + frame(ends.run, "yours");
@@ -111,11 +110,11 @@ std::string first_wrong(const Graded& task, const std::string& command, const st
   const std::string link = steps_page.empty() ? ""
                                               : fmt::format("<p><a href=\"{}\">{}</a>, in this browser.</p>\n",
                                                             percent_encoded(steps_page, "-_.~/"), steps_link);
-  const std::string to_see = task.from_picture
-                                 ? ""  // it has no steps that a window could show
-                                 : fmt::format(" To see both runs at this step: "
-                                             "<code class=\"command\">{} --scene {} --view</code>",
-                                               shown(command), shown(shell_word(task.task->name)));
+  const std::string to_see = task.from_picture ? ""  // it has no steps that a window could show
+                                               : fmt::format(
+                                                     " To see both runs at this step: "
+                                                     "<code class=\"command\">{} --scene {} --view</code>",
+                                                     shown(command), shown(shell_word(task.task->name)));
   return fmt::format(
       "<h2>Look at this first</h2>\n<p>In {}{}: <strong>{}{}</strong></p>\n<p>{}</p>\n{}{}{}"
       "<p>Later mistakes can follow from this one: mend it, then grade again.{}</p>\n{}",

@@ -25,11 +25,13 @@ std::string shares_text(const Homework& homework, const Graded& task, std::size_
   };
   add("computed", count.computed, count.computation_points(part), part.computation);
   if (count.in_halves() && part.value > 0)
-    text += fmt::format("right colours {}, right depths {}, of {} each: {} of {}", count.halves->colors,
-                        count.halves->depths, count.all(), points_text(share * count.value_points(part), share * part.value),
-                        points_text(share * part.value));
+    text +=
+        fmt::format("right colours {}, right depths {}, of {} each: {} of {}", count.halves->colors,
+                    count.halves->depths, count.all(),
+                    points_text(share * count.value_points(part), share * part.value), points_text(share * part.value));
   else
-    add(part.level == grade::Level::buffers ? "right pixels" : "right", count.same, count.value_points(part), part.value);
+    add(part.level == grade::Level::buffers ? "right pixels" : "right", count.same, count.value_points(part),
+        part.value);
   if (const std::string lost = losses_text(homework, count, task.task->hidden); !lost.empty())
     text += fmt::format("\n{:28}{}", "", lost);
   return text;
@@ -47,13 +49,11 @@ std::string task_text(const Assessment& all, const Graded& task) {
   double points = 0, most = 0;
   for (std::size_t part = 0; part < homework.parts.size(); ++part)
     points += all.points(task, part), most += all.most(task, part);
-  std::string text = fmt::format("{}: {}{} points\n", printable(task.task->name),
-                                 task.state == Graded::State::judged ? points_text(points, most) + " of "
-                                                                     : "no grade, of ",
-                                 points_text(most));
+  std::string text = fmt::format(
+      "{}: {}{} points\n", printable(task.task->name),
+      task.state == Graded::State::judged ? points_text(points, most) + " of " : "no grade, of ", points_text(most));
   if (task.state == Graded::State::missing) return text + fmt::format("  Nothing was handed in: {}.\n", task.shown());
-  if (task.state == Graded::State::unreadable)
-    return text + "  This cannot be graded:\n" + indented(task.shown());
+  if (task.state == Graded::State::unreadable) return text + "  This cannot be graded:\n" + indented(task.shown());
   if (task.state == Graded::State::stopped) return text + indented(task.shown());
   if (!task.shown().empty() && &task != said_first(all)) text += indented(task.shown());
   if (!task.note.empty()) text += indented(task.note);
@@ -107,8 +107,9 @@ std::string first_wrong_text(const Graded& wrong, const std::string& command) {
 std::string report_text(const Assessment& all, const std::string& command) {
   const Homework& homework = *all.homework;
   std::string text = fmt::format("{}: {}\n", printable(homework.title), printable(all.submission));
-  text += all.gradable() ? fmt::format("{} of {} points\n\n", points_text(all.points(), all.most()), points_text(all.most()))
-                         : "Nothing here could be graded, so there are no points yet.\n\n";
+  text += all.gradable()
+              ? fmt::format("{} of {} points\n\n", points_text(all.points(), all.most()), points_text(all.most()))
+              : "Nothing here could be graded, so there are no points yet.\n\n";
   if (const std::string first = said_first_text(all); !first.empty() && all.gradable())
     text += printable_lines(first) + "\n\n";
   if (homework.left_out > 0) text += "The hidden scenes are not here; their points are not counted.\n\n";

@@ -41,8 +41,8 @@ inline const Graded* first_to_mend(const Assessment& all) {
   return found == all.tasks.end() ? nullptr : &*found;
 }
 
-/// The task of which something is to be said before all wrong steps: how its program crashed, which lines cannot be read.
-/// Of a hidden one less may be said.
+/// The task of which something is to be said before all wrong steps: how its program crashed, which lines cannot be
+/// read. Of a hidden one less may be said.
 inline const Graded* said_first(const Assessment& all) {
   const Graded* found = nullptr;
   for (const Graded& task : all.tasks)

@@ -29,9 +29,9 @@ class Process {
   /// Whether it has ended.
   bool look();
   void end();
-  int status() const { return status_; }  ///< as wait() has it
+  int status() const { return status_; }    ///< as wait() has it
   pid_t keeper() const { return keeper_; }  ///< all of the program's processes are below it
-  double seconds() const;                 ///< of the processor
+  double seconds() const;                   ///< of the processor
 
  private:
   pid_t keeper_ = 0;

@@ -65,7 +65,8 @@ Homework load_copy(const Homework& homework, const fs::path& copy, bool for_stud
   }
   for (const Task& task : homework.tasks) {
     if (for_students && task.hidden) continue;
-    if (std::none_of(loaded->tasks.begin(), loaded->tasks.end(), [&](const Task& one) { return one.name == task.name; }))
+    if (std::none_of(loaded->tasks.begin(), loaded->tasks.end(),
+                     [&](const Task& one) { return one.name == task.name; }))
       throw missing(fmt::format("the scene {} is not in it", task.name));
   }
   return std::move(*loaded);

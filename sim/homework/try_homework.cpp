@@ -160,9 +160,10 @@ class Trial {
       for (const StepInfo& step : homework_.steps)
         if (std::find(part.kinds.begin(), part.kinds.end(), step.kind) != part.kinds.end() &&
             text.find('`' + step.name + '`') == std::string::npos)
-          say_(Tried::note, fmt::format("handout.md does not name the step {}, of the part '{}'; where the part was put "
-                                        "back, take the text from a new homework",
-                                        step.name, part.name));
+          say_(Tried::note,
+               fmt::format("handout.md does not name the step {}, of the part '{}'; where the part was put "
+                           "back, take the text from a new homework",
+                           step.name, part.name));
     const auto missing = missing_in_handout(text, folder_);
     for (const auto& [line, name] : missing)
       wrong(fmt::format("handout.md:{}: names {}, which is not there", line, name), "write the name of a file that is");

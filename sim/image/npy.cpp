@@ -24,10 +24,14 @@ constexpr std::size_t head_size = magic.size() + 2;  // two bytes of header leng
 constexpr std::size_t alignment = 64;                // "the total length … is evenly divisible by 64"
 constexpr char byte_order = std::endian::native == std::endian::little ? '<' : '>';
 
-template <class Value> constexpr std::string_view type_code = "";
-template <> constexpr std::string_view type_code<std::int32_t> = "i4";
-template <> constexpr std::string_view type_code<float> = "f4";
-template <> constexpr std::string_view type_code<double> = "f8";
+template <class Value>
+constexpr std::string_view type_code = "";
+template <>
+constexpr std::string_view type_code<std::int32_t> = "i4";
+template <>
+constexpr std::string_view type_code<float> = "f4";
+template <>
+constexpr std::string_view type_code<double> = "f8";
 
 template <class Value>
 void write(const std::filesystem::path& path, std::span<const Value> values, int height, int width) {
@@ -137,8 +141,7 @@ void write_npy(const std::filesystem::path& path, std::span<const double> values
 Npy read_npy(const std::filesystem::path& path, std::uintmax_t limit) {
   const std::vector<std::uint8_t> bytes = read_file(path, limit);
   const Dictionary nothing("", path);
-  if (bytes.size() < head_size || std::memcmp(bytes.data(), magic.data(), magic_size) != 0)
-    nothing.fail("is no .npy");
+  if (bytes.size() < head_size || std::memcmp(bytes.data(), magic.data(), magic_size) != 0) nothing.fail("is no .npy");
   const std::uint8_t version = bytes[magic_size];
   if (version < 1 || version > 3) nothing.fail(fmt::format("is an .npy of version {}, which is not known", version));
   const std::size_t length_bytes = version == 1 ? 2 : 4, begin = magic.size() + length_bytes;

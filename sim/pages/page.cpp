@@ -35,7 +35,8 @@ constexpr std::string_view style =
     "td.n,th.n{text-align:right}tfoot td,tfoot th{border-top:2px solid #111;font-weight:600}"
     "figure{display:inline-block;margin:0 1rem 1rem 0;vertical-align:top;break-inside:avoid}"
     "figcaption{max-width:24rem}img{image-rendering:pixelated;border:1px solid #999;max-width:100%;height:auto}"
-    ".wide,code.command{overflow-x:auto}code.command{display:block;white-space:nowrap}@media print{body{margin:0;max-width:none;font-size:11pt}a{color:inherit}}";
+    ".wide,code.command{overflow-x:auto}code.command{display:block;white-space:nowrap}@media "
+    "print{body{margin:0;max-width:none;font-size:11pt}a{color:inherit}}";
 
 }  // namespace
 

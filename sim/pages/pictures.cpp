@@ -74,8 +74,8 @@ std::string picture_in_words(const Picture& picture, const Scene& scene) {
   constexpr std::size_t named = 8;
   std::map<std::int32_t, std::int64_t> pixels;
   for (const std::int32_t polygon : picture.polygon) ++pixels[polygon];
-  const auto inked = static_cast<std::int64_t>(picture.ink.size()) -
-                     std::count(picture.ink.begin(), picture.ink.end(), no_ink);
+  const auto inked =
+      static_cast<std::int64_t>(picture.ink.size()) - std::count(picture.ink.begin(), picture.ink.end(), no_ink);
   std::string text = fmt::format("{} × {} pixels: ", picture.width, picture.height);
   if (pixels[no_polygon] == static_cast<std::int64_t>(picture.polygon.size()) && inked > 0)
     return text + fmt::format("{} drawn, {} of the background", inked, pixels[no_polygon] - inked);

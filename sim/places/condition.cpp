@@ -15,8 +15,7 @@ namespace {
 
 /// Does the event write a colour or a depth to a pixel?
 bool writes(const Event& event) {
-  return holds<DepthWrite>(event) || holds<PixelWrite>(event) ||
-         holds<PixelPaint>(event) || holds<ColorWrite>(event) ||
+  return holds<DepthWrite>(event) || holds<PixelWrite>(event) || holds<PixelPaint>(event) || holds<ColorWrite>(event) ||
          holds<ColorBlend>(event);
 }
 
@@ -44,17 +43,25 @@ Condition::Value Condition::evaluate(std::int32_t at, const Event& event, std::i
     return Value{node.none_is_missing && number < 0 ? Value::Is::missing : Value::Is::known, number};
   };
   switch (node.op) {
-    case Op::constant: return {Value::Is::known, node.number};
-    case Op::missing: return {Value::Is::missing, 0};
-    case Op::field: return read(node.read(event));
-    case Op::step: return {Value::Is::known, static_cast<double>(step)};
+    case Op::constant:
+      return {Value::Is::known, node.number};
+    case Op::missing:
+      return {Value::Is::missing, 0};
+    case Op::field:
+      return read(node.read(event));
+    case Op::step:
+      return {Value::Is::known, static_cast<double>(step)};
     case Op::at_work:
       if (const auto named = trace_->polygon_named(event)) return read(static_cast<double>(*named));
       return read(static_cast<double>(trace_->polygon_at_work(step)));
-    case Op::changes: return truth(writes(event) && names_pixel(event, node.number, node.row));
-    case Op::touches: return truth(names_pixel(event, node.number, node.row));
-    case Op::both_or_either: return both_or_either(node, event, step);
-    default: break;
+    case Op::changes:
+      return truth(writes(event) && names_pixel(event, node.number, node.row));
+    case Op::touches:
+      return truth(names_pixel(event, node.number, node.row));
+    case Op::both_or_either:
+      return both_or_either(node, event, step);
+    default:
+      break;
   }
   const Value first = evaluate(node.first, event, step);
   const Value second = node.second < 0 ? first : evaluate(node.second, event, step);

@@ -6,7 +6,8 @@
 // `not nearer` is true of compares that fail and of nothing else. What panes write is understood as well: z* or z_v for
 // the depths, x_L, e3 beside `edge`. Besides fields there are
 //     step              the number of the step
-//     polygon           the event's own, or that of its facet or piece, or else the one at work; missing where there is none,
+//     polygon           the event's own, or that of its facet or piece, or else the one at work; missing where there is
+//     none,
 //                       which `polygon == -1` asks for
 //     line, scan_line   the y of what happens on that scan line
 //     changes(x, y)     the step writes a colour or a depth to this pixel
@@ -28,9 +29,9 @@ namespace zstep::places {
 
 /// What a condition alone tells of the steps that can fulfil it: where it is not worth looking.
 struct Bounds {
-  std::bitset<kind_count> kinds;           ///< of events that can
-  std::optional<Trace::Pixel> pixel;       ///< that all of them name
-  std::optional<std::int32_t> polygon;     ///< at work at all of them
+  std::bitset<kind_count> kinds;                                            ///< of events that can
+  std::optional<Trace::Pixel> pixel;                                        ///< that all of them name
+  std::optional<std::int32_t> polygon;                                      ///< at work at all of them
   std::int64_t first = 1, last = std::numeric_limits<std::int64_t>::max();  ///< steps, both included
 };
 
@@ -47,17 +48,26 @@ class Condition {
 
  private:
   enum class Op : std::uint8_t {
-    constant, missing, field, step, at_work, changes, touches, among, computed, both_or_either,
+    constant,
+    missing,
+    field,
+    step,
+    at_work,
+    changes,
+    touches,
+    among,
+    computed,
+    both_or_either,
   };
   struct Node {
     Op op = Op::missing;                    ///< missing: the event has no such field
     classroom::Expression::Kind kind = {};  ///< of what is computed
-    std::int32_t first = -1, second = -1;  ///< operands, by their place among the nodes
-    double number = 0;                     ///< a constant, or the pixel's column
-    double row = 0;                        ///< the pixel's row
+    std::int32_t first = -1, second = -1;   ///< operands, by their place among the nodes
+    double number = 0;                      ///< a constant, or the pixel's column
+    double row = 0;                         ///< the pixel's row
     double (*read)(const Event&) = nullptr;
-    bool none_is_missing = false;          ///< of a polygon: -1 is none
-    std::vector<double> set;               ///< of `among`, ordered
+    bool none_is_missing = false;  ///< of a polygon: -1 is none
+    std::vector<double> set;       ///< of `among`, ordered
   };
   struct Value {
     enum class Is : std::uint8_t { missing, known };

@@ -151,7 +151,8 @@ class Condition::Binder {
     if (text == "true" || text == "false") return constant(text == "true", Type::truth);
     if (field_somewhere(text)) return missing(Type::number);
     bool known = false;
-    for (const StepInfo& step : page_) known = known || is_step(step, text) || description_of_kind(step.kind).name == text;
+    for (const StepInfo& step : page_)
+      known = known || is_step(step, text) || description_of_kind(step.kind).name == text;
     if (known) return constant(is_step(step_, text) || description_of_kind(step_.kind).name == text, Type::truth);
     std::vector<std::string_view> names{"polygon", "step", "changes(x, y)", "touches(x, y)"};
     for (const StepInfo& step : page_) {
@@ -278,20 +279,29 @@ class Condition::Binder {
   Bound any(const Expression& expression) {
     const auto& parts = expression.parts;
     switch (expression.kind) {
-      case Kind::number: return constant(expression.number, Type::number);
-      case Kind::quoted: fail(fmt::format("\"{}\" stands alone", expression.text), "write `polygon == \"…\"`");
-      case Kind::name: return name(expression);
-      case Kind::call: return call(expression);
-      case Kind::count: fail("`count(` counts a whole run", "zstep query counts: select count(*) from …");
-      case Kind::not_: return negation(parts[0]);
-      case Kind::equal: return equation(expression);
+      case Kind::number:
+        return constant(expression.number, Type::number);
+      case Kind::quoted:
+        fail(fmt::format("\"{}\" stands alone", expression.text), "write `polygon == \"…\"`");
+      case Kind::name:
+        return name(expression);
+      case Kind::call:
+        return call(expression);
+      case Kind::count:
+        fail("`count(` counts a whole run", "zstep query counts: select count(*) from …");
+      case Kind::not_:
+        return negation(parts[0]);
+      case Kind::equal:
+        return equation(expression);
       case Kind::unequal: {
         const Bound made = equation(expression);
         return of(Kind::not_, made, made, Type::truth);
       }
       case Kind::and_:
-      case Kind::or_: return logic(expression);
-      default: break;
+      case Kind::or_:
+        return logic(expression);
+      default:
+        break;
     }
     const Bound first = number(parts[0]), second = parts.size() > 1 ? number(parts[1]) : first;
     return of(expression.kind, first, second, expression.is_truth() ? Type::truth : Type::number);

@@ -22,11 +22,16 @@ std::optional<double> literal(const Expression& side) {
 
 Kind turned(Kind kind) {
   switch (kind) {
-    case Kind::less: return Kind::greater;
-    case Kind::less_equal: return Kind::greater_equal;
-    case Kind::greater: return Kind::less;
-    case Kind::greater_equal: return Kind::less_equal;
-    default: return kind;
+    case Kind::less:
+      return Kind::greater;
+    case Kind::less_equal:
+      return Kind::greater_equal;
+    case Kind::greater:
+      return Kind::less;
+    case Kind::greater_equal:
+      return Kind::less_equal;
+    default:
+      return kind;
   }
 }
 

@@ -46,7 +46,7 @@ class Search {
   Condition condition_;
   Way way_;
   std::int64_t from_, at_;
-  std::vector<Interval> intervals_;  ///< worth looking at; the next one last
+  std::vector<Interval> intervals_;    ///< worth looking at; the next one last
   std::vector<std::int64_t> waiting_;  ///< found in the block that was read last, and not yet told; the next one last
   std::int64_t looked_to_ = 0;         ///< when none of them waits any more
   Result result_ = Result::not_yet;

@@ -13,11 +13,11 @@ namespace zstep::places {
 
 /// Where that is.
 struct Place {
-  std::int64_t step = 0;              ///< as typed: it may be beyond the end
-  Unit unit = Unit::event;            ///< what one goes to the beginning of
+  std::int64_t step = 0;                ///< as typed: it may be beyond the end
+  Unit unit = Unit::event;              ///< what one goes to the beginning of
   std::optional<Trace::Pixel> pixel{};  ///< to be selected; the step is then where one is
   std::optional<int> stop{};            ///< of the lesson, where it was named
-  std::string note{};                 ///< what a reader should know besides, or nothing
+  std::string note{};                   ///< what a reader should know besides, or nothing
 };
 
 /// Where one is when one types.

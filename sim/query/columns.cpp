@@ -43,9 +43,12 @@ Table table_of(std::size_t kind) {
 
 Cell Column::of(const Event& event) const {
   switch (field->type) {
-    case FieldOfKind::Type::real: return field->read(event);
-    case FieldOfKind::Type::word: return field->word_in(event);
-    default: return std::int64_t{field->whole_in(event)};
+    case FieldOfKind::Type::real:
+      return field->read(event);
+    case FieldOfKind::Type::word:
+      return field->word_in(event);
+    default:
+      return std::int64_t{field->whole_in(event)};
   }
 }
 

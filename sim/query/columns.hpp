@@ -18,10 +18,10 @@ using Cell = std::variant<std::monostate, std::int64_t, double, std::string_view
 
 /// What every table has before an event's own fields.
 struct Context {
-  std::int64_t step = 0;             ///< the position that the event leads to
-  std::string_view name;             ///< of the line of pseudo-code: "compare"
-  std::int32_t polygon = no_polygon; ///< that of the event's facet or piece, or else the one at work
-  std::int32_t scan_line = -1;       ///< the last that was begun for it; -1: none
+  std::int64_t step = 0;              ///< the position that the event leads to
+  std::string_view name;              ///< of the line of pseudo-code: "compare"
+  std::int32_t polygon = no_polygon;  ///< that of the event's facet or piece, or else the one at work
+  std::int32_t scan_line = -1;        ///< the last that was begun for it; -1: none
 };
 
 struct Column {
@@ -34,10 +34,10 @@ struct Column {
 
 struct Table {
   std::string name, meaning;
-  std::vector<Column> columns;  ///< step, name, polygon, scan_line, then the event's own
-  bool own_polygon = false;     ///< the event's own `polygon` stands in place of the context's
+  std::vector<Column> columns;                          ///< step, name, polygon, scan_line, then the event's own
+  bool own_polygon = false;                             ///< the event's own `polygon` stands in place of the context's
   bool named_by_facet = false, named_by_piece = false;  ///< the context's is that of the event's facet or piece
-  int x = -1, y = -1;           ///< the columns of its pixel, if it has both
+  int x = -1, y = -1;                                   ///< the columns of its pixel, if it has both
 };
 
 /// The places of the context's columns in every table.

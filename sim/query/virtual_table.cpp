@@ -88,12 +88,18 @@ enum Bound : int {
 int bound_of(const Table& table, int column, unsigned char op) {
   if (column == step_column || column < 0) {  // the row's id is its step
     switch (op) {
-      case SQLITE_INDEX_CONSTRAINT_EQ: return step_is;
-      case SQLITE_INDEX_CONSTRAINT_GE: return step_from;
-      case SQLITE_INDEX_CONSTRAINT_GT: return step_beyond;
-      case SQLITE_INDEX_CONSTRAINT_LE: return step_to;
-      case SQLITE_INDEX_CONSTRAINT_LT: return step_before;
-      default: return 0;
+      case SQLITE_INDEX_CONSTRAINT_EQ:
+        return step_is;
+      case SQLITE_INDEX_CONSTRAINT_GE:
+        return step_from;
+      case SQLITE_INDEX_CONSTRAINT_GT:
+        return step_beyond;
+      case SQLITE_INDEX_CONSTRAINT_LE:
+        return step_to;
+      case SQLITE_INDEX_CONSTRAINT_LT:
+        return step_before;
+      default:
+        return 0;
     }
   }
   if (op != SQLITE_INDEX_CONSTRAINT_EQ) return 0;
@@ -197,13 +203,27 @@ int filter(sqlite3_vtab_cursor* c, int bounds, const char*, int count, sqlite3_v
         case step_is:
           part.first = std::max(part.first, whole->at_least), part.last = std::min(part.last, whole->at_most);
           break;
-        case step_from: part.first = std::max(part.first, whole->at_least); break;
-        case step_beyond: part.first = std::max(part.first, after); break;
-        case step_to: part.last = std::min(part.last, whole->at_most); break;
-        case step_before: part.last = std::min(part.last, before); break;
-        case x_is: part.x = number_of(*whole); break;
-        case y_is: part.y = number_of(*whole); break;
-        default: part.polygon = number_of(*whole); break;
+        case step_from:
+          part.first = std::max(part.first, whole->at_least);
+          break;
+        case step_beyond:
+          part.first = std::max(part.first, after);
+          break;
+        case step_to:
+          part.last = std::min(part.last, whole->at_most);
+          break;
+        case step_before:
+          part.last = std::min(part.last, before);
+          break;
+        case x_is:
+          part.x = number_of(*whole);
+          break;
+        case y_is:
+          part.y = number_of(*whole);
+          break;
+        default:
+          part.polygon = number_of(*whole);
+          break;
       }
     }
     cursor.walk = std::make_unique<Walk>(cursor.table.source.trace, cursor.table.kind, part);
@@ -235,10 +255,14 @@ int column(sqlite3_vtab_cursor* c, sqlite3_context* to, int number) {
   const Context& context = cursor.walk->context();
   if (wanted.field) return give(to, wanted.of(cursor.walk->event()));
   switch (number) {
-    case step_column: return give(to, context.step);
-    case name_column: return give(to, context.name);
-    case polygon_column: return give(to, context.polygon == no_polygon ? Cell() : Cell(std::int64_t{context.polygon}));
-    default: return give(to, context.scan_line < 0 ? Cell() : Cell(std::int64_t{context.scan_line}));
+    case step_column:
+      return give(to, context.step);
+    case name_column:
+      return give(to, context.name);
+    case polygon_column:
+      return give(to, context.polygon == no_polygon ? Cell() : Cell(std::int64_t{context.polygon}));
+    default:
+      return give(to, context.scan_line < 0 ? Cell() : Cell(std::int64_t{context.scan_line}));
   }
 }
 

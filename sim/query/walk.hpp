@@ -13,8 +13,8 @@ namespace zstep::query {
 /// Which events are wanted at all; what is not excluded may still be walked over.
 struct Part {
   std::int64_t first = 1, last = std::numeric_limits<std::int64_t>::max();  ///< steps, both included
-  std::optional<std::int32_t> x, y;     ///< of the event's pixel
-  std::optional<std::int32_t> polygon;  ///< at work
+  std::optional<std::int32_t> x, y;                                         ///< of the event's pixel
+  std::optional<std::int32_t> polygon;                                      ///< at work
 };
 
 class Walk {

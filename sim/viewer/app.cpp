@@ -55,18 +55,14 @@ void App::resize(int width, int height) {
   renderer_.resize(width, height);
 }
 
-void App::set_dpi_scale(float scale) {
-  dpi_scale_ = scale;
-}
+void App::set_dpi_scale(float scale) { dpi_scale_ = scale; }
 
 void App::set_dark(bool dark) {
   settings_.dark = dark;
   ui_.theme = dark ? &dark_theme() : &light_theme();
 }
 
-void App::set_presenter(bool presenter) {
-  settings_.presenter = ui_.presenter = presenter;
-}
+void App::set_presenter(bool presenter) { settings_.presenter = ui_.presenter = presenter; }
 
 std::string App::lead() const {
   const Lesson* lesson = session_.lesson();
@@ -75,9 +71,7 @@ std::string App::lead() const {
   return chosen_lead_ && (chosen_lead_->stop == stop || focus.empty()) ? chosen_lead_->pane : focus;
 }
 
-void App::set_lead(const std::string& pane) {
-  chosen_lead_ = {pane, session_.stop()};
-}
+void App::set_lead(const std::string& pane) { chosen_lead_ = {pane, session_.stop()}; }
 
 void App::turn_lead(int direction) {
   const std::vector<std::string> all = leads_to_choose(session_.header());
@@ -99,9 +93,7 @@ void App::scale_text(float factor) {
   say(fmt::format("Text at {:.0f} %.", settings_.text_scale * 100));
 }
 
-void App::say(std::string message) {
-  session_.message = std::move(message);
-}
+void App::say(std::string message) { session_.message = std::move(message); }
 
 void App::open(Overlay overlay) {
   if (embedded() && overlay != Overlay::none) return;

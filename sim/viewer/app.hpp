@@ -113,8 +113,8 @@ class App {
   /// the file.
   std::vector<const Offer*> choices();
   const std::vector<Offer>& offers();  ///< all of them
-  void open_start();  ///< with the lesson picked that was open last
-  void open_start(Offer::What what);  ///< with the first of these picked that is not what is shown
+  void open_start();                   ///< with the lesson picked that was open last
+  void open_start(Offer::What what);   ///< with the first of these picked that is not what is shown
   void open_offer(const Offer& offer);
   void see_file();                            ///< if what is shown is a file of the reader's, it is offered from now on
   void take_file(const std::string& path);    ///< that was chosen, or dropped on the window
@@ -139,7 +139,7 @@ class App {
   void ask_change(Change change, bool goes_on = false);
   void nudge(const Changeable& what, int direction);  ///< a little more, or the next of its words
   void save_scene();  ///< of the run that is shown, as a scene file in the folder zstep was started in
-  void say_unchanged(const std::string& why);         ///< that it could not be changed
+  void say_unchanged(const std::string& why);  ///< that it could not be changed
   /// Looks at this run as a reader did at the one before: the same panes, places and what is typed.
   void look_as(const App& before);
 
@@ -151,7 +151,7 @@ class App {
   GrowthChart& growth() { return race_->growth; }
   bool shows_growth() const { return race_shown_ && race_->shows_growth; }
   void race_by(compare::Measure clock);
-  void turn_racer(const std::string& entrant);  ///< in or out
+  void turn_racer(const std::string& entrant);                  ///< in or out
   std::vector<const compare::Entrant*> found_entrants() const;  ///< what is typed is in their names
 
   // --- A lesson that waits while its run is changed, or another method's is shown in its place
@@ -173,7 +173,8 @@ class App {
   Overlay overlay() const { return overlay_; }
   void open(Drawer drawer);  ///< in place of what it showed; takes overlays away
   Drawer drawer() const { return drawer_; }
-  /// Whether keys that it has a use for are its own: from when it opens until a click elsewhere, and after a click in it.
+  /// Whether keys that it has a use for are its own: from when it opens until a click elsewhere, and after a click in
+  /// it.
   bool drawer_has_keys() const { return drawer_ != Drawer::none && overlay_ == Overlay::none && keys_in_drawer_; }
   bool drawer_is_beside() const { return drawer_at_.size.x < drawer_at_.size.y * 1.5f; }
   void set_dark(bool dark);
@@ -189,46 +190,46 @@ class App {
   const Motion::Place& stage_place() const { return stage_at_; }
   const Motion::Place& drawer_place() const { return drawer_at_; }
   const Motion::Place& timeline_place() const { return timeline_at_; }
-  void turn_lead(int direction);  ///< to the next pane that can lead, or the one before
-  void scale_text(float factor);  ///< 0: back to the usual size
-  std::string command_line() const;     ///< what opens this place, or this race
+  void turn_lead(int direction);            ///< to the next pane that can lead, or the one before
+  void scale_text(float factor);            ///< 0: back to the usual size
+  std::string command_line() const;         ///< what opens this place, or this race
   std::optional<std::string> link() const;  ///< the same as a link; none where it is of a file
   /// Goes where a link says. False where the link opens something else than what is shown. Throws InputError.
   bool go_to_link(const std::string& link);
-  std::string copied;                   ///< last, of what opens a place
-  std::vector<std::string> opened_by;   ///< as in ViewerOptions; what command_line() begins with
-  std::string typed;              ///< in the field of a box
-  void put(const std::string& text);  ///< in place of what is typed
+  std::string copied;                  ///< last, of what opens a place
+  std::vector<std::string> opened_by;  ///< as in ViewerOptions; what command_line() begins with
+  std::string typed;                   ///< in the field of a box
+  void put(const std::string& text);   ///< in place of what is typed
   void draw_field(const std::string& hint);
   void draw_drawer_field(const std::string& hint);  ///< which is one while the keys are the drawer's
   int picked = 0;                                   ///< of what is found, and of an answer's rows
   const std::vector<Found>& found() { return finder_.find(*this); }
   void take_found(std::size_t row);
   Inquiry& inquiry() { return inquiry_; }
-  std::string tables() const;     ///< that can be asked, by name
+  std::string tables() const;  ///< that can be asked, by name
   bool scroll_to_picked = false;
   bool pick_among(std::size_t rows, SDL_Keycode code);  ///< ↑ ↓: the row before, or the next; false for another key
-  void ask_typed();               ///< asks what is typed; again: goes where the picked row leads
+  void ask_typed();                                     ///< asks what is typed; again: goes where the picked row leads
   /// Set by who shows a window: asked while a question is at work whether a person ends it.
   std::function<bool()> ends_waiting;
   bool asking() const { return asking_ > 0; }
   void ask_now();
   void go_to_row(std::size_t row);
-  void open_history();            ///< of the selected pixel, or the one at work
+  void open_history();  ///< of the selected pixel, or the one at work
   const std::vector<answers::Visit>& history() const { return history_; }
   const answers::Visit& told_visit(std::size_t visit);  ///< with why
   Cell history_of() const { return history_of_; }
   void go_to_visit(std::size_t visit);
   /// With the link picked that tells of the number written so, if one is named.
   void open_explain(const answers::Question& question, const std::string& written = "");
-  void explain_step();            ///< the main number of the step where the reader stands
+  void explain_step();  ///< the main number of the step where the reader stands
   const answers::Chain& chain() const { return chain_; }
   void go_to_origin(std::size_t link);
-  void copy_origin();             ///< the number of the picked link, all its digits
+  void copy_origin();  ///< the number of the picked link, all its digits
   // Why a polygon is not what is seen (drawer/why.cpp)
   void open_why();  ///< of the selected pixel, or the one at work, or of the whole picture where there is none
   void ask_why(std::int32_t polygon);
-  void turn_why();                       ///< from the pixel to the whole picture and back
+  void turn_why();                                   ///< from the pixel to the whole picture and back
   std::vector<std::int32_t> why_candidates() const;  ///< polygons whose label or number has what is typed
   const answers::Verdict& why() const { return why_; }
   /// Answers are of the whole run: what the pixel shows at this step, and what of the answer is still to come; empty at
@@ -243,15 +244,15 @@ class App {
   void go_to_link(std::size_t link);
   PixelOverlay& pixel_overlay() { return pixel_overlay_; }
   void turn_overlay(int direction);
-  void end_painting();            ///< of anything over the frame
-  void take_range();              ///< of depths, as typed
+  void end_painting();  ///< of anything over the frame
+  void take_range();    ///< of depths, as typed
   Places& places() { return places_; }
-  std::string wrong;              ///< with what is typed; said below it
+  std::string wrong;  ///< with what is typed; said below it
   void run_until(const std::string& condition, Places::Way way);
-  void keep_bookmark();           ///< here, by the name typed, or else by the step's number
+  void keep_bookmark();  ///< here, by the name typed, or else by the step's number
   void go_to_bookmark(std::size_t place);
   void remove_bookmark(std::size_t place);
-  void paint_answer();            ///< over the frame, or no longer
+  void paint_answer();                ///< over the frame, or no longer
   places::Place place_typed() const;  ///< throws InputError where what is typed names none
   void go_to(const places::Place& place);
   void go_to_typed();  ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
@@ -268,14 +269,14 @@ class App {
   bool embedded() const { return settings_.embedded; }
   void end_embedding();
   std::string link_of_whole() const;  ///< to the same place, with everything; empty where there is none
-  void end_film(std::string why);                    ///< and leaves no file
+  void end_film(std::string why);     ///< and leaves no file
   Board& board() { return board_; }
   const std::vector<HereLine>& here() const { return here_; }  ///< what the last right click offers
   void take_here(std::size_t line);
   /// The time, as a clock on the board counts it; seconds until what it shows changes, for who waits.
   double clock_time = 0;
-  bool moves = false;     ///< panes and rows move to where they go, by that time; else they are there at once
-  bool moving() const;    ///< and the next frame is another
+  bool moves = false;   ///< panes and rows move to where they go, by that time; else they are there at once
+  bool moving() const;  ///< and the next frame is another
   /// Something is done from frame to frame: the next one goes on with it, and is another.
   bool works() const;
   /// What changes without anybody's hand: by a clock, or by what was done beside.
@@ -454,7 +455,7 @@ class App {
   std::unique_ptr<BeforeChange> before_;
   std::unique_ptr<Ui> before_ui_;
   std::string saved_scene_;  ///< what was said of it; until the next change
-  Race::RunBy run_by_;  ///< none: nothing can be run from here
+  Race::RunBy run_by_;       ///< none: nothing can be run from here
   struct RaceView {
     RaceView(const Trace& shown, Race::RunBy run_by) : race(shown, std::move(run_by)) {}
     Race race;
@@ -464,12 +465,12 @@ class App {
   };
   std::unique_ptr<RaceView> race_;
   bool race_shown_ = false;
-  bool keys_over_start_ = false;  ///< the sheet of keys lies where the start page was
+  bool keys_over_start_ = false;       ///< the sheet of keys lies where the start page was
   const Task* task_before_ = nullptr;  ///< of the lesson whose run this one changes
   std::size_t hints_given_ = 0;
   bool black_ = false;
-  bool clicker_ = false;      ///< what is picked on the start page was picked by a clicker's keys
-  bool text_taken_ = false;   ///< the text of the key that went down last is not typed: a command was run by it
+  bool clicker_ = false;     ///< what is picked on the start page was picked by a clicker's keys
+  bool text_taken_ = false;  ///< the text of the key that went down last is not typed: a command was run by it
   const Command* held_ = nullptr;
 };
 

@@ -41,7 +41,8 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
     open(overlay_ == Overlay::menu ? Overlay::none : Overlay::menu);
   if (button_before("\u2699", overlay_ == Overlay::settings, "Settings: text size, speed, colours, motion (Ctrl+,)."))
     open(overlay_ == Overlay::settings ? Overlay::none : Overlay::settings);
-  if (button_before("Open", overlay_ == Overlay::start, "Another lesson, method or scene, or a file (Ctrl+O).")) open_start();
+  if (button_before("Open", overlay_ == Overlay::start, "Another lesson, method or scene, or a file (Ctrl+O)."))
+    open_start();
   if (may_change() && button_before("Race", race_shown_, "Methods side by side on this scene (Ctrl+R)."))
     race_shown_ ? close_race() : open_race();
   if (may_change() && !race_shown_ &&
@@ -193,7 +194,8 @@ void App::begin_scrolling() {
 void App::draw() {
   ImGui::SetCurrentContext(context_.context);
   places_.look_on();
-  if (session_.lesson() && overlay_ != Overlay::start && !film_ && !embedded()) settings_.see_stop(session_.lesson()->id, session_.stop() + 1);
+  if (session_.lesson() && overlay_ != Overlay::start && !film_ && !embedded())
+    settings_.see_stop(session_.lesson()->id, session_.stop() + 1);
   if (asking_ > 0 && --asking_ == 0) ask_now();
   if (race_ && growth().at_work && growth().shown++ > 0) growth().measure_next(ends_waiting);
   follow_overlay();

@@ -63,7 +63,8 @@ bool App::go_to_link(const std::string& link) {
   if (place.stop) session_.to_stop(*place.stop);
   else session_.go_to(place.step, place.unit);
   std::optional<Trace::Pixel> selected;
-  if (!pixel.empty()) selected = places::find_place({session_.trace(), places_.marks(), nullptr, 0}, pixel[0], "link").pixel;
+  if (!pixel.empty())
+    selected = places::find_place({session_.trace(), places_.marks(), nullptr, 0}, pixel[0], "link").pixel;
   look_at(selected, lead.empty() ? "" : lead[0]);
   return true;
 }

@@ -287,8 +287,7 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   Workspace stage = stage_of(ui_, lead());
   // What a lesson asks to be tried stands in the drawer itself: there it has the lesson's place.
   const bool for_lesson = drawer_ == Drawer::what_if && right > 0;
-  const Docked dock =
-      docked(size, {all.x + (for_lesson ? right + gap : 0), all.y}, all, stage.leading.size());
+  const Docked dock = docked(size, {all.x + (for_lesson ? right + gap : 0), all.y}, all, stage.leading.size());
   if (dock.side == Docked::Side::beside) {
     if (for_lesson) all.x += right + gap, right = 0;
     all.x -= dock.room + gap;

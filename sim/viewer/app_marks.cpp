@@ -51,7 +51,8 @@ void App::to_first_cause() {
 void App::to_cause(int direction) {
   if (!ui_.marks) return say("Nothing was checked: Ctrl+K checks this run, Ctrl+D compares it with another.");
   const char* none = direction > 0 ? "There is no later cause." : "There is no earlier cause.";
-  if (ui_.marks->causes().empty()) return say(against_ ? "The two runs do not part." : "Nothing that can be judged is wrong.");
+  if (ui_.marks->causes().empty())
+    return say(against_ ? "The two runs do not part." : "Nothing that can be judged is wrong.");
   if (against_) {
     const auto place = against_->next_cause(direction);
     return place ? against_->go_to(*place) : say(none);

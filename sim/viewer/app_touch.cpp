@@ -64,9 +64,7 @@ bool App::handle_finger(const SDL_TouchFingerEvent& finger) {
   return !acts_.empty();
 }
 
-void App::take_acts(const std::vector<Touch::Act>& acts) {
-  acts_.insert(acts_.end(), acts.begin(), acts.end());
-}
+void App::take_acts(const std::vector<Touch::Act>& acts) { acts_.insert(acts_.end(), acts.begin(), acts.end()); }
 
 double App::wait_for_finger(std::int64_t now) {
   take_acts(touch_.wait(now));

@@ -139,17 +139,11 @@ void turn_viewing(App& app) {
   if (viewing_step(ui) > 0) ui.from_outside = true, app.set_lead("scene");
 }
 
-void turn_spotlight(App& app) {
-  app.board().turn_spotlight();
-}
+void turn_spotlight(App& app) { app.board().turn_spotlight(); }
 
-void turn_laser(App& app) {
-  app.board().turn_laser();
-}
+void turn_laser(App& app) { app.board().turn_laser(); }
 
-void turn_clock(App& app) {
-  app.board().turn_clock(app.clock_time);
-}
+void turn_clock(App& app) { app.board().turn_clock(app.clock_time); }
 
 void copy_place(App& app) {
   const std::string command = app.command_line(), address = system::address();

@@ -20,17 +20,28 @@ std::string chord_name(const Chord& chord) {
   if (chord.modifiers & Chord::alt) name += "Alt+";
   if (chord.modifiers & Chord::shift) name += "Shift+";
   switch (chord.key) {
-    case SDLK_RIGHT: return name + "\u2192";
-    case SDLK_LEFT: return name + "\u2190";
-    case SDLK_UP: return name + "\u2191";
-    case SDLK_DOWN: return name + "\u2193";
-    case SDLK_PAGEDOWN: return name + "Page down";
-    case SDLK_PAGEUP: return name + "Page up";
-    case SDLK_ESCAPE: return name + "Esc";
-    case SDLK_RETURN: return name + "Enter";
-    case SDLK_PLUS: return name + "+";
-    case SDLK_MINUS: return name + "\u2212";
-    default: return name + SDL_GetKeyName(chord.key);
+    case SDLK_RIGHT:
+      return name + "\u2192";
+    case SDLK_LEFT:
+      return name + "\u2190";
+    case SDLK_UP:
+      return name + "\u2191";
+    case SDLK_DOWN:
+      return name + "\u2193";
+    case SDLK_PAGEDOWN:
+      return name + "Page down";
+    case SDLK_PAGEUP:
+      return name + "Page up";
+    case SDLK_ESCAPE:
+      return name + "Esc";
+    case SDLK_RETURN:
+      return name + "Enter";
+    case SDLK_PLUS:
+      return name + "+";
+    case SDLK_MINUS:
+      return name + "\u2212";
+    default:
+      return name + SDL_GetKeyName(chord.key);
   }
 }
 

@@ -106,18 +106,10 @@ const std::vector<Command>& table() {
          if (a.ui().presenter) return a.make_black();
          a.session().looking_back = true;
        },
-       [](App& a) {
-         a.session().looking_back = false;
-       }},
+       [](App& a) { a.session().looking_back = false; }},
       {"zoom-in", "Look", "Zoom into the buffers (or wheel)", {{SDLK_z}}, zoom<1>},
       {"zoom-out", "Look", "Zoom out", {{SDLK_z, S}}, zoom<-1>},
-      {"whole",
-       "Look",
-       "The whole raster",
-       {{SDLK_0}},
-       [](App& a) {
-         a.ui().view = {};
-       }},
+      {"whole", "Look", "The whole raster", {{SDLK_0}}, [](App& a) { a.ui().view = {}; }},
       {"center", "Look", "Zoom to the pixel at work", {{SDLK_c}}, center_on_pixel},
       {"pan-left", "Look", "Pan left (or drag)", {{SDLK_a}}, pan<-1, 0>},
       {"pan-right", "Look", "Pan right", {{SDLK_d}}, pan<1, 0>},
@@ -131,9 +123,7 @@ const std::vector<Command>& table() {
        "Look",
        "How many pixels have which depth",
        {{SDLK_i}},
-       [](App& a) {
-         a.ui().histogram = !a.ui().histogram;
-       }},
+       [](App& a) { a.ui().histogram = !a.ui().histogram; }},
       {"relief",
        "Look",
        "Depths as a relief",
@@ -150,16 +140,12 @@ const std::vector<Command>& table() {
        "Look",
        "Coordinates of the vertex, always",
        {{SDLK_v}},
-       [](App& a) {
-         a.ui().vertices_always = !a.ui().vertices_always;
-       }},
+       [](App& a) { a.ui().vertices_always = !a.ui().vertices_always; }},
       {"whole-code",
        "Look",
        "Pseudo-code whole, or folded",
        {{SDLK_7}},
-       [](App& a) {
-         a.ui().whole_code = !a.ui().whole_code;
-       }},
+       [](App& a) { a.ui().whole_code = !a.ui().whole_code; }},
       {"outside", "Look", "The scene from outside, or not", {{SDLK_v, S}}, turn_scene},
       {"viewing-step", "Look", "T\u2081 to T\u2084 of viewing, in turn", {{SDLK_t, S}}, turn_viewing},
       {"walk", "Look", "Walk round the scene (or drag)", {{SDLK_5}}, walk<15, 0>},
@@ -217,13 +203,7 @@ const std::vector<Command>& table() {
        {{SDLK_e, C | S}},
        [](App& a) { a.requests.save_progress = true; }},
       {"full-screen", "Window", "Full screen", {{SDLK_F11}}, [](App& a) { a.requests.toggle_full_screen = true; }},
-      {"layout",
-       "Window",
-       "Borders back where they were",
-       {{SDLK_l, C}},
-       [](App& a) {
-         a.settings().layout = {};
-       }},
+      {"layout", "Window", "Borders back where they were", {{SDLK_l, C}}, [](App& a) { a.settings().layout = {}; }},
       {"copy-place", "Window", "Copy what opens this place", {{SDLK_c, C}}, copy_place},
       {"picture",
        "Window",
@@ -236,11 +216,7 @@ const std::vector<Command>& table() {
        "Menu",
        {{SDLK_F10}, {SDLK_m}},
        [](App& a) { a.open(a.overlay() == Overlay::menu ? Overlay::none : Overlay::menu); }},
-      {"keys",
-       "Window",
-       "Every key",
-       {{0, 0, '?'}, {SDLK_F1}},
-       [](App& a) { a.turn_key_sheet(); }},
+      {"keys", "Window", "Every key", {{0, 0, '?'}, {SDLK_F1}}, [](App& a) { a.turn_key_sheet(); }},
       {"escape", "Window", "Close, stop, or select nothing", {{SDLK_ESCAPE}}, escape},
       {"quit", "Window", "Quit", {{SDLK_q, C}}, [](App& a) { a.requests.quit = true; }},
   };

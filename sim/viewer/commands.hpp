@@ -21,7 +21,7 @@ struct Chord {
 
 struct Command {
   const char* id;
-  const char* group;    ///< heading in menu and key sheet
+  const char* group;  ///< heading in menu and key sheet
   const char* title;
   std::vector<Chord> keys;
   void (*run)(App&);

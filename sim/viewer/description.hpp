@@ -14,8 +14,8 @@ std::string describe(App& app);
 /// The same without the tables; changes nothing.
 std::string describe_step(App& app);
 
-/// Lists for what builds a page of them: their items are parted by the characters that Unicode has for it, cells of a row
-/// by U+001F, rows by U+001E, tables and groups by U+001D.
+/// Lists for what builds a page of them: their items are parted by the characters that Unicode has for it, cells of a
+/// row by U+001F, rows by U+001E, tables and groups by U+001D.
 ///
 /// Tables with rows: the title's row, the headings' row, and a row for each of theirs, signs as words.
 std::string tables_as_list(const std::vector<TableSeen>& tables);

@@ -14,9 +14,9 @@
 namespace zstep::viewer {
 namespace {
 
-/// On a ground of 24 by 18, marks parted by "/", in the order in which they are painted. A letter, then points: o, s and h
-/// fill an outline in orange, sky blue and grey, x what both have; O and S do without its border. l is a line, m one of
-/// a grid, n what is at work, d dashed. p is a dot and b a ball, with their radius.
+/// On a ground of 24 by 18, marks parted by "/", in the order in which they are painted. A letter, then points: o, s
+/// and h fill an outline in orange, sky blue and grey, x what both have; O and S do without its border. l is a line, m
+/// one of a grid, n what is at work, d dashed. p is a dot and b a ball, with their radius.
 constexpr std::pair<std::string_view, const char*> emblems[] = {
     {"z-buffer",
      "S 9 0 24 0 24 12 9 12 / O 9 3 12 3 12 6 9 6 / O 6 6 15 6 15 9 6 9 / O 3 9 15 9 15 12 3 12 / "
@@ -35,8 +35,7 @@ constexpr std::pair<std::string_view, const char*> emblems[] = {
      "l 17.5 9 17.5 17 / l 12 13 23 13"},
     {"ray-casting", "o 15 3 22 7 15 15 / l 8 2 8 16 / n 2 9 15.5 5.2 / n 2 9 15 9 / n 2 9 15 13.5 / p 2 9 1.4"},
     {"ray-tracing", "s 14 16 17 16 23 3 20 3 / b 6 5 3.5 / n 1.5 15 17 10 / n 17 10 9 6.3 / p 1.5 15 1.4"},
-    {"floating-horizon",
-     "l 1 16 6 13 11 15 17 11 23 14 / l 1 12 6 7 11 10 17 5 23 9 / l 1 9 5 4 10 7 16 2 23 5"},
+    {"floating-horizon", "l 1 16 6 13 11 15 17 11 23 14 / l 1 12 6 7 11 10 17 5 23 9 / l 1 9 5 4 10 7 16 2 23 5"},
     {"wireframe",
      "l 3 6 14 6 14 17 3 17 3 6 / l 9 1 20 1 20 12 9 12 9 1 / l 3 6 9 1 / l 14 6 20 1 / l 14 17 20 12 / l 3 17 9 12"},
     {"hidden-line",
@@ -68,11 +67,16 @@ class Painter {
     for (std::size_t k = 0; k + 1 < numbers.size(); k += 2)
       points.push_back(glm::dvec2(numbers[k], numbers[k + 1]) * scale_);
     switch (what) {
-      case 'l': return lines(points, theme_.text, 1.3);
-      case 'm': return lines(points, theme_.rule, 1);
-      case 'n': return lines(points, theme_.now, 1.8);
-      case 'd': return dashes(points);
-      default: break;
+      case 'l':
+        return lines(points, theme_.text, 1.3);
+      case 'm':
+        return lines(points, theme_.rule, 1);
+      case 'n':
+        return lines(points, theme_.now, 1.8);
+      case 'd':
+        return dashes(points);
+      default:
+        break;
     }
     fill(points, fill_of(what));
     if (what == 'O' || what == 'S') return;
@@ -94,7 +98,8 @@ class Painter {
       std::vector<double> crossings;
       for (std::size_t k = 0; k < outline.size(); ++k) {
         const glm::dvec2 a = outline[k], b = outline[(k + 1) % outline.size()];
-        if ((a.y <= y + 0.5) != (b.y <= y + 0.5)) crossings.push_back(a.x + (y + 0.5 - a.y) / (b.y - a.y) * (b.x - a.x));
+        if ((a.y <= y + 0.5) != (b.y <= y + 0.5))
+          crossings.push_back(a.x + (y + 0.5 - a.y) / (b.y - a.y) * (b.x - a.x));
       }
       std::sort(crossings.begin(), crossings.end());
       const auto column = [](double x) { return static_cast<int>(std::ceil(x - 0.5)); };

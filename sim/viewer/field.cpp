@@ -13,20 +13,34 @@ namespace {
 /// The keys that a line of text needs; none for others.
 std::optional<ImGuiKey> key_of(SDL_Keycode code) {
   switch (code) {
-    case SDLK_LEFT: return ImGuiKey_LeftArrow;
-    case SDLK_RIGHT: return ImGuiKey_RightArrow;
-    case SDLK_HOME: return ImGuiKey_Home;
-    case SDLK_END: return ImGuiKey_End;
-    case SDLK_DELETE: return ImGuiKey_Delete;
-    case SDLK_BACKSPACE: return ImGuiKey_Backspace;
-    case SDLK_INSERT: return ImGuiKey_Insert;
-    case SDLK_a: return ImGuiKey_A;
-    case SDLK_c: return ImGuiKey_C;
-    case SDLK_v: return ImGuiKey_V;
-    case SDLK_x: return ImGuiKey_X;
-    case SDLK_y: return ImGuiKey_Y;
-    case SDLK_z: return ImGuiKey_Z;
-    default: return std::nullopt;
+    case SDLK_LEFT:
+      return ImGuiKey_LeftArrow;
+    case SDLK_RIGHT:
+      return ImGuiKey_RightArrow;
+    case SDLK_HOME:
+      return ImGuiKey_Home;
+    case SDLK_END:
+      return ImGuiKey_End;
+    case SDLK_DELETE:
+      return ImGuiKey_Delete;
+    case SDLK_BACKSPACE:
+      return ImGuiKey_Backspace;
+    case SDLK_INSERT:
+      return ImGuiKey_Insert;
+    case SDLK_a:
+      return ImGuiKey_A;
+    case SDLK_c:
+      return ImGuiKey_C;
+    case SDLK_v:
+      return ImGuiKey_V;
+    case SDLK_x:
+      return ImGuiKey_X;
+    case SDLK_y:
+      return ImGuiKey_Y;
+    case SDLK_z:
+      return ImGuiKey_Z;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -109,8 +123,10 @@ bool Field::takes(SDL_Keycode code, unsigned modifiers) {
     case SDLK_END:
     case SDLK_DELETE:
     case SDLK_BACKSPACE:
-    case SDLK_INSERT: return true;
-    default: break;
+    case SDLK_INSERT:
+      return true;
+    default:
+      break;
   }
   if ((modifiers & Chord::ctrl) != 0) return key_of(code).has_value();
   return code >= SDLK_SPACE && (code & SDLK_SCANCODE_MASK) == 0;  // a letter; its text comes by itself
@@ -149,8 +165,7 @@ int Field::on_event(ImGuiInputTextCallbackData* data) {
 void Field::draw_idle(Ui& ui, const std::string& typed, const std::string& hint) {
   const Theme& c = ui.colors();
   const ImVec2 at = ImGui::GetCursorScreenPos(), pad{std::round(ui.em * 0.4f), std::round(ui.em * 0.3f)};
-  const ImVec2 end{at.x + std::max(1.0f, ImGui::GetContentRegionAvail().x),
-                   at.y + ui.fonts.text->FontSize + 2 * pad.y};
+  const ImVec2 end{at.x + std::max(1.0f, ImGui::GetContentRegionAvail().x), at.y + ui.fonts.text->FontSize + 2 * pad.y};
   ImGui::GetWindowDrawList()->AddRectFilled(at, end, c.head);
   ImGui::PushClipRect({at.x + pad.x, at.y}, {end.x - pad.x, end.y}, true);
   draw_text(ui, {at.x + pad.x, at.y + pad.y}, ui.fonts.text, typed.empty() ? c.muted : c.text,

@@ -64,8 +64,9 @@ void add_polygons(App& app, const TypedWords& words, std::int64_t named, std::ve
     const std::string title = "Polygon " + polygon_label(trace.scene(), mark.polygon);
     if (mark.position == named || !words.all_in(title)) continue;
     if (++count > most_of_a_kind) return;
-    found.push_back({title, step_text(mark.position),
-                     [step = mark.position](App& a) { a.go_to(places::Place{step, Unit::polygon}); }});
+    found.push_back({title, step_text(mark.position), [step = mark.position](App& a) {
+                       a.go_to(places::Place{step, Unit::polygon});
+                     }});
   }
 }
 
@@ -73,8 +74,7 @@ void add_bookmarks(App& app, const TypedWords& words, std::vector<Found>& found)
   std::size_t count = 0;
   for (const places::Bookmark& mark : app.places().bookmarks())
     if (words.all_in("bookmark " + mark.name) && ++count <= most_of_a_kind)
-      found.push_back(
-          {mark.name, step_text(mark.step), [step = mark.step](App& a) { a.go_to(places::Place{step}); }});
+      found.push_back({mark.name, step_text(mark.step), [step = mark.step](App& a) { a.go_to(places::Place{step}); }});
 }
 
 void add_offers(App& app, const TypedWords& words, std::vector<Found>& found) {

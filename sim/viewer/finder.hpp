@@ -1,5 +1,5 @@
-// What Ctrl+P finds: places, stops of the lesson, polygons and bookmarks, what can be opened, commands, and the next step
-// that fulfils a condition.
+// What Ctrl+P finds: places, stops of the lesson, polygons and bookmarks, what can be opened, commands, and the next
+// step that fulfils a condition.
 #pragma once
 
 #include <cstdint>

@@ -48,7 +48,7 @@ struct Kept {
 // --- How inputs are taken in: one of these for each type of input.
 
 template <class Number>
-  requires std::is_arithmetic_v<Number>
+requires std::is_arithmetic_v<Number>
 void take(Fingerprint& print, Number value) { print.take(std::bit_cast<std::uint64_t>(static_cast<double>(value))); }
 
 template <class T>
@@ -58,7 +58,9 @@ void take(Fingerprint& print, const std::optional<T>& value) {
 }
 
 template <class T>
-void take(Fingerprint& print, const Kept<T>& kept) { print.take(kept.key); }
+void take(Fingerprint& print, const Kept<T>& kept) {
+  print.take(kept.key);
+}
 
 /// There is one trace in a window, and its scene does not change.
 inline void take(Fingerprint& print, const Scene& scene) { print.take(std::bit_cast<std::uintptr_t>(&scene)); }
@@ -108,7 +110,9 @@ inline void take(Fingerprint& print, const glm::dvec2& point) {
 }
 
 /// An offer's picture, which stays as it is.
-inline void take(Fingerprint& print, const Image& image) { print.take(std::bit_cast<std::uintptr_t>(image.rgb.data())); }
+inline void take(Fingerprint& print, const Image& image) {
+  print.take(std::bit_cast<std::uintptr_t>(image.rgb.data()));
+}
 
 inline void take(Fingerprint& print, const Cell& cell) {
   take(print, cell.x);

@@ -180,14 +180,17 @@ bool Loop::turn(May may) {
     window_.show_progress(share);
     return Window::is_ended();
   };
-  const auto due = [&](bool when) { if (when) frames_due_ = std::max(frames_due_, App::frames_to_settle); };
+  const auto due = [&](bool when) {
+    if (when) frames_due_ = std::max(frames_due_, App::frames_to_settle);
+  };
   due(std::exchange(drawn_app_, &stage_.app()) != &stage_.app());  // another run's
   const double time = seconds();
   double wait = std::min({stage_.app().play(time), stage_.app().until_clock(), notes_.until_due()});
   if (stage_.app().waits_for_run) wait = std::min(wait, 0.1);
   wait = std::min(wait, stage_.app().wait_for_finger(SDL_GetTicks()));
   rests_for_ = wait;
-  due(std::floor(time) != std::floor(std::exchange(stage_.app().clock_time, time)) && stage_.app().board().clock_runs());
+  due(std::floor(time) != std::floor(std::exchange(stage_.app().clock_time, time)) &&
+      stage_.app().board().clock_runs());
   due(std::exchange(moment_, stage_.app().moment()) != moment_);
   stage_.app().moves = true;
   if (frames_due_ <= 0) save(false), tell_place();  // nothing moves, and no hand pulls a border

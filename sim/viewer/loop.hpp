@@ -61,8 +61,8 @@ class Loop {
   std::optional<system::TypedLine> told_line_;
   double rests_for_ = 0;
   int frames_due_ = App::frames_to_settle;  ///< after a change, until nothing moves any more
-  std::uint64_t moment_ = 0;  ///< App::moment, as last looked at
-  std::uint64_t seen_ = 0;    ///< the fingerprint of the picture
+  std::uint64_t moment_ = 0;                ///< App::moment, as last looked at
+  std::uint64_t seen_ = 0;                  ///< the fingerprint of the picture
   const App* drawn_app_ = nullptr;
   bool on_way_ = false;  ///< the title says so
 };

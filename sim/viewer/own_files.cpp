@@ -48,7 +48,8 @@ std::vector<Offer> in_folder(const std::string& typed) {
     std::error_code of_entry;
     const std::string whole = (folder / name).string();
     if (entry->is_directory(of_entry)) {
-      if (is_path(typed)) folders.push_back({Offer::What::scene, whole + "/", name + "/", "Enter shows what is in it."});
+      if (is_path(typed))
+        folders.push_back({Offer::What::scene, whole + "/", name + "/", "Enter shows what is in it."});
     } else if (can_be_opened(name)) {
       files.push_back({Offer::What::scene, whole, name, whole});
     }

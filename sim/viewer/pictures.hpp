@@ -19,9 +19,9 @@ namespace zstep {
 struct PictureOptions {
   int width = 1280, height = 720;
   bool dark = false, presenter = false, embed = false;
-  bool notes = false;              ///< the speaker's notes in place of the window
-  std::string pane;                ///< "frame", "depth", …; empty: the window with all of them
-  const Lesson* lesson = nullptr;  ///< already resolved
+  bool notes = false;                   ///< the speaker's notes in place of the window
+  std::string pane;                     ///< "frame", "depth", …; empty: the window with all of them
+  const Lesson* lesson = nullptr;       ///< already resolved
   const CheckedRun* checked = nullptr;  ///< as in ViewerOptions
   const AgainstRun* against = nullptr;  ///< likewise
   std::optional<Trace::Pixel> pixel{};  ///< to be selected

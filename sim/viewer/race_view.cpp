@@ -196,8 +196,9 @@ std::vector<std::string> App::race_place() const {
   const std::string at = time ? fmt::format("{:.4g}%", 100 * static_cast<double>(race.at()) /
                                                            static_cast<double>(std::max<std::int64_t>(1, race.end())))
                               : std::to_string(race.at());
-  return {"--race", fmt::format("{}", fmt::join(race.chosen(), ",")), "--race-by", std::string(word_of(race.clock())),
-          "--at", at};
+  return {"--race",    fmt::format("{}", fmt::join(race.chosen(), ",")),
+          "--race-by", std::string(word_of(race.clock())),
+          "--at",      at};
 }
 
 /// Keys that only a race has.

@@ -41,7 +41,9 @@ void put_last(Settings::Kept& kept, const std::string& key, std::int64_t value) 
 std::optional<std::int64_t> Settings::place(const std::string& key) const { return find(places, key); }
 void Settings::remember(const std::string& key, std::int64_t position) { put_last(places, key, position); }
 
-int Settings::stops_seen(const std::string& lesson) const { return static_cast<int>(find(lessons, lesson).value_or(0)); }
+int Settings::stops_seen(const std::string& lesson) const {
+  return static_cast<int>(find(lessons, lesson).value_or(0));
+}
 void Settings::see_stop(const std::string& lesson, int stops) {
   const bool known = !lessons.empty() && lessons.back().first == lesson && lessons.back().second >= stops;
   if (!known) put_last(lessons, lesson, std::max(stops, stops_seen(lesson)));

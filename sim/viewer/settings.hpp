@@ -15,26 +15,26 @@ namespace zstep::viewer {
 
 /// Where the borders between panes are, as shares of the window or of the row they divide.
 struct Layout {
-  float left = 0.22f;        ///< width of pseudo-code and explanation
-  float right = 0.225f;      ///< width of the lesson
-  float code = 0.5f;         ///< height of the pseudo-code in its column
-  float stage = 0.8f;        ///< height of what leads above the small panes
-  float frame = 0.5f;        ///< width of the first of two panes that lead
-  float table = 0.58f;       ///< the same beside a table
-  float both = 0.62f;        ///< height of two runs' frames above what they live by
-  float words = 0.6f;        ///< height of what happened above the lesson, in presenter mode
-  float drawer_width = 0.25f;   ///< of the drawer beside the stage
-  float drawer_height = 0.3f;   ///< of the drawer below it
+  float left = 0.22f;                       ///< width of pseudo-code and explanation
+  float right = 0.225f;                     ///< width of the lesson
+  float code = 0.5f;                        ///< height of the pseudo-code in its column
+  float stage = 0.8f;                       ///< height of what leads above the small panes
+  float frame = 0.5f;                       ///< width of the first of two panes that lead
+  float table = 0.58f;                      ///< the same beside a table
+  float both = 0.62f;                       ///< height of two runs' frames above what they live by
+  float words = 0.6f;                       ///< height of what happened above the lesson, in presenter mode
+  float drawer_width = 0.25f;               ///< of the drawer beside the stage
+  float drawer_height = 0.3f;               ///< of the drawer below it
   std::map<std::string, float> structures;  ///< weights by pane id
   bool operator==(const Layout&) const = default;
 };
 
 struct Settings {
   bool dark = false, presenter = false;
-  bool embedded = false;                    ///< inside a page of others, for this run; never saved
-  bool reduced_motion = false;              ///< nothing moves by itself
+  bool embedded = false;        ///< inside a page of others, for this run; never saved
+  bool reduced_motion = false;  ///< nothing moves by itself
   float text_scale = 1;
-  int width = 0, height = 0;                ///< of the window; 0: never set
+  int width = 0, height = 0;  ///< of the window; 0: never set
   int speed = 2;
   Layout layout;
   using Kept = std::vector<std::pair<std::string, std::int64_t>>;

@@ -39,9 +39,7 @@ const std::array<SettingRow, 7>& setting_rows() {
   return all;
 }
 
-void carry_out(App& app, const char* id) {
-  app.run(*command_called(id));
-}
+void carry_out(App& app, const char* id) { app.run(*command_called(id)); }
 
 std::string keys_of(const SettingRow& row) {
   const std::string less = key_names(*command_called(row.less));

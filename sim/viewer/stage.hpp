@@ -78,8 +78,8 @@ class Stage {
   /// What was changed can be made again there.
   void go_back_to_lesson(int direction);
 
-  /// Of a large run the next one is made while the window goes on: each turn this looks whether it is done, and shows it
-  /// then; until then it says how far it is.
+  /// Of a large run the next one is made while the window goes on: each turn this looks whether it is done, and shows
+  /// it then; until then it says how far it is.
   void look_for_run();
   /// Ends the run that is being made; what is shown stays.
   void end_run();
@@ -140,8 +140,8 @@ class Stage {
     RunBehind run;
   };
   std::unique_ptr<Pending> pending_;
-  Whereabouts moment_;                  ///< where the reader went last, by hand
-  std::int64_t arrived_ = -1;      ///< where switching led; the reader has not moved while that is the position
+  Whereabouts moment_;         ///< where the reader went last, by hand
+  std::int64_t arrived_ = -1;  ///< where switching led; the reader has not moved while that is the position
 };
 
 /// What a trace is called in the settings: its name, its length and its scene, so that another run is another place.

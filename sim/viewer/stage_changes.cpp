@@ -118,9 +118,7 @@ std::optional<OtherRun> Stage::made_by(Make&& make) {
   return std::nullopt;
 }
 
-Stage::Asked Stage::asked() const {
-  return pending_ ? pending_->asked : Asked{changes_, undone_, false, false};
-}
+Stage::Asked Stage::asked() const { return pending_ ? pending_->asked : Asked{changes_, undone_, false, false}; }
 
 void Stage::ask(Asked asked) {
   if (!options_.run_changed) return app().say_unchanged("This run cannot be changed from here.");
@@ -128,10 +126,9 @@ void Stage::ask(Asked asked) {
   const std::string method = trace().header().algorithm;
   if (options_.run_watched && trace().size() > made_at_once) {
     try {
-      pending_.reset(
-          new Pending{asked, 0, RunBehind([this, method, changes = asked.changes](const RunWatch& watch) {
-                        return options_.run_watched(*first_, method, changes, watch);
-                      })});
+      pending_.reset(new Pending{asked, 0, RunBehind([this, method, changes = asked.changes](const RunWatch& watch) {
+                                   return options_.run_watched(*first_, method, changes, watch);
+                                 })});
       app().waits_for_run = true;
       return app().say("Made anew while you go on. Esc: as it was.");
     } catch (const std::system_error&) {  // no threads here
@@ -199,7 +196,7 @@ void Stage::show_made(OtherRun run, Asked asked) {
   if (app().drawer() != Drawer::what_if) app().say(changed.told);
   app().show_changes(std::move(changed), back      ? nullptr
                                          : against ? std::shared_ptr<const Trace>(against, &against->trace)
-                                                 : std::shared_ptr<const Trace>(std::shared_ptr<void>(), first_));
+                                                   : std::shared_ptr<const Trace>(std::shared_ptr<void>(), first_));
   before.app.reset();  // it looks at that run
   if (!goes_on) before_change_ = std::move(before.run);
   changes_ = std::move(asked.changes);

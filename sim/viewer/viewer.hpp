@@ -22,7 +22,7 @@ namespace zstep {
 struct Offer {
   enum class What : std::uint8_t { lesson, method, scene };
   What what = What::lesson;
-  std::string id;       ///< a lesson's or a method's, a built-in scene's name, or the path of a file
+  std::string id;  ///< a lesson's or a method's, a built-in scene's name, or the path of a file
   std::string title, summary;
   int stops = 0;        ///< of a lesson
   int number = 0;       ///< of a lesson, in teaching order from 1
@@ -34,10 +34,10 @@ struct Offer {
 /// A run that was opened from the window.
 struct Opened {
   Trace trace;
-  std::optional<Lesson> lesson{};  ///< resolved against it
+  std::optional<Lesson> lesson{};        ///< resolved against it
   std::vector<std::string> opened_by{};  ///< as in ViewerOptions
-  std::string note{};              ///< what a reader should know of it, in a sentence; mostly empty
-  std::string impossible{};        ///< why the step that would come next cannot be; mostly empty
+  std::string note{};                    ///< what a reader should know of it, in a sentence; mostly empty
+  std::string impossible{};              ///< why the step that would come next cannot be; mostly empty
 };
 
 /// A run of another method on the scene of a trace.
@@ -60,8 +60,8 @@ struct AgainstRun {
 struct RaceAsked {
   std::vector<std::string> entrants;  ///< as "z-buffer", "bsp:root=random"; none: the method of the trace and the next
   compare::Measure clock = compare::Measure::operations;
-  double at = 0;         ///< of the clock
-  bool of_all = false;   ///< `at` is a share of the whole race, not a number of steps or operations
+  double at = 0;        ///< of the clock
+  bool of_all = false;  ///< `at` is a share of the whole race, not a number of steps or operations
 };
 
 struct WindowSize {
@@ -70,17 +70,17 @@ struct WindowSize {
 };
 
 struct ViewerOptions {
-  std::int64_t at = -1;  ///< position to open at; -1: where it was left, or the lesson's first stop
+  std::int64_t at = -1;       ///< position to open at; -1: where it was left, or the lesson's first stop
   std::optional<int> stop{};  ///< of the lesson, to open at: several may speak at one position
-  std::optional<std::filesystem::path> screenshot;   ///< write one frame as PNG and leave; needs no display
-  std::string pane;                                  ///< of the screenshot; empty: all of the window
-  std::optional<WindowSize> size;  ///< of the window or the screenshot; unset: of a window as it was left
-  std::optional<bool> dark;                          ///< for this run; unset: as it was left, light at first
-  bool presenter = false;                            ///< for this run
-  bool embed = false;                                ///< inside a page of others: what leads, and the transport
-  bool notes = false;                                ///< the speaker's: opens them too, or is the picture of them
-  const Lesson* lesson = nullptr;                    ///< narration beside the trace, already resolved
-  const CheckedRun* checked = nullptr;               ///< what check found in the trace: it is marked
+  std::optional<std::filesystem::path> screenshot;  ///< write one frame as PNG and leave; needs no display
+  std::string pane;                                 ///< of the screenshot; empty: all of the window
+  std::optional<WindowSize> size;       ///< of the window or the screenshot; unset: of a window as it was left
+  std::optional<bool> dark;             ///< for this run; unset: as it was left, light at first
+  bool presenter = false;               ///< for this run
+  bool embed = false;                   ///< inside a page of others: what leads, and the transport
+  bool notes = false;                   ///< the speaker's: opens them too, or is the picture of them
+  const Lesson* lesson = nullptr;       ///< narration beside the trace, already resolved
+  const CheckedRun* checked = nullptr;  ///< what check found in the trace: it is marked
   const AgainstRun* against = nullptr;
   /// Runs the next (1) or previous (-1) method that can draw this trace's scene; nullopt when there is none. Empty
   /// where no method can be run. May throw InputError.
@@ -99,8 +99,9 @@ struct ViewerOptions {
                          const RunWatch& watch)>
       run_watched;
   std::optional<RaceAsked> race{};  ///< opens with it
-  bool at_start = false;  ///< opens with the choice of what to open
-  std::vector<std::string> opened_by;  ///< words of the command line that opens this view again, without the place in it
+  bool at_start = false;            ///< opens with the choice of what to open
+  std::vector<std::string>
+      opened_by;  ///< words of the command line that opens this view again, without the place in it
   std::optional<Trace::Pixel> pixel{};  ///< to be selected
   std::string lead{};                   ///< the pane that leads on the stage; empty: what the method has
   std::string note{};                   ///< what a reader should know of what is opened, in a sentence

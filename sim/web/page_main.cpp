@@ -1,5 +1,5 @@
-// The program of the page. It has the commands that links and published pages ask for, and no others, which would have to
-// be fetched, too.
+// The program of the page. It has the commands that links and published pages ask for, and no others, which would have
+// to be fetched, too.
 #include <string>
 #include <vector>
 

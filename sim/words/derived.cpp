@@ -89,8 +89,9 @@ std::string line_of(const DerivedField& derived, double recorded) {
   if (!derived.within) {
     const std::string result = tell_apart(formula.value(), recorded).first;
     if (!formula.is_operand()) return fmt::format("{} = {}", formula.equation(), result);
-    return formula.equation() == zstep::number(formula.value()) ? result
-                                                                : Shown(formula.symbols(), formula.value(), result).equation();
+    return formula.equation() == zstep::number(formula.value())
+               ? result
+               : Shown(formula.symbols(), formula.value(), result).equation();
   }
   const std::string equation = formula.equation();
   if (formula.value() == *derived.within) return fmt::format("{} = {}", equation, *derived.within);
@@ -114,13 +115,14 @@ std::optional<FormulaText> derived_formula(const Event& event, const formulas::S
                                            const std::string& field) {
   const double recorded = recorded_in(event, field);
   return with_teller(event, at, [&](auto& found, auto& condition) -> std::optional<FormulaText> {
-    if (condition && condition->field == field) return FormulaText{condition->text, condition->wins == (recorded != 0), true};
+    if (condition && condition->field == field)
+      return FormulaText{condition->text, condition->wins == (recorded != 0), true};
     // Of what may follow in two ways the last one said is meant.
     for (auto derived = found.rbegin(); derived != found.rend(); ++derived) {
       if (derived->field != field) continue;
-      const bool follows = derived->within ? recorded == *derived->within
-                                           : formulas::tolerance_of(at.scene, at.header)
-                                                 .allows(derived->formula.rounded(), recorded);
+      const bool follows =
+          derived->within ? recorded == *derived->within
+                          : formulas::tolerance_of(at.scene, at.header).allows(derived->formula.rounded(), recorded);
       return FormulaText{line_of(*derived, recorded), follows, false};
     }
     return std::nullopt;

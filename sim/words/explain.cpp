@@ -82,7 +82,9 @@ std::int32_t polygon_about(const Event& event, const formulas::Situation& at) {
   return visit_event(
       [&]<class E>(const E& e) {
         using In = formulas::Place::In;
-        if constexpr (requires { e.plane_of; } || requires { e.other; }) return no_polygon;
+        if constexpr (
+            requires { e.plane_of; } || requires { e.other; })
+          return no_polygon;
         else if constexpr (requires { e.polygon; }) return static_cast<std::int32_t>(e.polygon);
         else if constexpr (requires { e.piece; }) return words::owner_of(at, {In::piece, e.piece}, "");
         else if constexpr (requires { e.edge; }) return words::owner_of(at, {In::edge_table, e.edge}, "");

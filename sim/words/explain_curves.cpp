@@ -89,8 +89,7 @@ void tell(Telling& t, const CurveSegment& e) {
   if (t.step() == "side")
     t.say(fmt::format(
         "The surface goes on between its curves, here {}. Nothing is drawn, but what lies behind is hidden.", way));
-  else
-    t.say(fmt::format("The curve goes straight {}.", way));
+  else t.say(fmt::format("The curve goes straight {}.", way));
 }
 
 void tell(Telling& t, const HorizonTest& e) {
@@ -101,8 +100,7 @@ void tell(Telling& t, const HorizonTest& e) {
   const bool above = now.y <= now.upper, below = !one && now.y >= now.lower;
   const auto [over, upper] = tell_apart(now.y, now.upper);
   const auto [under, lower] = tell_apart(now.y, now.lower);
-  if (empty)
-    t.say(fmt::format("No curve has passed column {} yet: {} is visible.", e.x, row_of(over)));
+  if (empty) t.say(fmt::format("No curve has passed column {} yet: {} is visible.", e.x, row_of(over)));
   else if (above)
     t.say(fmt::format("On column {} the curve, {}, is {} the upper horizon, {}: visible.", e.x, row_of(over),
                       now.y == now.upper ? "on" : "above", row_of(upper)));
@@ -160,8 +158,7 @@ void tell(Telling& t, const HorizonMove& e) {
   const char* horizon = e.upper ? "upper" : "lower";
   const std::string why = step == "fill" ? ", out to the side edge" : "";
   const auto [before, now] = tell_apart(was, e.y_curve);
-  if (std::isinf(was))
-    t.say(fmt::format("The {} horizon of column {} begins at row {}{}.", horizon, e.x, now, why));
+  if (std::isinf(was)) t.say(fmt::format("The {} horizon of column {} begins at row {}{}.", horizon, e.x, now, why));
   else
     t.say(fmt::format("The {} horizon of column {} {} from row {} to row {}{}.", horizon, e.x,
                       e.upper ? "rises" : "sinks", before, now, why));

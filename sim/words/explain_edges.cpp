@@ -73,12 +73,11 @@ void tell(Telling& t, const EdgeTableInsert& e) {
   const bool first_agrees = t.whole("first scan line", "first_row", e.first_row),
              end_agrees = t.whole("leaves at y", "end_row", e.end_row);
   if (!first_agrees || !end_agrees)
-    t.say(
-        fmt::format("The trace lets e{} begin at scan line {} and leave at {}; its ends are at y = {} and {}, so it "
-                    "should begin at {} and leave at {}.",
-                    edge, e.first_row, e.end_row, number(t.at.on_raster(e.vertex_0)->y),
-                    number(t.at.on_raster(e.vertex_1)->y), *t.derived_of("first_row")->within,
-                    *t.derived_of("end_row")->within));
+    t.say(fmt::format(
+        "The trace lets e{} begin at scan line {} and leave at {}; its ends are at y = {} and {}, so it "
+        "should begin at {} and leave at {}.",
+        edge, e.first_row, e.end_row, number(t.at.on_raster(e.vertex_0)->y), number(t.at.on_raster(e.vertex_1)->y),
+        *t.derived_of("first_row")->within, *t.derived_of("end_row")->within));
   t.value("x", e.x_edge);
   t.value("1/m", e.dx_dy);
   t.value(t.along, e.z_edge);

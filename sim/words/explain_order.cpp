@@ -22,8 +22,10 @@ PlaneEquation turned(PlaneEquation plane) {
 
 std::string equation(const PlaneEquation& p, const std::string& z) {
   const auto of = [](double value) { return Shown(factor(value), value); };
-  return "f(x, y, " + z + ") = " + formulas::plane_value(of(p.plane_a), of(p.plane_b), of(p.plane_c), Shown(p.plane_d),
-                                                 Shown("x", 0), Shown("y", 0), Shown(z, 0)).symbols();
+  return "f(x, y, " + z + ") = " +
+         formulas::plane_value(of(p.plane_a), of(p.plane_b), of(p.plane_c), Shown(p.plane_d), Shown("x", 0),
+                               Shown("y", 0), Shown(z, 0))
+             .symbols();
 }
 
 /// Computes the extremes again from the corners that the state knows.
@@ -64,8 +66,7 @@ void tell(Telling& t, const ExtentTest& e) {
                       one, other, one));
   else if (e.axis == Axis::z)
     t.say(fmt::format("The whole of {} is nearer than all of {}: {} cannot hide it.", other, one, one));
-  else
-    t.say(fmt::format("The {} extents of {} and {} do not overlap: neither can hide the other.", axis, one, other));
+  else t.say(fmt::format("The {} extents of {} and {} do not overlap: neither can hide the other.", axis, one, other));
   const bool meet = e.low < e.other_high && e.other_low < e.high;
   if (e.overlap ? !meet && e.axis != Axis::z : meet)
     t.contradict(fmt::format("The trace says that the {} extents of {} and {} {}, but {} and {} {}.", axis, one, other,
@@ -85,8 +86,12 @@ void tell(Telling& t, const SideTest& e) {
   const bool sorted = t.machine.pair.has_value();
   const std::string_view before = sorted ? "on the eye's side of" : "in front of";
   switch (e.side) {
-    case Side::front: t.say(fmt::format("All of {} lies {} the plane of {}.", piece, before, plane)); break;
-    case Side::behind: t.say(fmt::format("All of {} lies behind the plane of {}.", piece, plane)); break;
+    case Side::front:
+      t.say(fmt::format("All of {} lies {} the plane of {}.", piece, before, plane));
+      break;
+    case Side::behind:
+      t.say(fmt::format("All of {} lies behind the plane of {}.", piece, plane));
+      break;
     case Side::on:
       t.say(fmt::format("{} lies in the plane of {}{}", piece, plane,
                         sorted ? ": the later one in the file is to be drawn first." : "."));

@@ -28,8 +28,8 @@ struct Telling {
   const Conventions& conventions;
   const formulas::Situation at;  ///< the state that the event led to
   const MethodState& machine;
-  std::string z;      ///< what depths are called
-  std::string along;  ///< what is interpolated to get them
+  std::string z;                    ///< what depths are called
+  std::string along;                ///< what is interpolated to get them
   std::int32_t about = no_polygon;  ///< the polygon that the event's own numbers belong to
   Explanation out;
   std::vector<DerivedField> derived;  ///< once `derive` was called
@@ -88,9 +88,7 @@ struct Telling {
                      : contradicted(name, formula, recorded));
   }
   /// Finds what the formulas give for the event's fields: of those whose operands the event leaves as they were.
-  void derive(const Event& event) {
-    derived = derived_fields(event, at);
-  }
+  void derive(const Event& event) { derived = derived_fields(event, at); }
   /// The same where the event changed its operands: `put_back(machine)` makes them what they were.
   template <class PutBack>
   void derive_from(const Event& event, PutBack&& put_back) {
@@ -179,7 +177,8 @@ inline PointNames cutting_names(const Telling& t) {
 inline std::string plane_in_symbols(const PointNames& at, const std::string& d = "D") {
   const auto name = [](const std::string& symbol) { return Shown(symbol, 0); };
   return formulas::plane_value(name("A"), name("B"), name("C"), d.empty() ? Shown(0.0) : name(d), name(at.x),
-                               name(at.y), name(at.z)).symbols();
+                               name(at.y), name(at.z))
+      .symbols();
 }
 
 // One for each kind.

@@ -73,8 +73,8 @@ void tell(Telling& t, const SplitVertex& e) {
                           in_symbols([](auto&& name) { return formulas::where_zero(name("d_0"), name("d_1")); }),
                           number(e.t), plane_in_symbols(cutting_names(t))));
   }
-  t.formula(fmt::format("{} = ({}, {}, {})", point_on_way("V_0", "V_1"), number(e.x_cut), number(e.y_cut),
-                        number(e.z_cut)));
+  t.formula(
+      fmt::format("{} = ({}, {}, {})", point_on_way("V_0", "V_1"), number(e.x_cut), number(e.y_cut), number(e.z_cut)));
   t.value("t", e.t);
   t.value("x", e.x_cut);
   t.value("y", e.y_cut);

@@ -74,15 +74,16 @@ std::optional<double> cleared_to(const Telling& t) {
 /// What is stored where a depth is compared, as far as it can be named.
 struct Stored {
   double z = no_depth;
-  bool empty = true;        ///< the frame shows the background
-  bool cleared = true;      ///< the depth buffer holds what it was cleared to
+  bool empty = true;                   ///< the frame shows the background
+  bool cleared = true;                 ///< the depth buffer holds what it was cleared to
   std::string who = "what is stored";  ///< "A", "what the depth buffer was cleared to"
 };
 Stored stored_of(const Telling& t, const Fragment& f) {
   Stored is{f.stored, f.stored_polygon == no_polygon, false, t.label(f.stored_polygon)};
   is.cleared = cleared_to(t).value_or(t.trace.header().empty_depth()) == f.stored;
   if (is.empty)
-    is.who = is.cleared ? fmt::format("what the {} was cleared to", buffer_name(t)) : "the depth that was written here without a colour";
+    is.who = is.cleared ? fmt::format("what the {} was cleared to", buffer_name(t))
+                        : "the depth that was written here without a colour";
   return is;
 }
 
@@ -90,8 +91,7 @@ Stored stored_of(const Telling& t, const Fragment& f) {
 std::string nearer_text(const Stored& is, double z, const std::string& buffer) {
   if (z == is.z && !is.empty) return fmt::format("as near as {}, and of equals the last one stays", is.who);
   if (!is.cleared) return "nearer than " + is.who;
-  if (!is.empty)
-    return fmt::format("{} was drawn here, but the {} still holds what it was cleared to", is.who, buffer);
+  if (!is.empty) return fmt::format("{} was drawn here, but the {} still holds what it was cleared to", is.who, buffer);
   return std::isinf(is.z) ? "nothing was drawn here yet"
                           : fmt::format("the {} was cleared to that, and nothing was drawn here yet", buffer);
 }
@@ -180,7 +180,8 @@ void tell(Telling& t, const DepthCompare& e) {
         z, relation, before, std::isinf(stored) ? "nothing that is opaque was drawn here" : "nearer than " + is.who,
         drawn, where, number(*glass)));
   } else if (e.nearer) {
-    t.say(fmt::format("{} {} {}: {}, {}.", z, relation, before, nearer_text(is, e.z, buffer_name(t)), becomes_text(t, e, written)));
+    t.say(fmt::format("{} {} {}: {}, {}.", z, relation, before, nearer_text(is, e.z, buffer_name(t)),
+                      becomes_text(t, e, written)));
     const bool as_found =
         written.unknown ||
         (written.step != 0 && (t.machine.polygon == no_polygon || written.polygon == t.machine.polygon));
@@ -189,8 +190,7 @@ void tell(Telling& t, const DepthCompare& e) {
     t.contradict(fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, and step {} writes {} all the same.", z,
                              relation, before, drawn, is.who, where, grouped(written.step), t.label(written.polygon)));
   } else if (e.z == stored) {
-    t.say(is.cleared || is.empty
-              ? fmt::format("{} = {}: equal to {}, so pixel {} stays.", z, before, is.who, where)
+    t.say(is.cleared || is.empty ? fmt::format("{} = {}: equal to {}, so pixel {} stays.", z, before, is.who, where)
           : t.trace.header().declares(Convention::ties)
               ? fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, is.who, where)
               : fmt::format("{} = {}: a tie with {}, and the trace says not nearer, so pixel {} stays.", z, before,
@@ -214,8 +214,7 @@ void tell(Telling& t, const DepthCompare& e) {
 
 void tell(Telling& t, const DepthWrite& e) {
   const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
-  const std::string where =
-      buffer_name(t) + " at " + (by_line(t) ? fmt::format("x = {}", e.x) : pixel(e.x, e.y));
+  const std::string where = buffer_name(t) + " at " + (by_line(t) ? fmt::format("x = {}", e.x) : pixel(e.x, e.y));
   if (f) {
     const auto [z, before] = tell_apart(e.z, f->stored);
     t.say(fmt::format("The {} takes {}; it held {}.", where, z, before));

@@ -8,10 +8,14 @@ namespace {
 
 const char* where(Side side) {
   switch (side) {
-    case Side::front: return "in front of";
-    case Side::behind: return "behind";
-    case Side::on: return "in";
-    default: return "on both sides of";
+    case Side::front:
+      return "in front of";
+    case Side::behind:
+      return "behind";
+    case Side::on:
+      return "in";
+    default:
+      return "on both sides of";
   }
 }
 

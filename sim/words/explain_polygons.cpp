@@ -67,9 +67,7 @@ void formulas_of_determinant(Telling& t, const FacingTest& e) {
 
 /// The normal whose length counts in (p − e)·n and in the plane: as long as twice the area.
 std::string normal_of(std::size_t corners) {
-  const auto term = [](std::size_t i) {
-    return fmt::format("(p_{} \u2212 p_0) \u00d7 (p_{} \u2212 p_0)", i, i + 1);
-  };
+  const auto term = [](std::size_t i) { return fmt::format("(p_{} \u2212 p_0) \u00d7 (p_{} \u2212 p_0)", i, i + 1); };
   if (corners <= 3) return "n = " + term(1);
   const char* between = corners == 4 ? " + " : " + \u2026 + ";
   return fmt::format("n = {}{}{}, the sum over the fan", term(1), between, term(corners - 2));
@@ -129,8 +127,12 @@ void tell(Telling& t, const PolygonReject& e) {
     case Reject::back_facing:
       why = "it faces away, so something in front of it hides it if the object is closed", as = "facing away";
       break;
-    case Reject::edge_on: why = "it is seen edge-on and covers no area", as = "seen edge-on"; break;
-    case Reject::outside: why = "nothing of it lies in the view volume", as = "outside the view volume"; break;
+    case Reject::edge_on:
+      why = "it is seen edge-on and covers no area", as = "seen edge-on";
+      break;
+    case Reject::outside:
+      why = "nothing of it lies in the view volume", as = "outside the view volume";
+      break;
     case Reject::degenerate:
       why = "it has no area, or coordinates that no raster can hold", as = "having no area";
       break;
@@ -155,8 +157,7 @@ void tell(Telling& t, const ClipTest& e) {
   else if (e.outside_some)
     t.say(fmt::format("Some vertices of {} lie outside ({}): it must be clipped there.", t.here(),
                       planes_in(e.outside_some)));
-  else
-    t.say(fmt::format("All vertices of {} lie inside all six planes: nothing to clip.", t.here()));
+  else t.say(fmt::format("All vertices of {} lie inside all six planes: nothing to clip.", t.here()));
   t.formula(fmt::format("OR of the outcodes = {}, AND = {}", in_binary(e.outside_some), in_binary(e.outside_all)));
   t.formula("bits from the right: near, far, left, right, bottom, top");
 }
@@ -178,10 +179,11 @@ void tell(Telling& t, const ClipCross& e) {
   t.say(fmt::format("The edge from vertex {} to vertex {} crosses the {} plane: a new vertex {} is made there.",
                     e.vertex_inside, e.vertex_outside, plane_name(e.plane), e.vertex));
   t.derive(e);
-  if (!t.follows("t", "t", e.t)) t.formula(
-      fmt::format("t = {} = {}", formulas::where_zero(Shown("d_in", 0), Shown("d_out", 0)).symbols(), number(e.t)));
-  t.formula(fmt::format("{} = ({}, {}, {})", point_on_way("V_in", "V_out"), number(e.x_v), number(e.y_v),
-                        number(e.z_v)));
+  if (!t.follows("t", "t", e.t))
+    t.formula(
+        fmt::format("t = {} = {}", formulas::where_zero(Shown("d_in", 0), Shown("d_out", 0)).symbols(), number(e.t)));
+  t.formula(
+      fmt::format("{} = ({}, {}, {})", point_on_way("V_in", "V_out"), number(e.x_v), number(e.y_v), number(e.z_v)));
   t.value("t", e.t);
   t.value("x_v", e.x_v);
   t.value("y_v", e.y_v);

@@ -72,11 +72,13 @@ void tell(Telling& t, const ViewTransform& e) {
 
 void tell(Telling& t, const Projection& e) {
   const bool perspective = t.at.camera->kind == Camera::Kind::perspective;
-  t.say(
-      perspective
-          ? fmt::format("Vertex {} is projected: x_v and y_v are divided by its view depth z_v, so what lies deep becomes small.", e.vertex)
-          : fmt::format("Vertex {} is projected straight onto the plane: its size does not depend on its view depth z_v.",
-                        e.vertex));
+  t.say(perspective
+            ? fmt::format("Vertex {} is projected: x_v and y_v are divided by its view depth z_v, so what lies deep "
+                          "becomes small.",
+                          e.vertex)
+            : fmt::format(
+                  "Vertex {} is projected straight onto the plane: its size does not depend on its view depth z_v.",
+                  e.vertex));
   t.derive(e);
   if (!perspective) {
     t.formula(fmt::format("x_p = x_v = {}, y_p = y_v = {}", number(e.x_p), number(e.y_p)));

@@ -22,9 +22,9 @@ class FileLines {
  private:
   void look_at(char c);
 
-  std::optional<InputStream> in_;    ///< none of a file of another kind
+  std::optional<InputStream> in_;  ///< none of a file of another kind
   std::vector<PassedOver::Range> passed_over_;
-  std::size_t next_ = 0;  ///< of these
+  std::size_t next_ = 0;             ///< of these
   std::int64_t line_ = 0, objects_;  ///< objects: the header, there or not, is one
   int depth_ = 0;
   bool in_text_ = false, escaped_ = false;

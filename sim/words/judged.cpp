@@ -82,15 +82,15 @@ std::vector<std::string> not_judged_in_words(const Trace& trace, const CheckRepo
     std::string names;
     for (const StepInfo& step : trace.header().page)
       if (step.kind == one.kind) names += (names.empty() ? "" : ", ") + step.name;
-    const std::string steps = one.steps < one.of ? fmt::format("{} of {}", grouped(one.steps), how_many(one.of, "step", "steps"))
-                                                 : how_many(one.of, "step", "steps");
+    const std::string steps = one.steps < one.of
+                                  ? fmt::format("{} of {}", grouped(one.steps), how_many(one.of, "step", "steps"))
+                                  : how_many(one.of, "step", "steps");
     lines.push_back(one.fields.empty() ? fmt::format("{} ({})", names, steps)
                                        : fmt::format("{} of {} ({})", fmt::join(one.fields, ", "), names, steps));
   }
   for (const std::int32_t polygon : report.polygons_missing)
     lines.push_back(fmt::format("polygon {}: the run has no step of it", polygon_label(trace.scene(), polygon)));
-  if (!report.coverage)
-    lines.push_back("which pixels are drawn: some may be missing, others too many");
+  if (!report.coverage) lines.push_back("which pixels are drawn: some may be missing, others too many");
   return lines;
 }
 
@@ -138,8 +138,7 @@ std::string why_cause(const diff::Cause& cause) {
   if (cause.first.only_b()) return "B has this step, A does not";
   if (cause.part == diff::Part::rounding && cause.unexplained)
     return "only rounding: the results are no farther apart than the number formats allow";
-  if (cause.part == diff::Part::rounding)
-    return "only rounding: its operands are the same, or differ by rounding";
+  if (cause.part == diff::Part::rounding) return "only rounding: its operands are the same, or differ by rounding";
   if (cause.wrong_a && cause.wrong_b) return "both compute it wrongly from their own operands";
   if (cause.wrong_b) return "B computes it wrongly from its own operands";
   if (cause.wrong_a) return "A computes it wrongly from its own operands";
@@ -153,8 +152,7 @@ std::string what_follows(const diff::Cause& cause) {
   std::string text;
   if (cause.again > 0 && cause.too_early)
     add(text, how_many(cause.again, "later step comes", "later steps come") + " too early likewise");
-  else if (cause.again > 0)
-    add(text, how_many(cause.again, "later step differs", "later steps differ") + " likewise");
+  else if (cause.again > 0) add(text, how_many(cause.again, "later step differs", "later steps differ") + " likewise");
   if (cause.symptoms > 0) add(text, how_many(cause.symptoms, "difference follows", "differences follow") + " from it");
   if (cause.pixels > 0)
     add(text, how_many(cause.pixels, "differing step writes a pixel", "differing steps write pixels"));

@@ -15,8 +15,8 @@ namespace zstep {
 
 /// What is said of a fault beside its numbers.
 struct FaultText {
-  std::string subject;  ///< "edge e1 (1–2)"
-  std::string formula;  ///< that the wrong field should follow from; may be empty
+  std::string subject;    ///< "edge e1 (1–2)"
+  std::string formula;    ///< that the wrong field should follow from; may be empty
   bool compares = false;  ///< that formula is a compare
 };
 /// Made from the state before the step, which is gone later.

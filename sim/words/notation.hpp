@@ -20,9 +20,9 @@ struct Notation {
     fraction,  ///< one over the other
   };
   Kind kind = Kind::text;
-  std::string text{};             ///< of text, numbers and symbols
-  std::string below{};            ///< what stands below a symbol; mostly empty
-  std::vector<Notation> parts{};  ///< of a row; of a fraction these two: above and below the line
+  std::string text{};                 ///< of text, numbers and symbols
+  std::string below{};                ///< what stands below a symbol; mostly empty
+  std::vector<Notation> parts{};      ///< of a row; of a fraction these two: above and below the line
   std::int32_t polygon = no_polygon;  ///< whose number it is, once mark_owned() has said so
 
   bool operator==(const Notation&) const = default;

@@ -108,9 +108,12 @@ FacingVotes votes_of(const Scene& scene, std::int32_t facet, const FacingTest& t
 
 const char* facing_text(Facing facing) {
   switch (facing) {
-    case Facing::front: return "faces the eye";
-    case Facing::back: return "faces away from the eye";
-    default: return "is seen edge-on";
+    case Facing::front:
+      return "faces the eye";
+    case Facing::back:
+      return "faces away from the eye";
+    default:
+      return "is seen edge-on";
   }
 }
 

@@ -15,35 +15,58 @@ struct Said {
   std::string_view sign, words;
 };
 constexpr std::array signs{
-    Said{"\u2212", " minus "},    Said{"+", " plus "},
-    Said{"\u00b7", " times "},    Said{"\u00d7", " times "},
-    Said{"=", " equals "},        Said{"<", " less than "},
-    Said{">", " greater than "},  Said{"\u2264", " at most "},
-    Said{"\u2265", " at least "}, Said{"\u2260", " not equal to "},
-    Said{"\u221e", "infinity"},   Said{"\u230a", " the floor of "},
-    Said{"\u230b", ", "},         Said{"\u2308", " the ceiling of "},
-    Said{"\u2309", ", "},         Said{"\u221a", " the root of "},
-    Said{"\u00b2", " squared"},   Said{"\u00b0", " degrees"},
-    Said{"\u2013", " to "},       Said{"\u2014", ", "},
-    Said{"\u2192", " to "},       Said{"\u2190", " becomes "},
-    Said{"\u2191", " up "},       Said{"\u2193", " "},
-    Said{"\u2195", " "},          Said{"\u2717", " "},
-    Said{"\u2713", " "},          Said{"\u25b6", " "},
-    Said{"\u2026", "..."},        Said{"\u2032", " prime"},
-    Said{"\u2019", "'"},          Said{"\u2206", "delta "},
-    Said{"\u2248", " about "},    Said{"\u00b1", " plus or minus "},
-    Said{"\u2211", " the sum of "}, Said{"\u22c5", " times "},
-    Said{"\u00bd", " one half "}, Said{"\u00bc", " one quarter "},
-    Said{"\u00be", " three quarters "}, Said{"\u00b3", " cubed"},
-    Said{"\u00b5s", " microseconds"}, Said{"\u00b5", "micro"},
-    Said{"\u2022", " "},         Said{"\u21b3", " "},
-    Said{"%", " percent"},        Said{"&", " and "},
+    Said{"\u2212", " minus "},
+    Said{"+", " plus "},
+    Said{"\u00b7", " times "},
+    Said{"\u00d7", " times "},
+    Said{"=", " equals "},
+    Said{"<", " less than "},
+    Said{">", " greater than "},
+    Said{"\u2264", " at most "},
+    Said{"\u2265", " at least "},
+    Said{"\u2260", " not equal to "},
+    Said{"\u221e", "infinity"},
+    Said{"\u230a", " the floor of "},
+    Said{"\u230b", ", "},
+    Said{"\u2308", " the ceiling of "},
+    Said{"\u2309", ", "},
+    Said{"\u221a", " the root of "},
+    Said{"\u00b2", " squared"},
+    Said{"\u00b0", " degrees"},
+    Said{"\u2013", " to "},
+    Said{"\u2014", ", "},
+    Said{"\u2192", " to "},
+    Said{"\u2190", " becomes "},
+    Said{"\u2191", " up "},
+    Said{"\u2193", " "},
+    Said{"\u2195", " "},
+    Said{"\u2717", " "},
+    Said{"\u2713", " "},
+    Said{"\u25b6", " "},
+    Said{"\u2026", "..."},
+    Said{"\u2032", " prime"},
+    Said{"\u2019", "'"},
+    Said{"\u2206", "delta "},
+    Said{"\u2248", " about "},
+    Said{"\u00b1", " plus or minus "},
+    Said{"\u2211", " the sum of "},
+    Said{"\u22c5", " times "},
+    Said{"\u00bd", " one half "},
+    Said{"\u00bc", " one quarter "},
+    Said{"\u00be", " three quarters "},
+    Said{"\u00b3", " cubed"},
+    Said{"\u00b5s", " microseconds"},
+    Said{"\u00b5", "micro"},
+    Said{"\u2022", " "},
+    Said{"\u21b3", " "},
+    Said{"%", " percent"},
+    Said{"&", " and "},
 };
 
 /// U+03B1 to U+03C9; the capitals stand 32 before.
 constexpr std::array<std::string_view, 25> greek{
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta",   "theta",   "iota",  "kappa", "lambda", "mu",  "nu",
-    "xi",    "omicron", "pi", "rho",   "sigma",   "sigma", "tau",  "upsilon", "phi",   "chi",   "psi",    "omega"};
+    "alpha", "beta",    "gamma", "delta", "epsilon", "zeta",  "eta", "theta",   "iota", "kappa", "lambda", "mu",   "nu",
+    "xi",    "omicron", "pi",    "rho",   "sigma",   "sigma", "tau", "upsilon", "phi",  "chi",   "psi",    "omega"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char c) {
@@ -54,8 +77,7 @@ bool is_word(char c) {
 std::pair<unsigned, std::size_t> code_at(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t k) { return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0u; };
   if ((byte(0) & 0xe0u) == 0xc0u) return {(byte(0) & 0x1fu) << 6 | (byte(1) & 0x3fu), 2};
-  if ((byte(0) & 0xf0u) == 0xe0u)
-    return {(byte(0) & 0x0fu) << 12 | (byte(1) & 0x3fu) << 6 | (byte(2) & 0x3fu), 3};
+  if ((byte(0) & 0xf0u) == 0xe0u) return {(byte(0) & 0x0fu) << 12 | (byte(1) & 0x3fu) << 6 | (byte(2) & 0x3fu), 3};
   return {0, 1};
 }
 /// "beta", "sub 2", "to the power 4": letters and digits that are no ASCII; empty for others.

@@ -63,9 +63,12 @@ std::vector<std::pair<std::string, std::string>> measure_answers(const Trace& tr
   // Of a polygon that reached the pixel there is more to tell.
   const std::string there = time_of([&] {
     const Trace::Pixel at = pixel();
-    const auto step = trace.previous(trace.size() + 1, [](const RecordedEvent& recorded) {
-      return holds<PixelWrite>(recorded.event) || holds<PixelPaint>(recorded.event);
-    }, at);
+    const auto step = trace.previous(
+        trace.size() + 1,
+        [](const RecordedEvent& recorded) {
+          return holds<PixelWrite>(recorded.event) || holds<PixelPaint>(recorded.event);
+        },
+        at);
     if (!step) return;
     const Event event = trace.event(*step).event;
     const auto* write = get_if<PixelWrite>(&event);
@@ -102,11 +105,12 @@ LargestTable largest_table(const Trace& trace) {
 std::int64_t scan_by_sql(const Trace& trace, const LargestTable& table) {
   std::int64_t rows = 0;
   query::Database database(trace);
-  database.run(table.question, {}, [](const std::vector<std::string>&) {},
-               [&](std::span<const query::Value> values) {
-                 if (const auto* count = std::get_if<std::int64_t>(&values[0])) rows = *count;
-                 return true;
-               });
+  database.run(
+      table.question, {}, [](const std::vector<std::string>&) {},
+      [&](std::span<const query::Value> values) {
+        if (const auto* count = std::get_if<std::int64_t>(&values[0])) rows = *count;
+        return true;
+      });
   return rows;
 }
 

@@ -139,9 +139,10 @@ void time_own_scenes(const fs::path& folder, int count, int jobs) {
     alike = homework::grade_batch(made, options, [](std::size_t, std::size_t) {}).alike.size();
   };
   const double seconds = seconds_of(grade);
-  fmt::print("| {} submissions of {} steps (mean), each on a scene of its own, {} at a time; {} pairs are found alike "
-             "| {:.1f} |\n| making their scenes and runs, one after another | {:.1f} |\n",
-             count, steps / count, jobs, alike, seconds, making);
+  fmt::print(
+      "| {} submissions of {} steps (mean), each on a scene of its own, {} at a time; {} pairs are found alike "
+      "| {:.1f} |\n| making their scenes and runs, one after another | {:.1f} |\n",
+      count, steps / count, jobs, alike, seconds, making);
 }
 
 }  // namespace

@@ -107,8 +107,9 @@ void compare(const std::string& title, const std::string& name) {
 }  // namespace
 
 int main() {
-  fmt::print("| 1024x768 | triangles | hits | cast_fast, million rays a second | Embree's | ratio | pixels that differ | "
-             "build, ms | Embree's |\n|---|---|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| 1024x768 | triangles | hits | cast_fast, million rays a second | Embree's | ratio | pixels that differ | "
+      "build, ms | Embree's |\n|---|---|---|---|---|---|---|---|---|\n");
   compare("teapot", "teapot");
   compare("teapot:32", "teapot:32");
   compare("torus, 50 000 triangles", "torus");

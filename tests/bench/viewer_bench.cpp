@@ -38,8 +38,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-std::vector<std::uint8_t> record(const std::string& name, std::int32_t w, std::int32_t h,
-                                 const char* by = "z-buffer") {
+std::vector<std::uint8_t> record(const std::string& name, std::int32_t w, std::int32_t h, const char* by = "z-buffer") {
   SceneFile file = load_scene(name);
   ViewOptions view;
   view.width = w;
@@ -124,7 +123,6 @@ double median_drag(App& app, Look Ui::*look, int frames) {
   for (int k = 0; k < frames; ++k) {
     (app.ui().*look).turn += 2;
     (app.ui().*look).tilt = 5 * std::sin(0.1 * k);
-    app.session().touch();
     const double begin = milliseconds();
     app.frame();
     times.push_back(milliseconds() - begin);

@@ -6,8 +6,8 @@
 //   sees fit. It gets what suits it: positions and colours in its own memory, one call with shared vertices, flat
 //   colours (a triangle's last vertex says which), no texture and no light. Polygons come to it as triangles.
 // - llvmpipe keeps colours of 4 bytes and depths of 24 bits beside 8 unused; zstep polygon numbers of 4 bytes and
-//   depths of 8. llvmpipe computes in float32 and puts vertices on a grid of 1/256 pixel; zstep computes in float64, and
-//   run_fast must give every bit of the taught loop, which is checked.
+//   depths of 8. llvmpipe computes in float32 and puts vertices on a grid of 1/256 pixel; zstep computes in float64,
+//   and run_fast must give every bit of the taught loop, which is checked.
 // - Both keep their buffers from frame to frame; the taught loop makes a new Picture. zstep decides facing in space,
 //   llvmpipe by the sign of the triangle's area, and it copies the colours to the caller's memory at the end.
 // - run_fast draws in one thread, and in as many as the processor runs at once.
@@ -109,9 +109,12 @@ void compare(const std::string& name, const Scene& scene, bool cull) {
 
 int main() {
   const unsigned threads = std::thread::hardware_concurrency();
-  fmt::print("| | facets | pixels | taught loop, ms | fast, 1 thread | fast, {0} threads | llvmpipe, 1 thread | 1 thread, times "
-             "taught | {0} threads | 1 thread, times llvmpipe | {0} threads |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
-             threads);
+  fmt::print(
+      "| | facets | pixels | taught loop, ms | fast, 1 thread | fast, {0} threads | llvmpipe, 1 thread | 1 thread, "
+      "times "
+      "taught | {0} threads | 1 thread, times llvmpipe | {0} threads "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+      threads);
   for (const std::string name : {"teapot:4", "teapot:8", "teapot:16", "teapot:32", "teapot:64"}) {
     compare(name, teapot(name), true);
   }

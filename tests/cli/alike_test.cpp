@@ -42,7 +42,8 @@ std::string right_own(const Folder& folder, const std::string& student) {
 }
 /// Every compare says that it is nearer, as one who forgot to compare.
 std::string always_nearer(std::string run) {
-  for (std::size_t at; (at = run.find("\"nearer\":false")) != std::string::npos;) run.replace(at, 14, "\"nearer\":true");
+  for (std::size_t at; (at = run.find("\"nearer\":false")) != std::string::npos;)
+    run.replace(at, 14, "\"nearer\":true");
   return run;
 }
 std::string class_page(const Folder& folder) {

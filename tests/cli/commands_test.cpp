@@ -20,7 +20,6 @@ using zstep::read_png;
 
 namespace {
 
-
 Outcome must(const Folder& folder, const std::string& arguments) {
   const Outcome outcome = run(folder, arguments);
   CAPTURE(arguments);
@@ -108,8 +107,7 @@ TEST_CASE("the saved files agree with each other") {
   const Image large = read_png(folder / "b.png");
   CHECK(large.width == 120);
   for (std::size_t y = 0; y < 90; ++y)
-    for (std::size_t x = 0; x < 120; ++x)
-      REQUIRE(large.rgb[(y * 120 + x) * 3] == image.rgb[(y / 3 * 40 + x / 3) * 3]);
+    for (std::size_t x = 0; x < 120; ++x) REQUIRE(large.rgb[(y * 120 + x) * 3] == image.rgb[(y / 3 * 40 + x / 3) * 3]);
   const auto own = std::get<std::vector<float>>(read_npy(folder / "view.npy").values);
   const auto own_raw = std::get<std::vector<double>>(read_npy(folder / "view_raw.npy").values);
   for (std::size_t k = 0; k < own.size(); ++k) CHECK(own[k] == static_cast<float>(own_raw[k]));
@@ -245,8 +243,7 @@ TEST_CASE("no answer of a query reaches the terminal raw, and JSON gives it back
   const std::string question = "'select char(97, 127, 133, 155, 27, 8238, 228) as \"n\u009b\" from buffers_clear'";
   CHECK(must(folder, "query run.ztrace --json " + question).out ==
         "[\n{\"n\\u009b\":\"a\\u007f\\u0085\\u009b\\u001b\\u202e\u00e4\"}\n]\n");
-  CHECK(must(folder, "query run.ztrace --csv " + question).out ==
-        "n\\u009b\na\\x7f\\u0085\\u009b\\x1b\\u202e\u00e4\n");
+  CHECK(must(folder, "query run.ztrace --csv " + question).out == "n\\u009b\na\\x7f\\u0085\\u009b\\x1b\\u202e\u00e4\n");
 }
 
 TEST_CASE("explain takes a step, a part of the trace or a bookmark, and refuses what is none of them") {

@@ -13,7 +13,6 @@ using namespace zstep::test;
 
 namespace {
 
-
 void check_refused(const std::string& arguments, const std::string& part) {
   const Folder folder;
   CAPTURE(arguments);
@@ -111,10 +110,11 @@ TEST_CASE("compare-methods: a clipping plane is moved, and the errors are drawn"
   if (has(outcome.out, "wrote s.png")) CHECK(zstep::read_png(folder / "s.png").width == 1280);
 }
 
-TEST_CASE("compare-methods: where wrong pixels begin is looked for between samples, and is not said to be more than it is") {
+TEST_CASE(
+    "compare-methods: where wrong pixels begin is looked for between samples, and is not said to be more than it is") {
   const Folder folder;
-  const std::string poster = "compare-methods " + in_checkout("lessons/scenes/poster.toml") +
-                             " --modes number-format=fixed16 --sweep near=";
+  const std::string poster =
+      "compare-methods " + in_checkout("lessons/scenes/poster.toml") + " --modes number-format=fixed16 --sweep near=";
   const auto begins = [&](const std::string& range) {
     const std::string out = run(folder, poster + range).out;
     CAPTURE(out);

@@ -12,7 +12,6 @@ using namespace zstep::test;
 
 namespace {
 
-
 TEST_CASE("diff: the same is exit code 0, rounding too, a difference is 1, what cannot be compared is 2") {
   const Folder folder;
   REQUIRE(run(folder, "record pyramid -o a.ztrace").code == 0);

@@ -118,15 +118,18 @@ TEST_CASE("a step of why-not wins a compare only where there was one, and its nu
   const std::string forged = "'" + in_checkout("tests/data/hostile/forged_compare.jsonl") + "'";
   const std::string seen = must(folder, "why-not " + forged + " P0 1 1");
   CHECK(seen.find("wins the compare") == std::string::npos);
-  HAS_LINE(seen, "5  P0       P0 at z = 9 is compared: the trace says nearer, but 9 < 1 is false (its header does not "
-                 "declare which depth is nearer)");
+  HAS_LINE(seen,
+           "5  P0       P0 at z = 9 is compared: the trace says nearer, but 9 < 1 is false (its header does not "
+           "declare which depth is nearer)");
   // Glass that lets nothing through, laid over the pixel without a compare.
   std::string glass = text_of(in_checkout("tests/data/foreign/nocompare.jsonl"));
   const std::string steps = "\"steps\": [", pixel = R"({"step": "wp", "x": 1, "y": 1, "polygon": 1})";
   glass.replace(glass.find(steps), steps.size(), steps + R"({"id": 20, "name": "mix", "event": "color_blend"}, )");
   REQUIRE(times(glass, pixel) == 1);
   glass.replace(glass.find(pixel), pixel.size(),
-                R"({"step": "mix", "x": 1, "y": 1, "polygon": 1, "opacity": 1, "r8": 0, "g8": 114, "b8": 178})" "\n" + pixel);
+                R"({"step": "mix", "x": 1, "y": 1, "polygon": 1, "opacity": 1, "r8": 0, "g8": 114, "b8": 178})"
+                "\n" +
+                    pixel);
   write_text(folder / "glass.jsonl", glass);
   const std::string over = must(folder, "why-not glass.jsonl A 1 1");
   CAPTURE(over);

@@ -20,7 +20,6 @@ using namespace zstep;
 
 namespace {
 
-
 void must(const Folder& folder, const std::string& arguments, const std::string& says) {
   CAPTURE(arguments);
   const Outcome outcome = run(folder, arguments);

@@ -27,8 +27,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> with_homework{"z-buffer", "scan-line", "ray-casting", "depth-sort", "bsp", "warnock",
-                                       "floating-horizon"};
+const std::vector<std::string> with_homework{"z-buffer", "scan-line", "ray-casting",     "depth-sort",
+                                             "bsp",      "warnock",   "floating-horizon"};
 
 /// A new homework, with its right runs.
 struct Set {
@@ -55,9 +55,7 @@ struct Set {
       write_text(folder / ("runs/" + task.name + ".jsonl"), text);
     }
   }
-  homework::Assessment graded() const {
-    return homework::assess(given, folder / "runs", "", nullptr, &references);
-  }
+  homework::Assessment graded() const { return homework::assess(given, folder / "runs", "", nullptr, &references); }
 };
 
 /// How many steps of these kinds have nothing but NaN by right, as the point of two outlines that do not overlap.

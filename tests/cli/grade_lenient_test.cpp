@@ -27,9 +27,11 @@ namespace {
 /// border of the picture.
 constexpr const char* odd_scene =
     "coordinates = \"screen\"\n[raster]\nwidth = 12\nheight = 10\n"
-    "[[polygon]]\nname = \"W\"\npoints = [[2, 1, 0.5], [3, 6, 0.5], [4, 2, 0.5], [6, 7, 0.5], [8, 2.5, 0.5], [9, 6, 0.5], "
+    "[[polygon]]\nname = \"W\"\npoints = [[2, 1, 0.5], [3, 6, 0.5], [4, 2, 0.5], [6, 7, 0.5], [8, 2.5, 0.5], [9, 6, "
+    "0.5], "
     "[10, 1, 0.5], [9, 9, 0.5], [3, 9, 0.5]]\n"
-    "[[polygon]]\nname = \"B\"\npoints = [[-4, -6, 0.3], [5, -3.5, 0.525], [15, 4, 0.775], [14.5, 14, 0.7625], [6, 5.5, "
+    "[[polygon]]\nname = \"B\"\npoints = [[-4, -6, 0.3], [5, -3.5, 0.525], [15, 4, 0.775], [14.5, 14, 0.7625], [6, "
+    "5.5, "
     "0.55], [-6, 13, 0.25]]\n"
     "[[polygon]]\nname = \"L\"\npoints = [[-7, 1, 0.1], [-2, 2, 0.1], [-3, 8, 0.1]]\n"
     "[[polygon]]\nname = \"R\"\npoints = [[14, 1, 0.1], [19, 2, 0.1], [15, 8, 0.1]]\n"
@@ -43,8 +45,10 @@ std::vector<json> odd_run(const Folder& folder) {
   toml.replace(first, end - first, "\n[[scene]]\nfile = \"scenes/odd.toml\"");
   write_text(folder / "hw/homework.toml", toml);
   write_text(folder / "hw/scenes/odd.toml", odd_scene);
-  REQUIRE(shell(folder, "$zstep record hw/scenes/odd.toml -o odd.ztrace && $zstep dump odd.ztrace --jsonl | tail -n +2 > "
-                        "odd.jsonl").code == 0);
+  REQUIRE(shell(folder,
+                "$zstep record hw/scenes/odd.toml -o odd.ztrace && $zstep dump odd.ztrace --jsonl | tail -n +2 > "
+                "odd.jsonl")
+              .code == 0);
   std::vector<json> steps;
   std::istringstream in(text_of(folder / "odd.jsonl"));
   for (std::string line; std::getline(in, line);) steps.push_back(json::parse(line));
@@ -103,9 +107,8 @@ TEST_CASE("grade: empty spans earn the same printed or left out, whatever stands
   };
   right("as they are", [](const json& step) { return step.dump(); });
   right("left out", [](const json& step) { return is_empty_span(step) ? "" : step.dump(); });
-  right("those of no width left out", [](const json& step) {
-    return is_empty_span(step) && step["x_left"] == step["x_right"] ? "" : step.dump();
-  });
+  right("those of no width left out",
+        [](const json& step) { return is_empty_span(step) && step["x_left"] == step["x_right"] ? "" : step.dump(); });
   right("clamped on one side only", [](json step) {
     if (is_empty_span(step)) {
       step["first"] = std::max(0, static_cast<int>(std::ceil(step["x_left"].get<double>())));
@@ -134,9 +137,9 @@ TEST_CASE("grade: a slope that is no number is wrong where the span has pixels")
   const Folder folder;
   const std::vector<json> steps = odd_run(folder);
   const Outcome outcome = grade_of(folder, lines_of(steps, [](json step) {
-    if (step["step"] == "span" && !is_empty_span(step)) step["dz_dx"] = nullptr;
-    return step.dump();
-  }));
+                                     if (step["step"] == "span" && !is_empty_span(step)) step["dz_dx"] = nullptr;
+                                     return step.dump();
+                                   }));
   CHECK(outcome.code == 1);
   CHECK(has(outcome.out, "\"dz_dx\" is not a number"));
 }
@@ -159,13 +162,15 @@ TEST_CASE("grade: each reason that the hand-out offers for an edge that is left 
   for (const zstep::OtherWord& other : zstep::other_words)
     if (other.field == "why") words.emplace(other.word);
   for (const char* method : {"z-buffer", "scan-line"}) {
-    const std::string page = text_of(zstep::test::in_checkout(std::string("lessons/homework/") + method + "/handout.md"));
+    const std::string page =
+        text_of(zstep::test::in_checkout(std::string("lessons/homework/") + method + "/handout.md"));
     const std::size_t begin = page.find("the reason");
     std::size_t end = page.find(".\n", begin);
     const std::string sentence = page.substr(begin, end - begin);
     std::set<std::string> offered;
     static const std::regex quoted("`([a-z_]+)`");
-    for (std::sregex_iterator at(sentence.begin(), sentence.end(), quoted), none; at != none; ++at) offered.insert((*at)[1]);
+    for (std::sregex_iterator at(sentence.begin(), sentence.end(), quoted), none; at != none; ++at)
+      offered.insert((*at)[1]);
     CAPTURE(method);
     CHECK(offered == words);
   }
@@ -207,18 +212,22 @@ TEST_CASE("grade: a line that cannot be read costs itself alone, and is what the
            {"null", replaced("\"nearer\":true", "\"nearer\":null"), true, "is neither true nor false"},
            {"an extra field", replaced("{\"step\"", "{\"edge\":1,\"step\""), true, "is no field of"},
            {"an unknown step", replaced("\"compare\"", "\"compair\""), true, "there is no step"},
-           {"a debug print", [&](std::vector<std::string>& lines) { lines.insert(lines.begin() + middle, "x is now 3"); },
-            false, "x is now 3"},
+           {"a debug print",
+            [&](std::vector<std::string>& lines) { lines.insert(lines.begin() + middle, "x is now 3"); }, false,
+            "x is now 3"},
            {"a debug print at the beginning",
-            [&](std::vector<std::string>& lines) { lines.insert(lines.begin(), "reading the scene {now}"); }, false, ""},
+            [&](std::vector<std::string>& lines) { lines.insert(lines.begin(), "reading the scene {now}"); }, false,
+            ""},
            {"a header that is none",
             [&](std::vector<std::string>& lines) { lines.insert(lines.begin(), "{\"ztrace\":1,\"conventions\":3}"); },
             false, "conventions"},
-           {"a line torn in two", [&](std::vector<std::string>& lines) {
+           {"a line torn in two",
+            [&](std::vector<std::string>& lines) {
               const std::string line = lines[middle];
               lines[middle] = line.substr(0, 12);
               lines.insert(lines.begin() + middle + 1, line.substr(12));
-            }, true, ""}}) {
+            },
+            true, ""}}) {
     std::vector<std::string> lines = right;
     one.change(lines);
     const Outcome outcome = graded_lines(folder, lines);
@@ -275,8 +284,9 @@ TEST_CASE("grade: a crash comes first, with its traceback, and a class files it 
   std::string half;
   for (std::size_t i = 0; i < lines.size() / 2; ++i) half += lines[i] + "\n";
   write_text(folder / "class/ada/crossing.jsonl", half);
-  write_text(folder / "class/ada/crossing.ended.txt",
-             "The program ended with exit code 1.\nTraceback (most recent call last):\nZeroDivisionError: division by zero\n");
+  write_text(
+      folder / "class/ada/crossing.ended.txt",
+      "The program ended with exit code 1.\nTraceback (most recent call last):\nZeroDivisionError: division by zero\n");
   const Outcome text = run(folder, "grade --homework hw --scene crossing class/ada");
   const std::size_t crash = text.out.find("The program ended with exit code 1."), points = text.out.find(" points\n\n"),
                     first = text.out.find("The first thing to look at");

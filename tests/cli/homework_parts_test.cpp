@@ -68,7 +68,8 @@ void keep_little(const Folder& folder, const std::string& method) {
 
 TEST_CASE("homework parts: each part and each pair can be taken out, and all follows") {
   if (!fs::exists("/usr/bin/python3")) return;
-  for (const char* method : {"z-buffer", "scan-line", "ray-casting", "depth-sort", "bsp", "warnock", "floating-horizon"}) {
+  for (const char* method :
+       {"z-buffer", "scan-line", "ray-casting", "depth-sort", "bsp", "warnock", "floating-horizon"}) {
     CAPTURE(method);
     const Folder folder;
     keep_little(folder, method);
@@ -134,8 +135,8 @@ TEST_CASE("homework parts: what an instructor wrote stays, and points may be any
   const std::string mine = "Hand in by Friday. `span` is a word of ours.\n";
   write_text(folder / "hw/handout.md", mine + text_of(folder / "hw/handout.md"));
   std::string toml = text_of(folder / "hw/homework.toml");
-  toml.erase(toml.find("[[part]]\nname = \"spans\""), toml.find("[[part]]\nname = \"edge table\"") -
-                                                        toml.find("[[part]]\nname = \"spans\""));
+  toml.erase(toml.find("[[part]]\nname = \"spans\""),
+             toml.find("[[part]]\nname = \"edge table\"") - toml.find("[[part]]\nname = \"spans\""));
   toml = std::regex_replace(toml, std::regex("value = 10\n"), "value = 7.25\n");
   write_text(folder / "hw/homework.toml", toml);
   REQUIRE(run(folder, "homework refresh hw").code == 0);
@@ -145,7 +146,8 @@ TEST_CASE("homework parts: what an instructor wrote stays, and points may be any
   CHECK(has(tried.out, "44.5 points"));
   // The text of a part that is put back is missed.
   write_text(folder / "hw/homework.toml", toml + "\n[[part]]\nname = \"spans\"\nsteps = [\"span\"]\nvalue = 1\n");
-  write_text(folder / "hw/handout.md", std::regex_replace(text_of(folder / "hw/handout.md"), std::regex("`span`"), "span"));
+  write_text(folder / "hw/handout.md",
+             std::regex_replace(text_of(folder / "hw/handout.md"), std::regex("`span`"), "span"));
   REQUIRE(run(folder, "homework refresh hw").code == 0);
   CHECK(has(run(folder, "homework try hw").out, "--  handout.md does not name the step span, of the part 'spans'"));
 }

@@ -140,8 +140,9 @@ TEST_CASE("homework run: what else runs as the same user takes no processes from
   write_program(folder, "(sleep 0.1; echo started) & wait");
   const std::string others = "for i in $(seq 20); do setpriv --reuid 65534 --clear-groups sleep 20 & done; sleep 0.5; ";
   const Outcome outcome =
-      shell(folder, others + "ZSTEP_SANDBOX=limits \"$zstep\" homework run hw program -o runs; code=$?; kill $(jobs -p); "
-                             "exit $code");
+      shell(folder, others +
+                        "ZSTEP_SANDBOX=limits \"$zstep\" homework run hw program -o runs; code=$?; kill $(jobs -p); "
+                        "exit $code");
   CAPTURE(outcome.out);
   CHECK(outcome.code == 0);
   CHECK(text_of(folder / "runs/triangle.jsonl") == "started\n");

@@ -22,9 +22,11 @@ constexpr const char* behind =  // something that a second polygon lies before
 
 const std::vector<SceneCase>& on_the_screen() {
   static const std::vector<SceneCase> cases{
-      {"not planar", "bent.toml", "[[polygon]]\nname = \"Q\"\npoints = [[1, 1, 0.1], [8, 1, 0.6], [8, 6, 0.2], [1, 6, 0.5]]\n"},
+      {"not planar", "bent.toml",
+       "[[polygon]]\nname = \"Q\"\npoints = [[1, 1, 0.1], [8, 1, 0.6], [8, 6, 0.2], [1, 6, 0.5]]\n"},
       {"concave", "concave.toml",
-       "[[polygon]]\nname = \"C\"\npoints = [[1, 1, 0.25], [4.5, 3, 0.25], [8, 1, 0.25], [7, 6.5, 0.25], [2, 6.5, 0.25]]\n"},
+       "[[polygon]]\nname = \"C\"\npoints = [[1, 1, 0.25], [4.5, 3, 0.25], [8, 1, 0.25], [7, 6.5, 0.25], [2, 6.5, "
+       "0.25]]\n"},
       {"to each border", "border.toml",
        "[[polygon]]\nname = \"B\"\npoints = [[0, 0, 0.5], [9, 0, 0.25], [9, 7, 0.25], [0, 7, 0.5]]\n"},
       {"beyond each border", "beyond.toml",
@@ -33,7 +35,8 @@ const std::vector<SceneCase>& on_the_screen() {
        "[[polygon]]\nname = \"H\"\npoints = [[1, 1, 0.5], [8, 1, 0.5], [8, 6.5, 0.5], [1, 6.5, 0.5], [1, 1, 0.5], "
        "[3, 2.5, 0.5], [3, 5, 0.5], [6, 5, 0.5], [6, 2.5, 0.5], [3, 2.5, 0.5]]\n"},
       {"without area, and edge-on", "flat.toml",
-       "[[polygon]]\npoints = [[1, 1, 0.5], [4, 4, 0.5], [7, 7, 0.5]]\n[[polygon]]\nname = \"T\"\npoints = [[2, 1, 0.25], "
+       "[[polygon]]\npoints = [[1, 1, 0.5], [4, 4, 0.5], [7, 7, 0.5]]\n[[polygon]]\nname = \"T\"\npoints = [[2, 1, "
+       "0.25], "
        "[7.5, 2, 0.25], [4, 6, 0.25]]\n[[polygon]]\npoints = [[5, 1, 0.1], [5, 5, 0.1], [5, 5, 0.9]]\n"},
   };
   return cases;
@@ -58,9 +61,11 @@ Outcome tried(const Folder& folder) {
 }
 
 /// Six sides, of which one is not planar.
-const std::string box = "v -1 -1 -1.1\nv 1 -1 -0.7\nv 1 1 -0.9\nv -1 1 -1.3\nv -1 -1 1.2\nv 1 -1 1\nv 1 1 1.3\nv -1 1 1.7\n"
-                        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-const std::string seen = "[camera]\nrho = 5\ntheta = 35\nphi = 55\n[raster]\nwidth = 14\nheight = 12\n[[mesh]]\nfile = \"box.obj\"\n";
+const std::string box =
+    "v -1 -1 -1.1\nv 1 -1 -0.7\nv 1 1 -0.9\nv -1 1 -1.3\nv -1 -1 1.2\nv 1 -1 1\nv 1 1 1.3\nv -1 1 1.7\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+const std::string seen =
+    "[camera]\nrho = 5\ntheta = 35\nphi = 55\n[raster]\nwidth = 14\nheight = 12\n[[mesh]]\nfile = \"box.obj\"\n";
 
 }  // namespace
 
@@ -94,7 +99,8 @@ TEST_CASE("homework scenes: scenes in space are handed out as they are seen") {
       std::string text = seen;
       const std::string camera = one.text;
       if (camera == "surface")
-        text.replace(text.find("[[mesh]]"), text.size(), "[surface]\nformula = \"sin(x) * cos(z)\"\ncolumns = 5\nrows = 4\n");
+        text.replace(text.find("[[mesh]]"), text.size(),
+                     "[surface]\nformula = \"sin(x) * cos(z)\"\ncolumns = 5\nrows = 4\n");
       else if (camera.starts_with("rho")) text.replace(text.find("rho = 5\n"), 8, camera + "near = 0.05\nfar = 8\n");
       else if (!camera.empty()) text.insert(text.find("rho"), camera);
       if (camera.starts_with("rho")) text += "[options]\ncull = false\n";
@@ -105,7 +111,8 @@ TEST_CASE("homework scenes: scenes in space are handed out as they are seen") {
     }
 }
 
-TEST_CASE("homework scenes: the text has as many polygons as the reference, and the triangles of one that is not planar") {
+TEST_CASE(
+    "homework scenes: the text has as many polygons as the reference, and the triangles of one that is not planar") {
   const Folder folder;
   homework_of_scene(folder, "z-buffer", "bent.toml", std::string(screen) + on_the_screen().front().text);
   REQUIRE(run(folder, "homework refresh hw").code == 0);
@@ -117,13 +124,14 @@ TEST_CASE("homework scenes: what a homework cannot take is said in a line, and n
     const char *method, *file, *text, *message;
   };
   for (const Case& one : {
-           Case{"ray-casting", "flat.toml", "coordinates = \"screen\"\n[[polygon]]\npoints = [[1,1,0],[5,1,0],[3,5,0]]\n",
+           Case{"ray-casting", "flat.toml",
+                "coordinates = \"screen\"\n[[polygon]]\npoints = [[1,1,0],[5,1,0],[3,5,0]]\n",
                 "has no eye that rays could come from"},
            Case{"floating-horizon", "parallel.toml",
                 "[camera]\northographic = true\n[surface]\nformula = \"sin(x)\"\ncolumns = 9\nrows = 5\n",
                 "is not seen in perspective"},
-           Case{"floating-horizon", "flat.toml", "coordinates = \"screen\"\n[[polygon]]\npoints = [[1,1,0],[5,1,0],[3,5,0]]\n",
-                "draws a surface"},
+           Case{"floating-horizon", "flat.toml",
+                "coordinates = \"screen\"\n[[polygon]]\npoints = [[1,1,0],[5,1,0],[3,5,0]]\n", "draws a surface"},
            Case{"z-buffer", "large.toml",
                 "coordinates = \"screen\"\n[raster]\nwidth = 16384\nheight = 2048\n[[polygon]]\npoints = "
                 "[[1,1,0],[16000,1,0],[8000,2000,0]]\n",
@@ -169,7 +177,8 @@ TEST_CASE("homework scenes: one outside the folder, or a link, is refused by wha
     CHECK(folder.names() == std::vector<std::string>{"evil.toml", "hw", "names.txt"});
     CHECK_FALSE(fs::exists(folder / "hw/secret.key"));
   };
-  const std::string outside = "\n[[scene]]\nfile = \"../evil.toml\"\n", link = "\n[[scene]]\nfile = \"scenes/link.toml\"\n",
+  const std::string outside = "\n[[scene]]\nfile = \"../evil.toml\"\n",
+                    link = "\n[[scene]]\nfile = \"scenes/link.toml\"\n",
                     skipped = "\n[[scene]]\nfile = \"solution/kept.toml\"\nhidden = true\n";
   fs::create_symlink(folder / "evil.toml", folder / "hw/scenes/link.toml");
   fs::copy_file(folder / "evil.toml", folder / "hw/solution/kept.toml");
@@ -188,8 +197,8 @@ TEST_CASE("homework scenes: one outside the folder, or a link, is refused by wha
 TEST_CASE("homework seed: what a killed run left gives way to the next one") {
   const Folder folder;
   REQUIRE(run(folder, "homework new z-buffer hw").code == 0);
-  write_text(folder / "hw/homework.toml", text_of(folder / "hw/homework.toml") +
-                                              "\n[[scene]]\ngenerate = \"triangles\"\nname = \"own\"\n");
+  write_text(folder / "hw/homework.toml",
+             text_of(folder / "hw/homework.toml") + "\n[[scene]]\ngenerate = \"triangles\"\nname = \"own\"\n");
   write_text(folder / "names.txt", "ana\nana.part\nbo\n");
   // As long as it makes the folders, it is killed again and again, each time a little later.
   for (int wait = 1; wait <= 24; ++wait)

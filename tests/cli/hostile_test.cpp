@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 std::string hostile(const std::string& name) { return in_checkout("tests/data/hostile/" + name); }
 
 void check_harmless(const Folder& folder, const std::string& arguments) {
@@ -98,8 +97,9 @@ TEST_CASE("hostile files: a small scene that makes much work comes to the budget
   const Folder folder;
   // 1 KB each: a raster as large as there may be, and a surface that is in front of itself all over it.
   const std::string raster = "[raster]\nwidth = 7680\nheight = 4320\n";
-  write_text(folder / "surface.toml", raster + "[surface]\nformula = \"y = sin(40 * x) * cos(40 * z)\"\n"
-                                               "columns = 499\nrows = 499\n[camera]\nrho = 3\nphi = 80\n");
+  write_text(folder / "surface.toml", raster +
+                                          "[surface]\nformula = \"y = sin(40 * x) * cos(40 * z)\"\n"
+                                          "columns = 499\nrows = 499\n[camera]\nrho = 3\nphi = 80\n");
   check_harmless(folder, "render surface.toml");
   check_harmless(folder, "record surface.toml -o surface.ztrace");
   // What was recorded by then is a trace. On a busy machine time may be up before the scene is made, and there is none.

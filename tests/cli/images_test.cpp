@@ -60,7 +60,9 @@ std::string npy_of(const std::vector<Value>& values, const std::string& type, bo
 
 }  // namespace
 
-TEST_CASE("pictures: a frame and depths earn half of the picture's points each, and the report says that there are no steps") {
+TEST_CASE(
+    "pictures: a frame and depths earn half of the picture's points each, and the report says that there are no "
+    "steps") {
   const Folder folder;
   set_up_pictures(folder);
   const auto polygons = values_in<std::int32_t>(folder, "ids.npy");
@@ -74,14 +76,14 @@ TEST_CASE("pictures: a frame and depths earn half of the picture's points each, 
     CHECK(outcome.code == 1);  // the steps are missing
     CHECK(has(outcome.out, has_what == Has::both ? "\n2.5 of 16.25 points" : "\n1.25 of 16.25 points"));
     CHECK(has(outcome.out, "there are no steps in crossing"));
-    if (has_what == Has::both)
-      CHECK(has(outcome.out, "ok picture and depths     right pixels 60 of 60: 2.5 of 2.5"));
+    if (has_what == Has::both) CHECK(has(outcome.out, "ok picture and depths     right pixels 60 of 60: 2.5 of 2.5"));
     else
-      CHECK(has(outcome.out, has_what == Has::frame
-                                 ? "   picture and depths     right colours 60, right depths 0, of 60 each: 1.25 of 2.5\n"
-                                   "                            there are no depths, which are half of this part\n"
-                                 : "   picture and depths     right colours 0, right depths 60, of 60 each: 1.25 of 2.5\n"
-                                   "                            no picture was handed in, which is half of this part\n"));
+      CHECK(
+          has(outcome.out, has_what == Has::frame
+                               ? "   picture and depths     right colours 60, right depths 0, of 60 each: 1.25 of 2.5\n"
+                                 "                            there are no depths, which are half of this part\n"
+                               : "   picture and depths     right colours 0, right depths 60, of 60 each: 1.25 of 2.5\n"
+                                 "                            no picture was handed in, which is half of this part\n"));
     CHECK(has(outcome.out, "   compares               there are no steps: 0 of 1.5"));
     CHECK_FALSE(has(outcome.out, "--view"));
   };
@@ -120,7 +122,8 @@ TEST_CASE("pictures: a frame and depths earn half of the picture's points each, 
   CHECK(all["scenes"][0]["parts"][0]["lost"][0]["why"] == "no_colors");
   CHECK(all["scenes"][0]["from_picture"] == true);
   const json gradescope = json::parse(grade_pictures(folder, "gradescope").out);
-  CHECK(gradescope["tests"][0]["output"] == "right colours 0, right depths 60, of 60 pixels each. no picture was handed in, which is half of this part");
+  CHECK(gradescope["tests"][0]["output"] ==
+        "right colours 0, right depths 60, of 60 pixels each. no picture was handed in, which is half of this part");
   CHECK(gradescope["tests"][1]["output"] == "there are no steps");
   const Outcome shown = run(folder, "grade --homework hw pictures --scene crossing --view --screenshot a.png");
   CHECK(shown.code == 2);
@@ -145,7 +148,8 @@ TEST_CASE("pictures: rung 1 alone is full marks for a picture with its depths") 
              text.substr(0, text.find("[[part]]")) + text.substr(text.find("[[part]]\nname = \"compares\"")));
   const Outcome steps = grade_pictures(folder);
   CHECK(steps.code == 2);
-  CHECK(has(steps.out, "there is no crossing.jsonl; crossing.png, crossing.depth.npy cannot be graded here, only steps"));
+  CHECK(
+      has(steps.out, "there is no crossing.jsonl; crossing.png, crossing.depth.npy cannot be graded here, only steps"));
 }
 
 TEST_CASE("pictures: the first wrong pixel is shown, with both sides") {

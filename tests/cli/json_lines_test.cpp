@@ -10,7 +10,6 @@ using namespace zstep::test;
 
 namespace {
 
-
 std::string foreign(const std::string& name) { return text_of(in_checkout("tests/data/foreign/") + name); }
 
 }  // namespace

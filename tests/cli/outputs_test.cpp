@@ -13,7 +13,6 @@ using namespace zstep::test;
 
 namespace {
 
-
 /// Every file with what is in it.
 std::vector<std::pair<std::string, std::string>> contents(const Folder& folder) {
   std::vector<std::pair<std::string, std::string>> all;

@@ -22,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::set<std::string> commands{
-    "list",    "lesson",  "view",  "render", "record",          "info",      "dump", "import", "find", "history",
-    "why-not", "explain", "query", "export", "compare-methods", "completion", "check",
-    "diff",    "header", "error", "homework", "grade", "publish"};
+    "list",     "lesson",  "view",   "render", "record",          "info",       "dump",  "import", "find",   "history",
+    "why-not",  "explain", "query",  "export", "compare-methods", "completion", "check", "diff",   "header", "error",
+    "homework", "grade",   "publish"};
 /// Those of the launcher, which tests/launcher tries.
 const std::set<std::string> of_launcher{"test", "bench", "build", "clean", "packages", "help", "web"};
 
@@ -55,7 +55,8 @@ void furnish(const Folder& clone) {
              text_of(clone / "hw4/homework.toml") + "\n[[scene]]\ngenerate = \"triangles\"\nname = \"own\"\n");
   write_text(clone / "names.txt", "ana\nbo\n");
   fs::create_directory(clone / "runs");
-  for (const std::string scene : {"hw3/scenes/triangle", "hw3/scenes/crossing", "hw3/scenes/neighbours", "hw3/hidden/overlap"}) {
+  for (const std::string scene :
+       {"hw3/scenes/triangle", "hw3/scenes/crossing", "hw3/scenes/neighbours", "hw3/hidden/overlap"}) {
     const std::string name = fs::path(scene).filename().string();
     REQUIRE(run(clone, "record " + scene + ".toml -o " + name + ".ztrace").code == 0);
     REQUIRE(run(clone, "dump " + name + ".ztrace --jsonl > runs/" + name + ".jsonl").code == 0);
@@ -94,15 +95,16 @@ void check_runs(const Folder& clone, std::string line) {
     line += " --screenshot window.png";
   write_text(
       clone / "typed.sh",
-      "export HOME=\"$PWD\" ZSTEP_SITE=site PATH=\"$PWD:$PATH\"\npython3() { cat homework.jsonl; }\nset -o pipefail\n" + line + "\n");
+      "export HOME=\"$PWD\" ZSTEP_SITE=site PATH=\"$PWD:$PATH\"\npython3() { cat homework.jsonl; }\nset -o pipefail\n" +
+          line + "\n");
   const Outcome outcome = shell(clone, "bash typed.sh");
   CAPTURE(outcome.out);
   CAPTURE(outcome.err);
   const bool no_films_here = outcome.err.find("ffmpeg, which is not installed") != std::string::npos;
   // 1: it found pixels that are wrong, as the painter's algorithm has some on most scenes; or a run that is made wrong.
-  const bool looks_for_faults =
-      line.find("compare-methods") != std::string::npos || line.find("zstep check run.jsonl") != std::string::npos ||
-      line.find("zstep diff right.ztrace run.jsonl") != std::string::npos;
+  const bool looks_for_faults = line.find("compare-methods") != std::string::npos ||
+                                line.find("zstep check run.jsonl") != std::string::npos ||
+                                line.find("zstep diff right.ztrace run.jsonl") != std::string::npos;
   const bool found = outcome.code == 1 && looks_for_faults;
   CHECK_MESSAGE((outcome.code == 0 || found || no_films_here), line);
 }

@@ -61,9 +61,11 @@ struct Runs {
       REQUIRE(times(text, right) == 1);
       write_text(folder / program, text.replace(text.find(right), right.size(), wrong));
     }
-    REQUIRE(shell(folder, "test -d hw/class && python3 hw/class/make_class.py class; mkdir printed runs; "
-                          "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 " + program +
-                              " $s > printed/$(basename $s .txt).jsonl; done").code == 0);
+    REQUIRE(shell(folder,
+                  "test -d hw/class && python3 hw/class/make_class.py class; mkdir printed runs; "
+                  "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 " +
+                      program + " $s > printed/$(basename $s .txt).jsonl; done")
+                .code == 0);
     for (const auto& entry : std::filesystem::directory_iterator(folder / "printed"))
       scenes.push_back(entry.path().filename().string());
   }
@@ -98,7 +100,7 @@ TEST_CASE("rungs: each part of a homework earns all its points without those tha
   if (!has_python()) return;
   const std::vector<std::pair<std::string, std::string>> programs{
       {"z-buffer", "zbuffer"}, {"scan-line", "scanline"}, {"ray-casting", "raycast"}, {"floating-horizon", "horizon"},
-      {"bsp", "bsp"},          {"warnock", "warnock"},   {"depth-sort", "depthsort"}};
+      {"bsp", "bsp"},          {"warnock", "warnock"},    {"depth-sort", "depthsort"}};
   for (const auto& named : programs) {
     const std::string &method = named.first, &program = named.second;
     CAPTURE(method);
@@ -142,8 +144,7 @@ TEST_CASE("rungs: spans alone may call their edges by any numbers") {
   }
   for (const json& scene : runs.grade({"polygon", "scan_line", "span", "interpolate_z"})["scenes"]) {
     CHECK_FALSE(scene.contains("first"));
-    for (const json& part : scene["parts"])
-      CHECK((part["points"] == part["of"]) == (part["name"] == "spans"));
+    for (const json& part : scene["parts"]) CHECK((part["points"] == part["of"]) == (part["name"] == "spans"));
   }
 }
 
@@ -154,10 +155,10 @@ TEST_CASE("rungs: active edges without an edge table are left aside, and a line 
                                     "step_edge", "retire_edge", "span",      "interpolate_z"};
   for (const json& scene : runs.grade(steps)["scenes"]) {
     CHECK_FALSE(scene.contains("first"));
-    CHECK(scene["note"] == "enter_edge, step_edge, retire_edge name edges, and the run has no edge table that says which: "
-                           "they are left aside until it is printed, too.");
-    for (const json& part : scene["parts"])
-      CHECK((part["points"] == part["of"]) == (part["name"] == "spans"));
+    CHECK(scene["note"] ==
+          "enter_edge, step_edge, retire_edge name edges, and the run has no edge table that says which: "
+          "they are left aside until it is printed, too.");
+    for (const json& part : scene["parts"]) CHECK((part["points"] == part["of"]) == (part["name"] == "spans"));
   }
 }
 
@@ -214,9 +215,10 @@ TEST_CASE("rungs: a buffer that is never asked, or never written, is told by wha
   const std::string asks = "nearer = z < depth[y][x]", writes = "            depth[y][x] = z\n";
   for (const auto& [right, wrong] : {std::pair(asks, std::string("nearer = True")), {writes, ""}}) {
     const Runs runs = with_line(right, wrong);
-    for (const std::set<std::string>& steps :
-         {std::set<std::string>{"compare"}, {"polygon", "compare"}, {"clear", "polygon", "compare"},
-          {"clear", "polygon", "compare", "write_depth", "write_pixel"}})
+    for (const std::set<std::string>& steps : {std::set<std::string>{"compare"},
+                                               {"polygon", "compare"},
+                                               {"clear", "polygon", "compare"},
+                                               {"clear", "polygon", "compare", "write_depth", "write_pixel"}})
       for (const json& scene : runs.grade(steps)["scenes"]) {
         CAPTURE(steps.size());
         if (scene.contains("first")) CHECK(scene["mistake"]["id"] == "buffer_reset");

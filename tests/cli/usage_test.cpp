@@ -98,8 +98,7 @@ TEST_CASE("a mistyped command, option, scene, word or method is answered with th
   check_complaint(folder, "record pyramd -o run.ztrace", {"did you mean pyramid?"});
   check_complaint(folder, "render xyzzy", {"'zstep list scenes'"});
   check_complaint(folder, "render nothing.obj", {"nothing.obj: there is no such file"});
-  check_complaint(folder, "render teapot --depth veiw",
-                  {"--depth: 'veiw' is not pseudodepth", "did you mean view?"});
+  check_complaint(folder, "render teapot --depth veiw", {"--depth: 'veiw' is not pseudodepth", "did you mean view?"});
   check_complaint(folder, "render teapot --coverage all", {"--coverage: 'all' is not", "top-left", "ceil-floor"});
   check_complaint(folder, "render teapot --algorithm zbuffer",
                   {"--algorithm: 'zbuffer' is not", "did you mean z-buffer?"});

@@ -14,7 +14,6 @@ using zstep::read_png;
 
 namespace {
 
-
 void must(const Folder& folder, const std::string& arguments) {
   const Outcome outcome = run(folder, arguments);
   CAPTURE(arguments);

@@ -33,8 +33,8 @@ namespace fs = std::filesystem;
 namespace code = cli::exit_code;
 
 constexpr unsigned most_seconds = 5;  // what a person asks for, a large picture say, may take longer
-constexpr int shift = 100;  // of the exit code of a command that came to its end, apart from a sanitizer's
-constexpr int no_memory = 71;  // of libFuzzer, where more is asked for than it gives
+constexpr int shift = 100;            // of the exit code of a command that came to its end, apart from a sanitizer's
+constexpr int no_memory = 71;         // of libFuzzer, where more is asked for than it gives
 
 std::string text_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -116,8 +116,13 @@ void run(const std::vector<std::string>& words) {
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {  // by libFuzzer's clock
   }
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) return;
-  constexpr std::array known{shift + code::done,       shift + code::finding,   shift + code::bad_input,
-                             shift + code::incomplete, shift + code::exhausted, code::incomplete, no_memory};
+  constexpr std::array known{shift + code::done,
+                             shift + code::finding,
+                             shift + code::bad_input,
+                             shift + code::incomplete,
+                             shift + code::exhausted,
+                             code::incomplete,
+                             no_memory};
   if (WIFEXITED(status) && std::find(known.begin(), known.end(), WEXITSTATUS(status)) != known.end()) return;
   std::cerr << text_of(folder / "stderr") << "ended with status " << status << ", of:";
   for (const std::string& word : words) std::cerr << " '" << word << "'";

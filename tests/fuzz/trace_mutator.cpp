@@ -59,8 +59,8 @@ void change(Whole& number, Random& random) {
 }
 void change(double& number, Random& random) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  const std::array<double, 10> choices{0,    -0.0, 1e308,   -1e308,     5e-324, inf,
-                                       -inf, std::numeric_limits<double>::quiet_NaN(), number + 1, -number};
+  const std::array<double, 10> choices{
+      0, -0.0, 1e308, -1e308, 5e-324, inf, -inf, std::numeric_limits<double>::quiet_NaN(), number + 1, -number};
   number = choices[pick(random, choices.size())];
 }
 void change(bool& truth, Random&) { truth = !truth; }
@@ -206,7 +206,8 @@ Bytes mutate_trace(std::span<const std::uint8_t> bytes, const TextMutator& words
     } catch (const MalformedJson&) {
     }
     const auto block = parts.blocks.begin() + static_cast<std::ptrdiff_t>(pick(random, parts.blocks.size()));
-    if (what == 4) parts.head = [&] {
+    if (what == 4)
+      parts.head = [&] {
         const std::string text = words({parts.head.begin(), parts.head.end()}, random);
         return Bytes(text.begin(), text.end());
       }();

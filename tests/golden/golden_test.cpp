@@ -81,10 +81,8 @@ TEST_CASE("golden: every reason to reject a polygon or skip an edge, and every p
         seen.insert("skip " + std::string(words_of<EdgeSkip>[static_cast<std::size_t>(skip->why)]));
       if (const auto* cross = get_if<ClipCross>(&event))
         seen.insert("cross " + std::string(words_of<ClipPlane>[static_cast<std::size_t>(cross->plane)]));
-      if (const auto* compare = get_if<DepthCompare>(&event))
-        seen.insert(compare->nearer ? "nearer" : "not nearer");
-      if (const auto* span = get_if<SpanBegin>(&event))
-        seen.insert(span->first > span->last ? "empty span" : "span");
+      if (const auto* compare = get_if<DepthCompare>(&event)) seen.insert(compare->nearer ? "nearer" : "not nearer");
+      if (const auto* span = get_if<SpanBegin>(&event)) seen.insert(span->first > span->last ? "empty span" : "span");
     }
   });
   for (const char* what : {"reject back_facing", "reject edge_on", "reject outside", "reject degenerate",

@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 struct BrokenRun {
   const char *rule, *golden, *edit;  ///< as test::with_edit takes it
-  std::int64_t step;  ///< at which the rule is broken
+  std::int64_t step;                 ///< at which the rule is broken
 };
 constexpr BrokenRun broken_runs[] = {
     {"area_case", "warnock", "drop intersecting 20", 134},

@@ -27,10 +27,14 @@ using namespace zstep;
 namespace {
 
 enum class Change : std::uint8_t { digit, sign, neighbour, whole, other, no_such, verdict, left_out, count };
-constexpr std::array<const char*, 8> change_words{"a digit from the ninth upwards", "its sign",
-                                                  "a neighbour's value",            "a whole number beside it",
-                                                  "another step's number",          "a number that nothing has",
-                                                  "another verdict",                "left out"};
+constexpr std::array<const char*, 8> change_words{"a digit from the ninth upwards",
+                                                  "its sign",
+                                                  "a neighbour's value",
+                                                  "a whole number beside it",
+                                                  "another step's number",
+                                                  "a number that nothing has",
+                                                  "another verdict",
+                                                  "left out"};
 
 /// What shows nowhere, or only at a later step. A name alone is a step that is left out.
 struct Undetectable {
@@ -80,8 +84,8 @@ constexpr std::array undetectable{
     Undetectable{"vertex_side.vertex", alike},
 };
 std::string_view reason_for(const std::string& name) {
-  const auto found = std::find_if(undetectable.begin(), undetectable.end(),
-                                  [&](const Undetectable& one) { return one.name == name; });
+  const auto found =
+      std::find_if(undetectable.begin(), undetectable.end(), [&](const Undetectable& one) { return one.name == name; });
   return found == undetectable.end() ? std::string_view{} : found->reason;
 }
 
@@ -202,8 +206,7 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
       std::string field;
       if (how == Change::left_out)
         field = visit_event([]<class E>(const E&) { return std::string(description_of<E>.name); }, event);
-      else
-        field = change(event, how, run, step, random);
+      else field = change(event, how, run, step, random);
       if (field.empty()) continue;
       ++made, ++all.changes;
       if (!can_be_read(event, trace.scene())) {
@@ -228,11 +231,10 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
         continue;
       }
       ++unnoticed[field].first;
-      unnoticed[field].second =
-          fmt::format("{}, at step {} of {}, where check names {} and diff {}",
-                      change_words[static_cast<std::size_t>(how)], at, golden,
-                      report.causes.empty() ? "nothing" : fmt::format("step {}", report.causes.front().first.step),
-                      cause ? fmt::format("step {} for {}", cause->first.b, cause->first.a) : "nothing");
+      unnoticed[field].second = fmt::format(
+          "{}, at step {} of {}, where check names {} and diff {}", change_words[static_cast<std::size_t>(how)], at,
+          golden, report.causes.empty() ? "nothing" : fmt::format("step {}", report.causes.front().first.step),
+          cause ? fmt::format("step {} for {}", cause->first.b, cause->first.a) : "nothing");
     }
   });
   const int named = all.refused + all.by_check + all.by_diff;
@@ -244,7 +246,7 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
     MESSAGE(which.first, " x ", field, " (", which.second, "): ", std::string(reason.empty() ? "UNKNOWN" : reason));
     if (reason.empty()) FAIL_CHECK(field << " goes unnoticed: " << which.second);
   }
-  CHECK(all.changes >= 50 * changes_a_trace);  // 10,000 without sanitizers
+  CHECK(all.changes >= 50 * changes_a_trace);                      // 10,000 without sanitizers
   CHECK(named >= (test::sparse > 1 ? 0.97 : 0.98) * all.changes);  // of fewer, luck has a larger share
 }
 

@@ -157,8 +157,8 @@ std::vector<Scene> meshes_from_files() {
     }
   // By hand: a folder of other meshes.
   const char* more = std::getenv("ZSTEP_CHECK_MESHES");
-  for (const std::string& of : {test::in_checkout("tests/data"), test::in_checkout("lessons/scenes"),
-                                std::string(more ? more : "")})
+  for (const std::string& of :
+       {test::in_checkout("tests/data"), test::in_checkout("lessons/scenes"), std::string(more ? more : "")})
     if (!of.empty())
       for (const auto& entry : fs::recursive_directory_iterator(of))
         for (const char* ending : {".obj", ".off", ".ply", ".stl", ".toml"})

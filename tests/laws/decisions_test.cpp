@@ -108,9 +108,9 @@ TEST_CASE("decisions: what rounding turns is within the bound of its rounding, o
     CHECK(of.decisions > 0);  // each is asked
     fmt::print("{:<36} {:>10} {:>10} {:>8} {:>10} {:>6.2f}\n", oracle::text_of(static_cast<Predicate>(i)).name,
                of.decisions, of.left_open, of.wrong,
-               of.wrong == 0 ? "0"
-                             : fmt::format("{:.2g} %", 100 * static_cast<double>(of.wrong) /
-                                                           static_cast<double>(of.decisions)),
+               of.wrong == 0
+                   ? "0"
+                   : fmt::format("{:.2g} %", 100 * static_cast<double>(of.wrong) / static_cast<double>(of.decisions)),
                of.worst);
   }
   if (!asked) return;

@@ -223,7 +223,8 @@ TEST_SUITE("degenerate input") {
     }
   }
 
-  TEST_CASE("loading: in screen coordinates a polygon without area is not said to be left out, and the coverage decides") {
+  TEST_CASE(
+      "loading: in screen coordinates a polygon without area is not said to be left out, and the coverage decides") {
     const auto file = scene::read_scene(
         "coordinates = \"screen\"\nraster = { width = 12, height = 8 }\n[[polygon]]\npoints = [[1, 1, 1], [5, 3, 2], "
         "[9, 5, 3]]\n",

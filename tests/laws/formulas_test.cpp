@@ -64,7 +64,8 @@ void walk(const Trace& trace, Given& given) {
         if constexpr (formulas::Derived<E, Bits<E>>) formulas::derive(e, at, bits);
         // A run in fewer digits rounds elsewhere: check holds it to those (tests/laws/check_test.cpp).
         const bool float64 = trace.header().conventions.number_format == NumberFormat::float64;
-        if (float64 && !bits.wrong.empty()) FAIL_CHECK(description_of<E>.name << " at step " << step << ": " << bits.wrong);
+        if (float64 && !bits.wrong.empty())
+          FAIL_CHECK(description_of<E>.name << " at step " << step << ": " << bits.wrong);
         return true;
       },
       [](std::int64_t step, const Impossible& why) { FAIL_CHECK("step " << step << ": " << why.what()); });

@@ -119,7 +119,8 @@ TEST_CASE("grade: fixed-point numbers are rounded right only where the homework 
   head.replace(head.find(declared), declared.size(), "\"number_format\":\"as computed\"");
   const Trace run = test::trace_of(head + zoo::fixed_point(task));
   const Trace reference = test::recorded_by("z-buffer", run.scene(), run.header().conventions);
-  CHECK_FALSE(grade::judge(reference, run, parts(), grade::held_to(6, {"number_format", "number_format fixed16"})).first);
+  CHECK_FALSE(
+      grade::judge(reference, run, parts(), grade::held_to(6, {"number_format", "number_format fixed16"})).first);
   CHECK(grade::judge(reference, run, parts(), grade::held_to(6, {"number_format"})).first);
 }
 

@@ -57,7 +57,7 @@ TEST_CASE("each scene takes every branch of its method's idea") {
   CHECK(spans([](const SpanBegin& s, const MethodState&) { return s.last < s.first; }) > 0);  // empty, at a corner
   CHECK(spans([](const SpanBegin& s, const MethodState&) {
           return s.x_left != static_cast<double>(s.first) && s.first <= s.last;
-        }) > 0);                                                                              // between pixels
+        }) > 0);                                                                                  // between pixels
   CHECK(spans([](const SpanBegin&, const MethodState& m) { return m.active.size() == 4; }) > 0);  // two pairs
   CHECK(happens<EdgeRetire>("edge-table",
                             [](const EdgeRetire&, const MethodState& m) { return m.active.size() == 2; }) > 0);

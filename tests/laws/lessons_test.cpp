@@ -145,7 +145,7 @@ TEST_CASE("neither place nor length gives the right answer away") {
       }
       ++questions;
       ++places[place];
-      shortest += right < least_wrong, longest += right > most_wrong;
+      shortest += right<least_wrong, longest += right> most_wrong;
     }
   }
   // Of three answers each is a third of all that is to be guessed; an eighth more is chance.
@@ -153,7 +153,8 @@ TEST_CASE("neither place nor length gives the right answer away") {
   CHECK_MESSAGE(few_enough(shortest), shortest << " of " << questions << " right answers are the shortest");
   CHECK_MESSAGE(few_enough(longest), longest << " of " << questions << " right answers are the longest");
   for (const auto& at : places)
-    CHECK_MESSAGE(few_enough(at.second), at.second << " of " << questions << " right answers at place " << at.first + 1);
+    CHECK_MESSAGE(few_enough(at.second),
+                  at.second << " of " << questions << " right answers at place " << at.first + 1);
 }
 
 TEST_CASE("a question is asked before the step that answers it") {

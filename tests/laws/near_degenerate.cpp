@@ -126,8 +126,8 @@ std::string scene_file_of(const Scene& scene) {
   if (camera.kind != Camera::Kind::screen) {
     const bool parallel = camera.kind == Camera::Kind::orthographic;
     const glm::dvec3 eye = parallel ? camera.eye * 4.0 : camera.eye;
-    text += fmt::format("[camera]\neye = [{:.17g}, {:.17g}, {:.17g}]\nnear = {}\nfar = {}\northographic = {}\n",
-                        eye.x, eye.y, eye.z, camera.near, camera.far, parallel);
+    text += fmt::format("[camera]\neye = [{:.17g}, {:.17g}, {:.17g}]\nnear = {}\nfar = {}\northographic = {}\n", eye.x,
+                        eye.y, eye.z, camera.near, camera.far, parallel);
   }
   text += fmt::format("[raster]\nwidth = {}\nheight = {}\n", scene.raster.width, scene.raster.height);
   for (const Facet& facet : scene.facets) {

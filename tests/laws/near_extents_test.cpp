@@ -23,8 +23,11 @@ std::string lost(const test::ZooProgram& program, const Scene& given, const Scen
   std::vector<grade::Part> parts;
   for (std::size_t kind = 0; kind < kind_count; ++kind)
     if (run.has(static_cast<std::uint8_t>(kind)))
-      parts.push_back({test::name_of(static_cast<std::uint8_t>(kind)), grade::Level::matched,
-                       {static_cast<std::uint8_t>(kind)}, 1, 1});
+      parts.push_back({test::name_of(static_cast<std::uint8_t>(kind)),
+                       grade::Level::matched,
+                       {static_cast<std::uint8_t>(kind)},
+                       1,
+                       1});
   const grade::Judgement found = grade::judge(reference, run, parts);
   std::string text;
   if (found.first) text += test::said_of(*found.first);
@@ -71,8 +74,8 @@ TEST_CASE("near extents: right depth-sort programs lose nothing on many scenes")
     if (!text.empty()) table += fmt::format("\n{}: {}", seed, text);
   }
   MESSAGE(whole, " of ", seeds, " runs get all points", table);
-  // Where pieces are cut again and again, a cut may lie on the other side of a pixel's centre, or of another cut's z, by
-  // its rounding alone.
+  // Where pieces are cut again and again, a cut may lie on the other side of a pixel's centre, or of another cut's z,
+  // by its rounding alone.
   CHECK(whole >= 19);
 }
 
@@ -87,8 +90,8 @@ TEST_CASE("near extents: planes through the origin lose nothing") {
       CAPTURE(std::string(method));
       CAPTURE(seed);
       const Scene scene = test::scene_of(task);
-      const test::ZooProgram program{
-          method, std::string(method) == "scan-line" ? zoo::scan_line_flags : zoo::depth_sort};
+      const test::ZooProgram program{method,
+                                     std::string(method) == "scan-line" ? zoo::scan_line_flags : zoo::depth_sort};
       const std::string text = lost(program, scene, scene);
       CHECK_MESSAGE(text.empty(), text);
     }

@@ -27,23 +27,23 @@ struct Drawn {
   std::map<std::pair<int, int>, double> pixels;  ///< depths
 };
 
-/// A run of which nothing is left but what is drawn, and before it what that needs: how the order was found is left out.
+/// A run of which nothing is left but what is drawn, and before it what that needs: how the order was found is left
+/// out.
 struct DrawnRun {
   std::string before;
   std::vector<Drawn> all;
 
   explicit DrawnRun(const std::string& text) {
     static const std::set<std::string> of_order{
-        "insert", "pair",   "z_extents", "test_1", "test_2", "test_3", "test_4", "test_5",
-        "split",  "remove", "take_out",  "move",   "mark",   "drawn",  "test_3_swapped",
-        "test_4_swapped", "insert_part", "eye_side"};
+        "insert", "pair",   "z_extents",      "test_1",         "test_2",      "test_3",
+        "test_4", "test_5", "split",          "remove",         "take_out",    "move",
+        "mark",   "drawn",  "test_3_swapped", "test_4_swapped", "insert_part", "eye_side"};
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
       const json step = json::parse(line);
       const std::string name = step["step"];
       if (name == "draw") all.push_back({line + "\n", step["polygon"], {}});
-      else if (name == "paint")
-        all.back().text += line + "\n", all.back().pixels[{step["x"], step["y"]}] = step["z"];
+      else if (name == "paint") all.back().text += line + "\n", all.back().pixels[{step["x"], step["y"]}] = step["z"];
       else if (name == "clipping.outline" && !all.empty()) all.back().text += line + "\n";
       else if (!of_order.contains(name)) before += line + "\n";
     }
@@ -92,8 +92,7 @@ TEST_CASE("order: of two neighbours that change places, the first is found where
           if (other.all[first].polygon == other.all[first + 1].polygon) continue;
           const Trace run = test::trace_of(test::head_of(programs.program, scene) + other.text());
           const grade::Judgement found = grade::judge(reference, run, {});
-          const bool matters =
-              cover(other.all[first], other.all[first + 1]) || other.picture() != right.picture();
+          const bool matters = cover(other.all[first], other.all[first + 1]) || other.picture() != right.picture();
           CAPTURE(first);
           CHECK_MESSAGE(found.first.has_value() == matters, (found.first ? test::said_of(*found.first) : "nothing"));
           if (!found.first || !matters) {

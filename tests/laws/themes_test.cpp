@@ -79,17 +79,18 @@ std::string theme_of(const std::string& kind) {
 std::string recorded_in(const std::string& kind) {
   Words folders;
   for (const auto& [file, words] : code())
-    if (file.starts_with("algorithms/") && words.contains(kind)) folders.insert(file.substr(11, file.find('/', 11) - 11));
+    if (file.starts_with("algorithms/") && words.contains(kind))
+      folders.insert(file.substr(11, file.find('/', 11) - 11));
   std::string text;
   for (const std::string& folder : folders) text += (text.empty() ? "" : " and ") + folder;
   return text;
 }
 
-/// Where a theme's kinds have their place: the vocabulary, formulas, the mistakes that are made with them, replay, panes,
-/// and the methods that record them.
+/// Where a theme's kinds have their place: the vocabulary, formulas, the mistakes that are made with them, replay,
+/// panes, and the methods that record them.
 bool at_home(const std::string& file) {
-  for (const char* folder : {"algorithms/", "traces/events/", "traces/formulas/", "traces/mistakes/", "traces/replay/",
-                             "sim/viewer/panes/"})
+  for (const char* folder :
+       {"algorithms/", "traces/events/", "traces/formulas/", "traces/mistakes/", "traces/replay/", "sim/viewer/panes/"})
     if (file.starts_with(folder)) return true;
   return false;
 }

@@ -135,7 +135,7 @@ TEST_CASE("law: JSON Lines to a trace to JSON Lines loses nothing") {
     std::unique_ptr<TraceRecorder> recorder;
     read_jsonl(in, name, [&](const Header& header, Scene scene) -> TraceRecorder& {
       kept = std::move(scene);
-    recorder = std::make_unique<TraceRecorder>(header, kept);
+      recorder = std::make_unique<TraceRecorder>(header, kept);
       return *recorder;
     });
     recorder->finish();

@@ -33,8 +33,8 @@ TEST_CASE("of the third of them, the two writes of a wrong compare follow from i
     CAPTURE(one.step);
     const Event& event = trace.event(one.step).event;
     if (one.wrong) compared = one.step;
-    const bool follows = one.step == compared + 1 ? holds<DepthWrite>(event)
-                                                  : one.step == compared + 2 && holds<PixelWrite>(event);
+    const bool follows =
+        one.step == compared + 1 ? holds<DepthWrite>(event) : one.step == compared + 2 && holds<PixelWrite>(event);
     CHECK((one.wrong ? holds<DepthCompare>(event) : follows));
   }
 }

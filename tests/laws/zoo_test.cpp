@@ -61,18 +61,32 @@ struct Program {
 };
 const std::vector<Program>& programs() {
   static const std::vector<Program> all{
-      {"edge table", zoo::edge_table, "float64", "increments",
-       {"z_not_swapped", "slope_inverted", "slope_whole", "z_slope_of_x", "x_at_vertex", "ends_one_late",
-        "compare_reversed", "equal_wins", "written_before_test", "colour_always", "depth_not_written",
-        "colour_not_written", "right_end_included", "ends_rounded", "z_not_to_centre", "z_by_slope_of_x",
-        "never_retired", "rounded_then_stepped", "z_not_carried", "stepped_twice", "not_sorted", "entered_in_front",
-        "buffer_begins_at_0", "buffer_reset", "buffer_of_one_line"}},
-      {"crossings", zoo::crossings, "float32", "direct",
+      {"edge table",
+       zoo::edge_table,
+       "float64",
+       "increments",
+       {"z_not_swapped",       "slope_inverted",       "slope_whole",        "z_slope_of_x",
+        "x_at_vertex",         "ends_one_late",        "compare_reversed",   "equal_wins",
+        "written_before_test", "colour_always",        "depth_not_written",  "colour_not_written",
+        "right_end_included",  "ends_rounded",         "z_not_to_centre",    "z_by_slope_of_x",
+        "never_retired",       "rounded_then_stepped", "z_not_carried",      "stepped_twice",
+        "not_sorted",          "entered_in_front",     "buffer_begins_at_0", "buffer_reset",
+        "buffer_of_one_line"}},
+      {"crossings",
+       zoo::crossings,
+       "float32",
+       "direct",
        {"both_ends_met", "z_along_x", "z_from_the_right", "z_of_the_line", "one_depth_off", "farther_wins",
         "depth_kept", "colour_of_the_next"}},
-      {"half-planes", zoo::half_planes, "float64", "direct",
+      {"half-planes",
+       zoo::half_planes,
+       "float64",
+       "direct",
        {"border_for_nobody", "border_for_all", "weights_turned", "or_equal", "half_the_depth"}},
-      {"by line (Python)", by_line, "float64", "increments",
+      {"by line (Python)",
+       by_line,
+       "float64",
+       "increments",
        {"last_line_in", "unsorted", "truncated", "begins_at_edge", "buffer_of_line_before"}},
   };
   return all;
@@ -87,8 +101,8 @@ TEST_CASE("zoo: runs of right programs are not doubted, and are the same as zste
     for (const Named& scene : all) {
       CAPTURE(program.name);
       CAPTURE(scene.name);
-      const Trace run = trace_of(head(scene.task, program.number_format, program.interpolation) +
-                                 program.run(scene.task));
+      const Trace run =
+          trace_of(head(scene.task, program.number_format, program.interpolation) + program.run(scene.task));
       const CheckReport report = check(run);
       for (const Cause& cause : report.causes)
         FAIL_CHECK("step " << cause.first.step << ": " << cause.first.field << " " << cause.first.impossible
@@ -124,19 +138,17 @@ TEST_CASE("zoo: of wrong programs the first wrong step is named, by check or by 
         if (first == 0) continue;
         ++seen;
         std::string impossible;
-        const Trace run =
-            trace_of(head(scene.task, program.number_format, program.interpolation) + text, &impossible);
+        const Trace run = trace_of(head(scene.task, program.number_format, program.interpolation) + text, &impossible);
         const CheckReport report = check(run);
         const Trace own = reference(run.scene());
         const diff::DiffReport against = diff::compare(own, run);
         // What is missing, or comes too often, is noticed by the first span or pixel that comes after it, at the
         // latest.
         const std::int64_t shows = shown_at(run, first);
-        const bool checked = !report.causes.empty() && first <= report.causes[0].first.step &&
-                             report.causes[0].first.step <= shows;
-        const auto cause = std::find_if(against.causes.begin(), against.causes.end(), [](const diff::Cause& one) {
-          return one.part == diff::Part::different;
-        });
+        const bool checked =
+            !report.causes.empty() && first <= report.causes[0].first.step && report.causes[0].first.step <= shows;
+        const auto cause = std::find_if(against.causes.begin(), against.causes.end(),
+                                        [](const diff::Cause& one) { return one.part == diff::Part::different; });
         const Trace without = trace_of(head(scene.task, program.number_format, program.interpolation) + right);
         const bool differed =
             cause != against.causes.end() && is_at(*cause, own, against.alignment, without, first, shows);

@@ -237,27 +237,27 @@ TEST_CASE("the tables of the sweep, the lines, the rays and the tree show what t
     return [apply, done = false](Event& event) mutable { return done || (done = apply(event)); };
   };
   CHECK(line_of_b(rows_where_they_part("scan-line", polygon_rows, once([](Event& event) {
-          if (holds<PlaneEquation>(event)) event.as<PlaneEquation>().plane_c += 1;
-          return holds<PlaneEquation>(event);
-        }))) == Texts{b, "", "", "", "number", ""});
+                                         if (holds<PlaneEquation>(event)) event.as<PlaneEquation>().plane_c += 1;
+                                         return holds<PlaneEquation>(event);
+                                       }))) == Texts{b, "", "", "", "number", ""});
   CHECK(line_of_b(rows_where_they_part("hidden-line", interval_rows, once([](Event& event) {
-          if (holds<LineHide>(event)) event.as<LineHide>().t_1 += 0.125;
-          return holds<LineHide>(event);
-        }))) == Texts{b, "", "number"});
+                                         if (holds<LineHide>(event)) event.as<LineHide>().t_1 += 0.125;
+                                         return holds<LineHide>(event);
+                                       }))) == Texts{b, "", "number"});
   CHECK(line_of_b(rows_where_they_part("ray-casting", ray_test_rows, once([](Event& event) {
-          if (holds<RayHit>(event)) event.as<RayHit>().t += 0.125;
-          return holds<RayHit>(event);
-        })))[1] == "number");
+                                         if (holds<RayHit>(event)) event.as<RayHit>().t += 0.125;
+                                         return holds<RayHit>(event);
+                                       })))[1] == "number");
   CHECK(line_of_b(rows_where_they_part("ray-tracing", ray_tree_rows, once([](Event& event) {
-          const auto* end = get_if<RayEnd>(&event);
-          if (!end || end->nearest_facet < 0) return false;
-          event.as<RayEnd>().t += 0.125;
-          return true;
-        }))) == Texts{b, "", "number", ""});
+                                         const auto* end = get_if<RayEnd>(&event);
+                                         if (!end || end->nearest_facet < 0) return false;
+                                         event.as<RayEnd>().t += 0.125;
+                                         return true;
+                                       }))) == Texts{b, "", "number", ""});
   CHECK(line_of_b(rows_where_they_part("bsp", path_rows, once([](Event& event) {
-          if (holds<EyeSide>(event)) event.as<EyeSide>().value += 1;
-          return holds<EyeSide>(event);
-        }))) == Texts{"", b, "", "number", "", ""});
+                                         if (holds<EyeSide>(event)) event.as<EyeSide>().value += 1;
+                                         return holds<EyeSide>(event);
+                                       }))) == Texts{"", b, "", "number", "", ""});
 }
 
 TEST_CASE("keys lead to the next cause, the next difference and the first pixel that differs") {

@@ -98,7 +98,8 @@ TEST_CASE("described: a row of a table as it is drawn, with its headings") {
   CHECK(text.find("\nTable: ACTIVE EDGES\nedge e0, x 12.27, z star 0.46, leaves 23, left\n") != std::string::npos);
 }
 
-TEST_CASE("lists for a page: every table that is drawn, each row with as many cells as it has headings, and every command") {
+TEST_CASE(
+    "lists for a page: every table that is drawn, each row with as many cells as it has headings, and every command") {
   const auto parted = [](const std::string& text, char by) {
     std::vector<std::string> parts{""};
     for (const char c : text)

@@ -21,7 +21,8 @@ void take(App& app, const std::string& typed, const std::string& title) {
   test::type(app, typed);
   app.settle();
   const std::vector<Found>& found = app.found();
-  const auto row = std::find_if(found.begin(), found.end(), [&](const Found& one) { return one.title.starts_with(title); });
+  const auto row =
+      std::find_if(found.begin(), found.end(), [&](const Found& one) { return one.title.starts_with(title); });
   REQUIRE(row != found.end());
   for (auto k = row - found.begin(); k > 0; --k) test::press(app, SDLK_DOWN);
   test::press(app, SDLK_RETURN);

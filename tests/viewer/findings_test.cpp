@@ -119,7 +119,8 @@ TEST_CASE("a step that cannot be ends the way there, and the window stays open b
   for (const bool by_steps : {false, true}) {
     CAPTURE(by_steps);
     s.go_to(0);
-    if (by_steps) while (s.position() < 120 && s.message.empty()) s.go_to(s.position() + 1);
+    if (by_steps)
+      while (s.position() < 120 && s.message.empty()) s.go_to(s.position() + 1);
     else s.go_to(s.size());
     CHECK(s.position() == 108);
     CHECK(s.message.find("step 109 cannot be: edge 0 is not in the active edge list") != std::string::npos);

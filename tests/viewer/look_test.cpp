@@ -216,8 +216,7 @@ TEST_CASE("dragging on the strip of a polygon goes to its steps, and the marker 
   CHECK(marked > 20);
 }
 
-TEST_CASE(
-    "a diamond leads to its stop, the transport says what it does, and a held key can be clicked") {
+TEST_CASE("a diamond leads to its stop, the transport says what it does, and a held key can be clicked") {
   std::vector<Lesson> lessons = all_lessons();
   Lesson& lesson = lessons[3];
   const Trace trace = run_lesson(lesson);

@@ -34,8 +34,7 @@ TEST_CASE("what changed is what the last move's unit wrote") {
   const std::int64_t polygon = s.position();
   s.go_to(polygon, Unit::polygon);
   std::size_t written = 0;
-  for (std::int64_t p = s.before() + 1; p <= polygon; ++p)
-    written += holds<PixelWrite>(trace.event(p).event);
+  for (std::int64_t p = s.before() + 1; p <= polygon; ++p) written += holds<PixelWrite>(trace.event(p).event);
   CHECK(written == 28);  // the first polygon of the worked example
   CHECK(s.changed().size() == written);
   s.go_to(0);
@@ -229,6 +228,6 @@ TEST_CASE("playing keeps its pace, halts where the lesson asks, and ends at the 
   int frames = 0;
   for (; alone.playing && frames < 100; ++frames) alone.play(now += 0.016);
   CHECK(alone.position() == trace.size());
-  CHECK(frames <= 4);  // two polygons: one a frame
+  CHECK(frames <= 4);          // two polygons: one a frame
   CHECK(alone.play(now) > 1);  // and then nothing is due
 }

@@ -63,8 +63,7 @@ TEST_CASE(
         {"floating-horizon", "lessons/scenes/ridge-valley.toml", "horizons", 1, {"theta", "44"}}}) {
     CAPTURE(std::string(shown.method));
     const bool built_in = std::string(shown.scene).find('/') == std::string::npos;
-    const Trace trace =
-        test::record_run_by(shown.method, built_in ? shown.scene : test::in_checkout(shown.scene));
+    const Trace trace = test::record_run_by(shown.method, built_in ? shown.scene : test::in_checkout(shown.scene));
     const ViewerOptions options = running_anew();
     Stage stage(trace, options, Settings{}, 1280, 720);
     go_to_share(stage, shown.share);

@@ -74,8 +74,7 @@ TEST_CASE("switching keeps the moment: the pixel and the polygon at work, and th
   Session& first = stage.app().session();
   first.go_to(300);
   first.answer(1);
-  while (!first.event() || !holds<DepthCompare>(first.event()->event))
-    first.go_to(first.position() + 1);
+  while (!first.event() || !holds<DepthCompare>(first.event()->event)) first.go_to(first.position() + 1);
   const std::int64_t here = first.position();
   const Cell cell = *first.current_cell();
   const std::int32_t polygon = first.state().machine.polygon;

@@ -191,7 +191,8 @@ TEST_CASE("Shift+E asks where the depth of the selected pixel comes from, and no
 }
 
 TEST_CASE(
-    "law: x_L and x_R are drawn where they are, on the scale of pixel centres, and cross nothing that stands in pixels") {
+    "law: x_L and x_R are drawn where they are, on the scale of pixel centres, and cross nothing that stands in "
+    "pixels") {
   const Trace trace = test::record_run("pyramid");
   App app(trace, nullptr, {}, 1280, 720);
   int spans = 0;

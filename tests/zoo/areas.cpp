@@ -46,9 +46,7 @@ struct Quartering {
     return bin;
   }
 
-  void decide(const char* what, int area, int piece) {
-    out.print(what, "area", area, "what", what, "piece", piece);
-  }
+  void decide(const char* what, int area, int piece) { out.print(what, "area", area, "what", what, "piece", piece); }
   void fill(Quad area, int piece) {
     for (int y = area.y_0; y < area.y_1; ++y)
       for (int x = area.x_0; x < area.x_1; ++x) table.paint(table[piece], x, y);

@@ -46,7 +46,7 @@ struct Divider {
   std::string side_of(int number, int root) {
     double least = INFINITY, greatest = -INFINITY;
     const auto word = [](double low, double high) {
-      const bool behind = low < -1e-9, front = high > 1e-9;
+      const bool behind = low<-1e-9, front = high> 1e-9;
       return behind && front ? "crossing" : behind ? "behind" : front ? "front" : "on";
     };
     for (const int corner : piece(number).corners) {
@@ -132,9 +132,8 @@ struct Divider {
         out.print("clipping.outline", "vertex", corner);
         outline.push_back(screen[static_cast<std::size_t>(corner)]);
       }
-      fill(task, outline, [&](int x, int y, double z) {
-        out.print("paint", "x", x, "y", y, "z", z, "polygon", piece(part).polygon);
-      });
+      fill(task, outline,
+           [&](int x, int y, double z) { out.print("paint", "x", x, "y", y, "z", z, "polygon", piece(part).polygon); });
     }
     draw(front_first ? node.back : node.front);
   }

@@ -50,7 +50,7 @@ struct DepthSorter {
       const double value = turn * table[plane_of].value(table.point(corner));
       least = std::min(least, value), greatest = std::max(greatest, value);
     }
-    const bool before = least < -1e-9, beyond = greatest > 1e-9;
+    const bool before = least<-1e-9, beyond = greatest> 1e-9;
     const std::string found = before && beyond ? "crossing" : before ? "front" : beyond ? "behind" : "on";
     out.print(step, "piece", p, "plane_of", plane_of, "least", least, "greatest", greatest, "side", found.c_str());
     return found;

@@ -70,7 +70,9 @@ struct FixedPoint {
   struct WholePoint {
     Whole x, y, z;
   };
-  WholePoint whole_point(Point p) const { return {whole(p.x, x_of(1)), whole(p.y, x_of(1)), whole(p.z - origin, unit)}; }
+  WholePoint whole_point(Point p) const {
+    return {whole(p.x, x_of(1)), whole(p.y, x_of(1)), whole(p.z - origin, unit)};
+  }
 
   void draw(const Polygon& polygon) {
     out.print("polygon", "polygon", polygon.number, "facet", polygon.number);
@@ -115,8 +117,8 @@ struct FixedPoint {
 
 std::string fixed_point(const Task& task) {
   FixedPoint program{task};
-  const auto [nearest, farthest] = std::minmax_element(task.points.begin(), task.points.end(),
-                                                       [](Point a, Point b) { return a.z < b.z; });
+  const auto [nearest, farthest] =
+      std::minmax_element(task.points.begin(), task.points.end(), [](Point a, Point b) { return a.z < b.z; });
   const double range = farthest->z - nearest->z;
   program.unit = (range > 0 ? range : 1) / (std::ldexp(1, std::stoi(task.style)) - 1), program.origin = nearest->z;
   program.depth.assign(static_cast<std::size_t>(task.width * task.height), FixedPoint::empty);

@@ -29,7 +29,7 @@ struct Task {
   int columns = 0;        ///< of a surface: points come in rows of so many, one curve each
   std::string style{};    ///< what a program does in another, right way; "" for its usual one
   std::string mistake{};  ///< "" for none
-  int nth = 0;          ///< where it can be made once: at which place, from 0
+  int nth = 0;            ///< where it can be made once: at which place, from 0
 };
 
 /// Edge table with buckets, active edges in a list, everything by increments; in float64.

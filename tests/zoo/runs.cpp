@@ -40,8 +40,8 @@ zoo::Task triangles(std::uint64_t seed, int count, int size) {
 zoo::Task ties() {
   zoo::Task task;
   task.width = 14, task.height = 12;
-  task.points = {{1, 1, 0.5}, {12, 1, 0.5}, {1, 10, 0.5}, {3, 2, 0.5}, {12, 9, 0.5}, {2, 9, 0.5}, {12, 10, 0.5},
-                 {2, 1, 0.75}, {9, 2, 0.75}, {3, 8, 0.75}};
+  task.points = {{1, 1, 0.5}, {12, 1, 0.5},  {1, 10, 0.5}, {3, 2, 0.5},  {12, 9, 0.5},
+                 {2, 9, 0.5}, {12, 10, 0.5}, {2, 1, 0.75}, {9, 2, 0.75}, {3, 8, 0.75}};
   task.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}, {2, {1, 6, 2}}, {3, {7, 8, 9}}};
   return task;
 }
@@ -60,11 +60,20 @@ std::string head(const zoo::Task& task, const char* number_format, const char* i
   ordered_json steps = ordered_json::array(), points = ordered_json::array(), polygons = ordered_json::array(),
                facets = ordered_json::array();
   int id = 0;
-  for (const auto& [name, event] : std::vector<std::pair<const char*, const char*>>{
-           {"clear", "buffers_clear"}, {"polygon", "polygon_begin"}, {"insert", "edge_table_insert"},
-           {"skip", "edge_table_skip"}, {"line", "scan_line_begin"}, {"retire", "edge_retire"}, {"step", "edge_step"},
-           {"swap", "edge_swap"}, {"enter", "edge_enter"}, {"span", "span_begin"}, {"z", "depth_interpolate"},
-           {"compare", "depth_compare"}, {"wz", "depth_write"}, {"wp", "pixel_write"}})
+  for (const auto& [name, event] : std::vector<std::pair<const char*, const char*>>{{"clear", "buffers_clear"},
+                                                                                    {"polygon", "polygon_begin"},
+                                                                                    {"insert", "edge_table_insert"},
+                                                                                    {"skip", "edge_table_skip"},
+                                                                                    {"line", "scan_line_begin"},
+                                                                                    {"retire", "edge_retire"},
+                                                                                    {"step", "edge_step"},
+                                                                                    {"swap", "edge_swap"},
+                                                                                    {"enter", "edge_enter"},
+                                                                                    {"span", "span_begin"},
+                                                                                    {"z", "depth_interpolate"},
+                                                                                    {"compare", "depth_compare"},
+                                                                                    {"wz", "depth_write"},
+                                                                                    {"wp", "pixel_write"}})
     steps.push_back({{"id", ++id}, {"name", name}, {"event", event}});
   for (const zoo::Point& p : task.points) points.push_back({p.x, p.y, p.z});
   for (const zoo::Polygon& polygon : task.polygons) {
@@ -72,20 +81,23 @@ std::string head(const zoo::Task& task, const char* number_format, const char* i
                         {"color", fmt::format("#{:02x}72b2", 20 * polygon.number)}});
     facets.push_back({{"polygon", polygon.number}, {"points", polygon.corners}});
   }
-  const ordered_json header{
-      {"ztrace", 1},
-      {"writer", "a program"},
-      {"algorithm", "z-buffer"},
-      {"conventions",
-       {{"number_format", number_format}, {"interpolation", interpolation}, {"coverage", "top_left"},
-        {"nearer", "smaller"}, {"ties", "first"}, {"cull", false}}},
-      {"steps", steps},
-      {"scene",
-       {{"raster", {{"width", task.width}, {"height", task.height}}},
-        {"camera", {{"kind", "screen"}}},
-        {"points", points},
-        {"polygons", polygons},
-        {"facets", facets}}}};
+  const ordered_json header{{"ztrace", 1},
+                            {"writer", "a program"},
+                            {"algorithm", "z-buffer"},
+                            {"conventions",
+                             {{"number_format", number_format},
+                              {"interpolation", interpolation},
+                              {"coverage", "top_left"},
+                              {"nearer", "smaller"},
+                              {"ties", "first"},
+                              {"cull", false}}},
+                            {"steps", steps},
+                            {"scene",
+                             {{"raster", {{"width", task.width}, {"height", task.height}}},
+                              {"camera", {{"kind", "screen"}}},
+                              {"points", points},
+                              {"polygons", polygons},
+                              {"facets", facets}}}};
   return header.dump() + "\n";
 }
 
@@ -97,7 +109,8 @@ zoo::Task task_of(const Scene& scene) {
   for (const Facet& facet : scene.facets) {
     const auto first = scene.corners.begin() + facet.first_corner;
     const Color color = scene.polygons[static_cast<std::size_t>(facet.polygon)].color;
-    task.polygons.push_back({facet.polygon, {first, first + facet.corner_count},
+    task.polygons.push_back({facet.polygon,
+                             {first, first + facet.corner_count},
                              {color.red / 255.0, color.green / 255.0, color.blue / 255.0}});
   }
   if (scene.surface) task.columns = scene.surface->columns;
@@ -105,8 +118,8 @@ zoo::Task task_of(const Scene& scene) {
   if (camera.kind == Camera::Kind::screen) return task;
   REQUIRE(camera.kind == Camera::Kind::perspective);  // the programs know no other
   const glm::dmat4 rows = glm::transpose(camera.view);
-  task.camera = {true, point(rows[0]), point(rows[1]), point(rows[2]), point(camera.eye), point(camera.view[3]),
-                 camera.d, camera.window, camera.near, camera.far};
+  task.camera = {true,     point(rows[0]), point(rows[1]), point(rows[2]), point(camera.eye), point(camera.view[3]),
+                 camera.d, camera.window,  camera.near,    camera.far};
   return task;
 }
 
@@ -128,8 +141,7 @@ const std::string& python_program() {
 }  // namespace
 
 std::string python(const char* file, const zoo::Task& task) {
-  std::string given =
-      fmt::format("{} {} {} {}\n", task.width, task.height, task.points.size(), task.polygons.size());
+  std::string given = fmt::format("{} {} {} {}\n", task.width, task.height, task.points.size(), task.polygons.size());
   for (const zoo::Point& p : task.points) given += fmt::format("{} {} {}\n", p.x, p.y, p.z);
   for (const zoo::Polygon& polygon : task.polygons) given += fmt::format("{}\n", fmt::join(polygon.corners, " "));
   // A right run is asked for once for each mistake.
@@ -141,7 +153,8 @@ std::string python(const char* file, const zoo::Task& task) {
   std::ofstream(path) << given;
   const std::string out = path + ".out";
   const int code = std::system(fmt::format("'{}' -B '{}' '{}' '{}' > '{}'", python_program(),
-                                           in_checkout("tests/zoo/") + file, path, task.mistake, out).c_str());
+                                           in_checkout("tests/zoo/") + file, path, task.mistake, out)
+                                   .c_str());
   std::stringstream text;
   text << std::ifstream(out).rdbuf();
   std::filesystem::remove(path);
@@ -162,11 +175,14 @@ Trace trace_of(const std::string& text, std::string* impossible) {
   std::istringstream in(text);
   std::unique_ptr<Scene> kept;
   std::unique_ptr<TraceRecorder> recorder;
-  const auto left = read_jsonl(in, "run.jsonl", [&](const Header& header, Scene scene) -> TraceRecorder& {
-    kept = std::make_unique<Scene>(std::move(scene));
-    recorder = std::make_unique<TraceRecorder>(header, *kept);
-    return *recorder;
-  }, impossible);
+  const auto left = read_jsonl(
+      in, "run.jsonl",
+      [&](const Header& header, Scene scene) -> TraceRecorder& {
+        kept = std::make_unique<Scene>(std::move(scene));
+        recorder = std::make_unique<TraceRecorder>(header, *kept);
+        return *recorder;
+      },
+      impossible);
   CHECK(!left);
   recorder->finish();
   return Trace::from_bytes(recorder->take_bytes(), "run.jsonl");

@@ -81,9 +81,7 @@ struct Sweeper {
       move_to(edge, y);
       out.print("step_edge", "edge", edge.number, "x_edge", edge.x, "z_edge", edge.z);
     }
-    const auto left_of = [](const SweptEdge& a, const SweptEdge& b) {
-      return a.x != b.x ? a.x < b.x : a.dx < b.dx;
-    };
+    const auto left_of = [](const SweptEdge& a, const SweptEdge& b) { return a.x != b.x ? a.x < b.x : a.dx < b.dx; };
     for (std::size_t i = 1; i < active.size() && !is("not_sorted"); ++i)
       for (std::size_t k = i; k > 0 && left_of(active[k], active[k - 1]); --k) {
         std::swap(active[k], active[k - 1]);

@@ -34,7 +34,7 @@ struct Viewer {
     out.print("project", "vertex", number, "x_p", v.plane.x, "y_p", v.plane.y, "z", v.plane.z);
     double up = camera.window - v.plane.y;
     if (is("y_upside_down")) up = camera.window + v.plane.y;  // y grows upwards on the plane, downwards on the screen
-    const double half = is("centres_half_off") ? 0 : 0.5;  // corners of pixels are taken for their centres
+    const double half = is("centres_half_off") ? 0 : 0.5;     // corners of pixels are taken for their centres
     v.screen = {(v.plane.x + window_x) / (2 * window_x) * task.width - half,
                 up / (2 * camera.window) * task.height - half, v.plane.z};
     v.seen = true;
@@ -58,9 +58,7 @@ struct Viewer {
     Point normal{}, turn{};
     double area = 0;
     const std::size_t n = polygon.corners.size();
-    const auto world = [&](std::size_t i) {
-      return task.points[static_cast<std::size_t>(polygon.corners[i % n])];
-    };
+    const auto world = [&](std::size_t i) { return task.points[static_cast<std::size_t>(polygon.corners[i % n])]; };
     for (std::size_t i = 0; i < n; ++i) {
       const ViewedVertex &a = vertex(polygon.corners[i]), &b = vertex(polygon.corners[(i + 1) % n]);
       normal = normal + cross(world(i) - world(0), world(i + 1) - world(0));
@@ -73,7 +71,10 @@ struct Viewer {
     const double at_eye = dot(normal, camera.eye) - dot(normal, world(0));
     const bool front = is("clockwise_front") ? away > 0 : away < 0;  // the order of the vertices is read the other way
     out.print("facing", "determinant", determinant, "plane_at_eye", at_eye, "view_dot_normal", away,
-              "projected_normal_z", area, "facing", front ? "front" : away == 0 ? "edge_on" : "back");
+              "projected_normal_z", area, "facing",
+              front       ? "front"
+              : away == 0 ? "edge_on"
+                          : "back");
     if (!front) reject(polygon, away == 0 ? "edge_on" : "back_facing");
     return front;
   }

@@ -53,26 +53,35 @@ inline constexpr const char* of_edge_table[] = {
     "written_before_test", "depth_not_written",    "depth_always",       "colour_not_written",   "colour_always",
     "x_y_exchanged",       "y_upside_down"};
 inline constexpr const char* others_of_edge_table[] = {
-    "swapped_vertex", "dropped_increment",     "wrong_rounding",      "missing_retirement", "entered_in_front",
-    "mean_depth",     "depth_doubled_at_ends", "spans_of_even_lines", "slope_negative",     "z_slope_halved",
-    "first_polygon_always", "x_y_read_exchanged", "rows_rounded_down", "colour_one_to_the_right", "colour_upside_down",
+    "swapped_vertex",        "dropped_increment",       "wrong_rounding",
+    "missing_retirement",    "entered_in_front",        "mean_depth",
+    "depth_doubled_at_ends", "spans_of_even_lines",     "slope_negative",
+    "z_slope_halved",        "first_polygon_always",    "x_y_read_exchanged",
+    "rows_rounded_down",     "colour_one_to_the_right", "colour_upside_down",
     "dz_dx_of_first_span"};
 std::vector<Scene> scenes_of_edge_table();
-inline const ZooProgram edge_table_program{
-    "z-buffer", zoo::edge_table, "", {}, false, true, NumberFormat::float64, Conventions::Interpolation::increments,
-    Conventions::Rounding::nearest, true};
+inline const ZooProgram edge_table_program{"z-buffer",
+                                           zoo::edge_table,
+                                           "",
+                                           {},
+                                           false,
+                                           true,
+                                           NumberFormat::float64,
+                                           Conventions::Interpolation::increments,
+                                           Conventions::Rounding::nearest,
+                                           true};
 
 Scene on_the_raster(std::uint64_t seed, int count, int size);
 
 /// What is found of a program that makes a mistake, or none.
 struct Found {
-  bool shows = false;     ///< it prints something else than the right one
-  bool detected = false;  ///< something is wrong
-  bool at_once = false;   ///< and that from the first step on that is wrong, or from the one that it shows in
+  bool shows = false;       ///< it prints something else than the right one
+  bool detected = false;    ///< something is wrong
+  bool at_once = false;     ///< and that from the first step on that is wrong, or from the one that it shows in
   std::int64_t step = 0;    ///< the first one that is wrong; 0 where none is
   bool full_marks = false;  ///< by the picture, and by each kind of step that is printed
-  std::string name;       ///< of the catalogue; "" where none is given
-  std::string said;       ///< where it shows, and what was found, for who looks into it
+  std::string name;         ///< of the catalogue; "" where none is given
+  std::string said;         ///< where it shows, and what was found, for who looks into it
 };
 Found found_in(const ZooProgram& program, const Scene& scene, const std::string& mistake);
 

@@ -86,9 +86,7 @@ struct Checker {
   }
   void cleared(Place::In in) {
     if (marks)
-      inheritance.for_each(in, [&](const Place& place) {
-        marks->changes.push_back({step, place, CheckMarks::none});
-      });
+      inheritance.for_each(in, [&](const Place& place) { marks->changes.push_back({step, place, CheckMarks::none}); });
     inheritance.clear(in);
   }
   void mark_step() {

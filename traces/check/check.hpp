@@ -25,12 +25,12 @@ namespace zstep {
 /// cannot be at all.
 struct Fault {
   std::int64_t step = 0;
-  std::uint8_t line = 0;   ///< of the pseudo-code: the step's id
-  std::uint8_t kind = 0;   ///< of the event
-  std::string field;       ///< "x_edge"; empty where a rule is broken
+  std::uint8_t line = 0;  ///< of the pseudo-code: the step's id
+  std::uint8_t kind = 0;  ///< of the event
+  std::string field;      ///< "x_edge"; empty where a rule is broken
   std::optional<formulas::Rule> rule;
   double recorded = 0, expected = 0;  ///< of a field
-  std::string impossible;  ///< why the step cannot be
+  std::string impossible;             ///< why the step cannot be
   /// NaN or an infinity stands where a finite number must be, and no formula says which; then `expected` is NaN.
   bool no_number() const { return !std::isfinite(recorded) && std::isnan(expected); }
 };
@@ -54,18 +54,18 @@ struct KindJudged {
 };
 
 struct CheckReport {
-  std::int64_t steps = 0;          ///< that were gone through
-  std::int64_t judged = 0;         ///< of these, with a field or a rule that could be judged
-  std::int64_t numbers = 0;        ///< that were held against a formula
-  std::int64_t exact = 0;          ///< of these, to the last bit
-  std::int64_t rounded = 0;        ///< within what rounding allows
-  double largest_rounding = 0;     ///< in last digits of the number format, of the largest number in the formula
-  std::int64_t wrong_steps = 0;    ///< with a fault of their own
-  std::int64_t inherited = 0;      ///< without one, but following from one
+  std::int64_t steps = 0;        ///< that were gone through
+  std::int64_t judged = 0;       ///< of these, with a field or a rule that could be judged
+  std::int64_t numbers = 0;      ///< that were held against a formula
+  std::int64_t exact = 0;        ///< of these, to the last bit
+  std::int64_t rounded = 0;      ///< within what rounding allows
+  double largest_rounding = 0;   ///< in last digits of the number format, of the largest number in the formula
+  std::int64_t wrong_steps = 0;  ///< with a fault of their own
+  std::int64_t inherited = 0;    ///< without one, but following from one
   Precision precision;
-  std::vector<Cause> causes;       ///< by their first step
+  std::vector<Cause> causes;  ///< by their first step
   std::array<KindJudged, kind_count> kinds{};
-  bool coverage = false;           ///< a pixel that is missing or too many would have been found, in what is recorded
+  bool coverage = false;  ///< a pixel that is missing or too many would have been found, in what is recorded
   std::vector<std::int32_t> polygons_missing;  ///< of the scene: the run has no step of them, and does not say why
 };
 

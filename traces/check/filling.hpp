@@ -94,7 +94,8 @@ class Filling {
   static int spans_between(std::vector<ActiveEdge> edges, const Situation& at, int back, double sure) {
     for (ActiveEdge& one : edges)
       if (const EdgeTableInsert* entry = at.edge(one.edge)) one.x -= back * entry->dx_dy;
-    std::sort(edges.begin(), edges.end(), [](const ActiveEdge& one, const ActiveEdge& other) { return one.x < other.x; });
+    std::sort(edges.begin(), edges.end(),
+              [](const ActiveEdge& one, const ActiveEdge& other) { return one.x < other.x; });
     const std::int32_t width = at.scene.raster.width;
     const auto has_pixels = [&](double left, double right, Conventions::Coverage coverage) {
       return std::max(0, formulas::limited_column(formulas::first_pixel(left + sure, coverage), width)) <
@@ -177,7 +178,7 @@ class Filling {
   static constexpr std::int32_t none = std::numeric_limits<std::int32_t>::min();
   std::uint8_t pixel_;  ///< the kind of event that each pixel of a span has
   bool judges_;
-  bool pieces_;  ///< what is drawn are pieces, after all polygons began
+  bool pieces_;                       ///< what is drawn are pieces, after all polygons began
   std::int32_t line_ = none;          ///< the scan line at work
   std::vector<ActiveEdge> active_{};  ///< as its first span found them
   int spans_ = 0;                     ///< of this line, with pixels

@@ -13,11 +13,11 @@ namespace zstep {
 /// A kind of step of which something is not judged.
 struct NotJudged {
   std::uint8_t kind = 0;
-  std::int64_t steps = 0, of = 0;  ///< in so many of its steps
+  std::int64_t steps = 0, of = 0;        ///< in so many of its steps
   std::vector<std::string_view> fields;  ///< these fields; all of the step where it is empty
 };
-/// In the order of the vocabulary. Kinds that only say where the run has come to are not among them: there is nothing in
-/// them that could be wrong.
+/// In the order of the vocabulary. Kinds that only say where the run has come to are not among them: there is nothing
+/// in them that could be wrong.
 std::vector<NotJudged> not_judged(const CheckReport& report);
 
 enum class Verdict : std::uint8_t {

@@ -76,15 +76,16 @@ struct Seen {
 
 bool is_float32(double value) { return static_cast<double>(static_cast<float>(value)) == value; }
 
-/// How a program may count in fixed point: `steps` units make 1 of what a number is a part of (a range of depths, a pixel).
+/// How a program may count in fixed point: `steps` units make 1 of what a number is a part of (a range of depths, a
+/// pixel).
 struct Grid {
   double origin, unit;
   std::int64_t steps;
 };
 
 /// Are some numbers whole numbers of units? Those do not tell that short ones are as well, having 64 and more of the
-/// steps' factors in common with them (1/2 of 65536 steps, 1/15 of 65535), or that float32 would have: it counts in such
-/// units from 2^23 of them on.
+/// steps' factors in common with them (1/2 of 65536 steps, 1/15 of 65535), or that float32 would have: it counts in
+/// such units from 2^23 of them on.
 struct Multiples {
   std::size_t telling = 0, multiples = 0;
 
@@ -149,12 +150,13 @@ struct Interpolated {
 };
 
 /// What a program interpolates in, where other numbers of its trace are computed in float64, as those of vertices are.
-/// Fixed-point numbers are whole numbers of a unit: the largest one of which nearly all are that tell. Some programs count
-/// 2ᴺ − 1 units from the least depth to the greatest, others 2ᴺ from 0 for the same length.
+/// Fixed-point numbers are whole numbers of a unit: the largest one of which nearly all are that tell. Some programs
+/// count 2ᴺ − 1 units from the least depth to the greatest, others 2ᴺ from 0 for the same length.
 std::optional<NumberFormat> format_of_depths(const Trace& trace, const HeldTo& held) {
   const Interpolated numbers(trace);
   Multiples positions;
-  positions.add(numbers.positions, {0, 1 / fixed_positions_a_pixel, static_cast<std::int64_t>(fixed_positions_a_pixel)});
+  positions.add(numbers.positions,
+                {0, 1 / fixed_positions_a_pixel, static_cast<std::int64_t>(fixed_positions_a_pixel)});
   const Conventions::Depth depth = trace.header().conventions.depth;
   const double least = formulas::least_depth(trace.scene(), depth), range = depth_range(trace.scene(), depth);
   const auto counted_by = [&](const Grid& grid) {

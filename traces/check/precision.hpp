@@ -23,13 +23,13 @@ struct DepthBounds {
 };
 
 struct Precision {
-  double relative = 0;        ///< by what share of itself a number may be off
-  double absolute = 0;        ///< and by how much besides: numbers written with so many decimals
-  bool every_digit = true;    ///< all digits that the program computed with are there: equal means equal
-  std::string text;           ///< "float64, as the header declares"
+  double relative = 0;      ///< by what share of itself a number may be off
+  double absolute = 0;      ///< and by how much besides: numbers written with so many decimals
+  bool every_digit = true;  ///< all digits that the program computed with are there: equal means equal
+  std::string text;         ///< "float64, as the header declares"
   NumberFormat format = NumberFormat::float64;
-  double unit = 0;            ///< of fixed-point depths, or of the last decimal that is written; else 0
-  bool held = false;          ///< to more digits than are written, as `digits` asks
+  double unit = 0;    ///< of fixed-point depths, or of the last decimal that is written; else 0
+  bool held = false;  ///< to more digits than are written, as `digits` asks
   std::shared_ptr<const DepthBounds> depths = nullptr;  ///< as it was told
 
   double allowed_depth(std::int64_t x, std::int64_t y) const { return depths ? depths->at(x, y) : 0; }
@@ -38,7 +38,8 @@ struct Precision {
 /// What numbers are held to, whatever they look like.
 struct HeldTo {
   int digits = 0;  ///< or decimals, at least
-  std::uint32_t fixed = ~0u;  ///< bit F: numbers of the fixed-point format F are taken for such where no format is declared
+  std::uint32_t fixed =
+      ~0u;  ///< bit F: numbers of the fixed-point format F are taken for such where no format is declared
   std::shared_ptr<const DepthBounds> depths = nullptr;  ///< what theory allows the depths of pixels, where it is known
   HeldTo() = default;
   HeldTo(int least, std::uint32_t formats = ~0u) : digits(least), fixed(formats) {}  // NOLINT: a number of digits

@@ -44,7 +44,7 @@ class Wins {
     won[pixel] = 0;
   }
 
-  std::uint32_t turn_ = 1;  ///< of the polygon at work
+  std::uint32_t turn_ = 1;                      ///< of the polygon at work
   std::vector<std::uint32_t> depths_, colors_;  ///< by pixel, the turn in which it was won and not yet written; else 0
 };
 

@@ -16,8 +16,7 @@ Value checked(Raw value) {
     if (value != 0 && value != 1) throw MalformedBytes("a truth value that is neither 0 nor 1");
     return value != 0;
   } else if constexpr (std::is_enum_v<Value>) {
-    if (value < 0 || static_cast<std::size_t>(value) >= words_of<Value>.size())
-      throw MalformedBytes("an unknown word");
+    if (value < 0 || static_cast<std::size_t>(value) >= words_of<Value>.size()) throw MalformedBytes("an unknown word");
     return static_cast<Value>(value);
   } else {
     return value;

@@ -94,7 +94,7 @@ struct BlockInfo {
   struct Mark {
     std::uint32_t offset = 0;  ///< event number in the block
     std::int32_t polygon = 0;
-    Box box;                   ///< what they name from here to the next mark
+    Box box;  ///< what they name from here to the next mark
   };
   std::vector<Mark> marks;  ///< where work on polygons begins
 

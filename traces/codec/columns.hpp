@@ -10,9 +10,9 @@
 namespace zstep::codec {
 
 // One for each field name, and three more.
-inline constexpr std::size_t misses_column = slot_count;       ///< which fields of an event were not foretold
-inline constexpr std::size_t counts_column = slot_count + 1;   ///< pixels of a run
-inline constexpr std::size_t nearer_column = slot_count + 2;   ///< the outcomes of a run's compares
+inline constexpr std::size_t misses_column = slot_count;      ///< which fields of an event were not foretold
+inline constexpr std::size_t counts_column = slot_count + 1;  ///< pixels of a run
+inline constexpr std::size_t nearer_column = slot_count + 2;  ///< the outcomes of a run's compares
 inline constexpr std::size_t column_count = slot_count + 3;
 
 constexpr std::string_view column_name(std::size_t column) {

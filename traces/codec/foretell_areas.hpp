@@ -19,8 +19,7 @@ inline void Foreteller::note(const AreaBegin& event) {
       std::int64_t{event.end_column} - event.first_column == 1 && std::int64_t{event.end_row} - event.first_row == 1;
   if (is_pixel)
     begin_depths(false, {{{static_cast<double>(event.first_column), static_cast<double>(event.first_row)}}}, 1);
-  else
-    begin_depths(false, {{{low.x, low.y}, {high.x, low.y}, {low.x, high.y}, {high.x, high.y}}}, 4);
+  else begin_depths(false, {{{low.x, low.y}, {high.x, low.y}, {low.x, high.y}, {high.x, high.y}}}, 4);
 }
 
 inline void Foreteller::tell(AreaBin& event) const {
@@ -45,7 +44,9 @@ inline void Foreteller::evaluate(AreaBin& event) {
 }
 
 template <>
-inline void Foreteller::note(const AreaBin& event) { areas_.bin(event); }
+inline void Foreteller::note(const AreaBin& event) {
+  areas_.bin(event);
+}
 
 template <>
 inline void Foreteller::note(const AreaDecide& event) {
@@ -68,10 +69,14 @@ inline void Foreteller::evaluate(FlagFlip& event) {
 }
 
 template <>
-inline void Foreteller::note(const SpanWinner& event) { painted_ = event.piece; }
+inline void Foreteller::note(const SpanWinner& event) {
+  painted_ = event.piece;
+}
 
 template <>
-inline void Foreteller::note(const FlagFlip& event) { sweep_.flip(event.piece, event.inside); }
+inline void Foreteller::note(const FlagFlip& event) {
+  sweep_.flip(event.piece, event.inside);
+}
 
 inline void Foreteller::tell(SpanFlags& event) const {
   event.x_left = real_[slot_of("x_right")];

@@ -70,7 +70,9 @@ inline bool Foreteller::find_raster(std::int32_t vertex, glm::dvec3& raster) con
 // --- Polygons
 
 template <>
-inline void Foreteller::note(const TablesBegin&) { keeps_all_ = true; }
+inline void Foreteller::note(const TablesBegin&) {
+  keeps_all_ = true;
+}
 
 inline void Foreteller::begin_polygon(std::span<const std::int32_t> corners) {
   corners_ = corners;
@@ -93,7 +95,9 @@ inline void Foreteller::tell(PolygonBegin& event) const {
 }
 
 template <>
-inline void Foreteller::note(const PolygonBegin& event) { begin_polygon(facts_->corners(event.facet)); }
+inline void Foreteller::note(const PolygonBegin& event) {
+  begin_polygon(facts_->corners(event.facet));
+}
 
 template <>
 inline void Foreteller::note(const PieceDraw& event) {
@@ -131,13 +135,12 @@ inline void Foreteller::evaluate(FacingTest& event) {
   const glm::dvec3 first = point(0), eye = scene.camera.eye, sight = orthographic ? -eye : first - eye;
   const glm::dvec3 normal = formulas::newell_normal(glm::dvec3(0), count, point);
   const double d = orthographic ? 0 : -glm::dot(normal, first);
-  event.determinant = glm::dot(orthographic ? glm::dvec3(0, 0, 1) : view(0),
-                               formulas::newell_about_origin(glm::dvec3(0), count, view));
+  event.determinant =
+      glm::dot(orthographic ? glm::dvec3(0, 0, 1) : view(0), formulas::newell_about_origin(glm::dvec3(0), count, view));
   event.plane_at_eye = formulas::plane_value(normal.x, normal.y, normal.z, d, eye.x, eye.y, eye.z);
   event.view_dot_normal = glm::dot(sight, normal);
-  const bool before_eye = std::all_of(corner_facts_.begin(), corner_facts_.end(), [&](const VertexGeometry& corner) {
-    return corner.view.z >= scene.camera.near;
-  });
+  const bool before_eye = std::all_of(corner_facts_.begin(), corner_facts_.end(),
+                                      [&](const VertexGeometry& corner) { return corner.view.z >= scene.camera.near; });
   event.projected_normal_z = std::numeric_limits<double>::quiet_NaN();
   if (before_eye)
     event.projected_normal_z = formulas::newell_z(
@@ -230,8 +233,12 @@ inline void Foreteller::evaluate(EdgeTableSkip& event) {
 }
 
 template <>
-inline void Foreteller::note(const FacingTest& event) { facing_ = event.facing; }
+inline void Foreteller::note(const FacingTest& event) {
+  facing_ = event.facing;
+}
 template <>
-inline void Foreteller::note(const EdgeTableSkip&) { ++side_; }
+inline void Foreteller::note(const EdgeTableSkip&) {
+  ++side_;
+}
 
 }  // namespace zstep::codec

@@ -145,9 +145,13 @@ inline void Foreteller::learn_row(const Row& row) {
 }
 
 template <>
-inline void Foreteller::note(const EdgeEnter& event) { edges_.enter(event.edge, event.place); }
+inline void Foreteller::note(const EdgeEnter& event) {
+  edges_.enter(event.edge, event.place);
+}
 template <>
-inline void Foreteller::note(const EdgeRetire& event) { edges_.retire(event.edge); }
+inline void Foreteller::note(const EdgeRetire& event) {
+  edges_.retire(event.edge);
+}
 template <>
 inline void Foreteller::note(const EdgeSwap& event) {
   edges_.swap(event.place);

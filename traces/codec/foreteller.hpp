@@ -109,7 +109,7 @@ class Foreteller {
   // For each kind that has such fields, beside the others of its theme (foretell_….hpp). An encoder may ask twice for
   // what a decoder asks once: to ask changes nothing that another answer depends on, but for what is remembered of the
   // scene.
-#define ZSTEP_FORETELL(E)     \
+#define ZSTEP_FORETELL(E)    \
   void tell(E& event) const; \
   void evaluate(E& event);
   ZSTEP_EVERY_KIND(ZSTEP_FORETELL)  // Guess::told: before its other fields are known; Guess::formula
@@ -148,8 +148,8 @@ class Foreteller {
   std::span<const std::int32_t> corners_;     ///< of the facet at work, in the scene
   std::vector<std::int32_t> outline_;         ///< as events told it
   std::size_t side_ = 0;                      ///< sides of the outline that went to the edge table or past it
-  std::vector<VertexGeometry> made_;             ///< vertices that the block made
-  std::vector<VertexGeometry> corner_facts_;     ///< those of the facet at work, once looked at
+  std::vector<VertexGeometry> made_;          ///< vertices that the block made
+  std::vector<VertexGeometry> corner_facts_;  ///< those of the facet at work, once looked at
   bool looked_at_corners_ = false;
   bool keeps_all_ = false;
   KnownEdges edges_;
@@ -157,22 +157,22 @@ class Foreteller {
   bool in_rows_ = false;  ///< scan lines of the table have begun
   bool in_span_ = false;
   SpanBegin span_{};
-  FacetPlane divider_;                 ///< the plane that the block told of last, by the number of its piece
-  bool planes_in_world_ = false;       ///< that is where the block told of it
-  FacetPlane of_facet_;                ///< one that it did not tell of; what it is depends on the scene alone
-  std::int32_t held_ = -1;             ///< the piece that was last held against it
-  std::size_t sides_ = 0;              ///< vertices of the next one that were
-  double least_ = 0, greatest_ = 0;    ///< of their values
+  FacetPlane divider_;               ///< the plane that the block told of last, by the number of its piece
+  bool planes_in_world_ = false;     ///< that is where the block told of it
+  FacetPlane of_facet_;              ///< one that it did not tell of; what it is depends on the scene alone
+  std::int32_t held_ = -1;           ///< the piece that was last held against it
+  std::size_t sides_ = 0;            ///< vertices of the next one that were
+  double least_ = 0, greatest_ = 0;  ///< of their values
   struct Cut {
     std::int32_t vertex;
     glm::dvec3 point;
   };
-  std::vector<Cut> cuts_;              ///< vertices that cutting made, in the space where it cut
+  std::vector<Cut> cuts_;                                 ///< vertices that cutting made, in the space where it cut
   ByPiece<std::array<std::optional<Range>, 3>> extents_;  ///< by axis, where they are not those of the scene
   std::array<Range, 2> extents_guessed_{};                ///< of the extent test at work
   ByPiece<std::int32_t> followers_;
-  PairBegin pair_{-1, -1};  ///< the last one
-  Axis next_axis_ = Axis::x;        ///< on which a pair is tested next
+  PairBegin pair_{-1, -1};    ///< the last one
+  Axis next_axis_ = Axis::x;  ///< on which a pair is tested next
   KnownAreas areas_;
   KnownSweep sweep_;
   std::int32_t painted_ = -1;  ///< the piece that an area or an interval was given to
@@ -180,7 +180,7 @@ class Foreteller {
   std::array<glm::dvec2, 4> depth_points_{};
   std::size_t depth_point_count_ = 0;              ///< 0: not known
   std::size_t depth_point_ = 0, depth_place_ = 0;  ///< of the next one: which point, of which piece in the list
-  glm::dvec3 ray_from_{0}, ray_along_{0};  ///< X_0 and dX of the ray that the block told of last
+  glm::dvec3 ray_from_{0}, ray_along_{0};          ///< X_0 and dX of the ray that the block told of last
 };
 
 }  // namespace zstep::codec

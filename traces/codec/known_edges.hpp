@@ -12,7 +12,7 @@ namespace zstep::codec {
 
 struct KnownEdge : EdgeLine {
   std::int32_t first_row = 0, end_row = 0;
-  double x = 0, z = 0;              ///< where it met the last scan line that told of it
+  double x = 0, z = 0;  ///< where it met the last scan line that told of it
   double dx_dy = 0, dz_dy = 0;
   bool entered = false;
 };

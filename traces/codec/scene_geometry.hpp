@@ -27,9 +27,9 @@ namespace zstep::codec {
 /// A vertex from the world to the raster.
 struct VertexGeometry {
   std::int32_t vertex = -1;
-  glm::dvec3 view{0};    ///< (x_v, y_v, z_v)
-  glm::dvec3 plane{0};   ///< (x_p, y_p, depth)
-  glm::dvec2 raster{0};  ///< (x_s, y_s)
+  glm::dvec3 view{0};        ///< (x_v, y_v, z_v)
+  glm::dvec3 plane{0};       ///< (x_p, y_p, depth)
+  glm::dvec2 raster{0};      ///< (x_s, y_s)
   std::int32_t outside = 0;  ///< bit k: it is outside plane k (near, far, left, right, bottom, top)
 };
 

@@ -66,8 +66,8 @@ class Aligner {
     bool turn_of_a = true;
     for (std::int64_t round = 1;; ++round) {
       const bool too_many = a_.waiting.size() + b_.waiting.size() > most_waiting;
-      if (too_many || (round % 16384 == 0 && on_way &&
-                       on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all)))
+      if (too_many ||
+          (round % 16384 == 0 && on_way && on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all)))
         return found_.complete = false;
       // Whose steps come later than their partners catches up first.
       Turn a, b;
@@ -108,8 +108,7 @@ class Aligner {
                          [&](std::size_t thing) { return a.known.results[thing] == b.known.results[thing]; });
         },
         a.event.event);
-    if (parted.fields != 0)
-      found_.differs({a.position, b.position, parted.fields, kind, b.event.step, parted.off});
+    if (parted.fields != 0) found_.differs({a.position, b.position, parted.fields, kind, b.event.step, parted.off});
     else ++count.equal;
   }
 
@@ -131,8 +130,7 @@ class Aligner {
     found_.by_b.clear();
     for (const Match& match : sorted) {
       Match* last = found_.by_b.empty() ? nullptr : &found_.by_b.back();
-      if (last && last->a + last->count == match.a && last->b + last->count == match.b)
-        last->count += match.count;
+      if (last && last->a + last->count == match.a && last->b + last->count == match.b) last->count += match.count;
       else found_.by_b.push_back(match);
     }
     found_.by_a = found_.by_b;
@@ -206,8 +204,7 @@ std::int64_t Alignment::before_in_a(std::int64_t step) const {
   return partner_before<&Match::b, &Match::a>(by_b, step);
 }
 
-Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way,
-                std::size_t keeps) {
+Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way, std::size_t keeps) {
   return Aligner(a, b, way == Way::plain, keeps).run(on_way);
 }
 

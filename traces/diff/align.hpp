@@ -41,9 +41,9 @@ struct Alignment {
   std::array<bool, kind_count> compared{};  ///< which these are
   bool turns = false;                       ///< of two methods, each says whose turn it is
   std::size_t keeps = most_differences;
-  std::int64_t not_kept = 0;                ///< differences beyond those, which are only counted
-  bool identical = false;                   ///< byte for byte
-  bool complete = true;                     ///< false where it ended at a limit, or was told to
+  std::int64_t not_kept = 0;  ///< differences beyond those, which are only counted
+  bool identical = false;     ///< byte for byte
+  bool complete = true;       ///< false where it ended at a limit, or was told to
 
   /// Takes note of a difference.
   void differs(const Difference& difference);

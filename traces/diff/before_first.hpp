@@ -45,9 +45,7 @@ class Replaying {
 class GoOn {
  public:
   explicit GoOn(const std::function<bool(std::int64_t)>& on_way) : on_way_(on_way) {}
-  bool operator()(std::int64_t position) {
-    return !(on_way_ && ++visits_ % now_and_then == 0 && on_way_(position));
-  }
+  bool operator()(std::int64_t position) { return !(on_way_ && ++visits_ % now_and_then == 0 && on_way_(position)); }
 
  private:
   static constexpr std::uint64_t now_and_then = 1 << 14;

@@ -13,15 +13,15 @@
 namespace zstep::diff {
 
 struct BufferDifference {
-  std::int64_t pixels = 0;         ///< of the picture
-  std::int64_t colors = 0;         ///< of these, with another colour
-  std::int64_t depths = 0;         ///< with another depth, by more than rounding; of these
-  std::int64_t only_a = 0;         ///< …drawn in A alone,
-  std::int64_t only_b = 0;         ///< …in B alone,
+  std::int64_t pixels = 0;      ///< of the picture
+  std::int64_t colors = 0;      ///< of these, with another colour
+  std::int64_t depths = 0;      ///< with another depth, by more than rounding; of these
+  std::int64_t only_a = 0;      ///< …drawn in A alone,
+  std::int64_t only_b = 0;      ///< …in B alone,
   std::int64_t not_finite = 0;  ///< …drawn in both, and the one depth is no finite number, as the other is or is not
-  std::int64_t depths_rounded = 0; ///< with another depth, within rounding
-  double farthest = 0;             ///< the largest difference of two finite depths
-  bool depths_compared = true;     ///< false where one of the two has none
+  std::int64_t depths_rounded = 0;                ///< with another depth, within rounding
+  double farthest = 0;                            ///< the largest difference of two finite depths
+  bool depths_compared = true;                    ///< false where one of the two has none
   double empty_a = no_depth, empty_b = no_depth;  ///< what stands where nothing was drawn
   std::optional<std::int64_t> first;  ///< index of the first pixel with another colour or depth, as Picture::at counts
   std::vector<float> apart;  ///< by pixel: 0 where nothing differs; else a colour's or a depth's difference, in 0..1

@@ -20,9 +20,9 @@ enum class Part : std::uint8_t { different, rounding };
 /// A step of B that is as it should be, but comes before one that it must not come before: where both paint, what comes
 /// later is seen.
 struct TooEarly {
-  std::int64_t before = 0;           ///< the step of B that has to come first
-  std::int32_t x = 0, y = 0;         ///< a pixel that both paint
-  double z = 0, z_before = 0;        ///< the depths of both there
+  std::int64_t before = 0;     ///< the step of B that has to come first
+  std::int32_t x = 0, y = 0;   ///< a pixel that both paint
+  double z = 0, z_before = 0;  ///< the depths of both there
 };
 
 /// Where the runs part, for a reason of its own.
@@ -43,14 +43,14 @@ struct Cause {
 struct KindDifference {
   std::int64_t same = 0, rounding = 0, different = 0, only_a = 0, only_b = 0;
   std::int64_t idle_a = 0, idle_b = 0;  ///< of the last two: steps that right programs do or leave out, as they like
-  std::int64_t not_followed = 0;  ///< in both runs and not the same, beyond as many as causes are looked for
+  std::int64_t not_followed = 0;        ///< in both runs and not the same, beyond as many as causes are looked for
 };
 
 struct DiffReport {
   Alignment alignment;
   std::array<KindDifference, kind_count> kinds{};
-  std::vector<Cause> causes;  ///< those that are different, then those by rounding, each by the steps of B
-  Precision precision;        ///< the coarser one of the two
+  std::vector<Cause> causes;         ///< those that are different, then those by rounding, each by the steps of B
+  Precision precision;               ///< the coarser one of the two
   std::int64_t differences() const;  ///< all that rounding does not explain
 };
 

@@ -257,8 +257,8 @@ class Follow {
     return std::is_same_v<E, PairBegin> || std::is_same_v<E, ExtentTest> || std::is_same_v<E, SideTest> ||
            std::is_same_v<E, OverlapTest>;
   }
-  /// Where z extents meet but for rounding, other tests are made or left out, with this piece of the list and later ones.
-  /// Of a pair that both runs test, only if it is this pair's own z extents that meet.
+  /// Where z extents meet but for rounding, other tests are made or left out, with this piece of the list and later
+  /// ones. Of a pair that both runs test, only if it is this pair's own z extents that meet.
   bool is_undecided() const {
     const auto& pair = at_.method().pair;
     return undecided_ >= 0 && pair && pair->piece == undecided_ && (pair_meets_ || scopes_[1] != no_difference);

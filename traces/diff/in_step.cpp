@@ -89,8 +89,7 @@ bool InStep::go_on(const std::function<bool(double)>& on_way) {
   constexpr std::int64_t now_and_then = 1 << 14;
   const double all = static_cast<double>(std::max<std::int64_t>(a_.trace.size() + b_.trace.size(), 1));
   for (std::int64_t round = 0;; ++round) {
-    if (round % now_and_then == 0 && on_way &&
-        on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all))
+    if (round % now_and_then == 0 && on_way && on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all))
       return false;
     if (pass_equal_block()) continue;
     if (!along()) return true;
@@ -169,7 +168,8 @@ std::uint32_t InStep::pixels_along(const OneRun& a, const OneRun& b) {
   if (!one_identity_ && !a_.identity.same_pixels(b_.identity)) return 0;
   const auto may_wait = [&]<class... E>(const E&... events) {
     return ((a_.waiting.may_have(kind_of<E>, a_.identity.hint(events)) ||
-             b_.waiting.may_have(kind_of<E>, a_.identity.hint(events))) || ...);
+             b_.waiting.may_have(kind_of<E>, a_.identity.hint(events))) ||
+            ...);
   };
   if (!a_.waiting.empty() || !b_.waiting.empty()) {
     if constexpr (std::is_same_v<OneRun, codec::PaintRun>) {

@@ -85,8 +85,8 @@ class InStep {
 
   Run &a_, &b_;
   Alignment& found_;
-  bool plain_, one_code_;  ///< the same bytes mean the same in both
-  bool one_identity_;      ///< both call all things by the same numbers; that of B is not kept then
+  bool plain_, one_code_;   ///< the same bytes mean the same in both
+  bool one_identity_;       ///< both call all things by the same numbers; that of B is not kept then
   std::int64_t equal_ = 0;  ///< steps in blocks that are the same, byte for byte
 };
 

@@ -26,7 +26,9 @@ struct Paint {
 class Order {
  public:
   Order(const Trace& b, const DiffReport& report)
-      : b_(b), report_(report), width_(static_cast<std::size_t>(b.scene().raster.width)),
+      : b_(b),
+        report_(report),
+        width_(static_cast<std::size_t>(b.scene().raster.width)),
         pixels_(width_ * static_cast<std::size_t>(b.scene().raster.height)) {}
 
   void gather() {
@@ -57,8 +59,8 @@ class Order {
       const std::vector<Paint>& painted = pixels_[pixel];
       if (std::is_sorted(painted.begin(), painted.end(), [](auto& one, auto& other) { return one.a < other.a; }))
         continue;
-      const Paint& last_in_a = *std::max_element(painted.begin(), painted.end(),
-                                                 [](auto& one, auto& other) { return one.a < other.a; });
+      const Paint& last_in_a =
+          *std::max_element(painted.begin(), painted.end(), [](auto& one, auto& other) { return one.a < other.a; });
       const bool seen = look_different(last_in_a, painted.back());
       for (std::size_t later = 1; later < painted.size(); ++later)
         for (std::size_t earlier = 0; earlier < later; ++earlier) {

@@ -1,5 +1,5 @@
-// Polygons that are painted over one another: what comes later is seen. So their order is part of what a run does, though
-// each step may be as it should be.
+// Polygons that are painted over one another: what comes later is seen. So their order is part of what a run does,
+// though each step may be as it should be.
 #pragma once
 
 #include "traces/diff/diff.hpp"

@@ -20,11 +20,13 @@ struct Both : std::array<bool, kind_count> {
 template <class Function>
 decltype(auto) with_kind(std::uint8_t kind, Function&& function) {
   switch (static_cast<zstep::detail::KindNumber>(kind)) {
-#define ZSTEP_CASE(E) \
-  case zstep::detail::KindNumber::E: return function.template operator()<E>();
+#define ZSTEP_CASE(E)                \
+  case zstep::detail::KindNumber::E: \
+    return function.template operator()<E>();
     ZSTEP_EVERY_KIND(ZSTEP_CASE)
 #undef ZSTEP_CASE
-    case zstep::detail::KindNumber::count: break;
+    case zstep::detail::KindNumber::count:
+      break;
   }
   zstep::detail::wrong_kind();
 }

@@ -81,7 +81,7 @@ class Waiting {
   std::unordered_map<Identity::Key, Chain> chains_;
   std::array<std::uint32_t, kind_count> of_kind_{};
   std::bitset<std::size_t{std::numeric_limits<Identity::Hint>::max()} + 1> hinted_;  ///< also of some that have left
-  std::size_t put_ = 0;  ///< since those were forgotten
+  std::size_t put_ = 0;                                                              ///< since those were forgotten
 };
 
 }  // namespace zstep::diff

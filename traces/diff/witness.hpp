@@ -20,7 +20,7 @@ struct Reads {
   const std::vector<Finding>& findings;
   std::int32_t from_different = no_difference, from_rounding = no_difference;
   std::int32_t stored_different = no_difference;  ///< what a compare holds its depth against; the depth does not follow
-  float operands_off = 0;  ///< how far operands are off by rounding, as a share of them, at most
+  float operands_off = 0;                         ///< how far operands are off by rounding, as a share of them, at most
 
   void operator()(const Place& place) {
     if (from_different == no_difference) from_different = different.of(place);

@@ -50,18 +50,17 @@ inline constexpr Description description_of<FacingTest>{
     .work = WorkKind::tests,
     .within = Within::polygon};
 template <>
-inline constexpr auto fields_of<FacingTest> =
-    Fields{Field{"determinant", &FacingTest::determinant, "view^3",
-                 "V0 . (V1 x V2) summed over the fan, in view coordinates; negative faces away", As::formula,
-                 Guess::formula},
-           Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3",
-                 "A x + B y + C z + D at the eye; negative faces away", As::formula, Guess::formula},
-           Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away",
-                 As::formula, Guess::formula},
-           Field{"projected_normal_z", &FacingTest::projected_normal_z, "px^2",
-                 "z of the normal after projection; positive faces away; NaN with a vertex behind the eye", As::formula,
-                 Guess::formula},
-           Field{"facing", &FacingTest::facing, "1", "the verdict", As::formula, Guess::formula}};
+inline constexpr auto fields_of<FacingTest> = Fields{
+    Field{"determinant", &FacingTest::determinant, "view^3",
+          "V0 . (V1 x V2) summed over the fan, in view coordinates; negative faces away", As::formula, Guess::formula},
+    Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3", "A x + B y + C z + D at the eye; negative faces away",
+          As::formula, Guess::formula},
+    Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away", As::formula,
+          Guess::formula},
+    Field{"projected_normal_z", &FacingTest::projected_normal_z, "px^2",
+          "z of the normal after projection; positive faces away; NaN with a vertex behind the eye", As::formula,
+          Guess::formula},
+    Field{"facing", &FacingTest::facing, "1", "the verdict", As::formula, Guess::formula}};
 
 template <>
 inline constexpr Description description_of<PolygonReject>{

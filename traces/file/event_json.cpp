@@ -47,10 +47,14 @@ std::int32_t whole_from(const json& in, std::string_view name) {
 
 double value_from(const json& in, const FieldOfKind& field) {
   switch (field.type) {
-    case FieldOfKind::Type::real: return real_from_json(in, std::string(field.name).c_str());
-    case FieldOfKind::Type::truth: return truth_from(in, field.name) ? 1 : 0;
-    case FieldOfKind::Type::word: return static_cast<double>(word_from(in, field.name, field.words));
-    case FieldOfKind::Type::whole: break;
+    case FieldOfKind::Type::real:
+      return real_from_json(in, std::string(field.name).c_str());
+    case FieldOfKind::Type::truth:
+      return truth_from(in, field.name) ? 1 : 0;
+    case FieldOfKind::Type::word:
+      return static_cast<double>(word_from(in, field.name, field.words));
+    case FieldOfKind::Type::whole:
+      break;
   }
   return whole_from(in, field.name);
 }

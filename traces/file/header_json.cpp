@@ -71,9 +71,9 @@ void read_conventions(const json& in, Header& header) {
   Conventions& c = header.conventions;
   Parts parts;
   parts.read([&] {
-    known_keys(in, "\"conventions\"", {"depth", "interpolation", "coverage", "cull", "number_format", "rounding",
-                                       "positions", "attribute", "pixel_centre", "nearer", "ties", "initial_depth",
-                                       "options"});
+    known_keys(in, "\"conventions\"",
+               {"depth", "interpolation", "coverage", "cull", "number_format", "rounding", "positions", "attribute",
+                "pixel_centre", "nearer", "ties", "initial_depth", "options"});
   });
   for_each_convention([&]<class E>(const char* key, E Conventions::*member) {
     parts.read([&] {
@@ -116,8 +116,7 @@ StepInfo step_from_json(const json& entry, const std::string& writer, std::array
   const std::int32_t id = whole(entry, "id");
   if (id < 0 || id >= step_limit)
     throw MalformedJson(entry, "id", fmt::format("step id {} is not below {}", id, step_limit));
-  if (taken[static_cast<std::size_t>(id)])
-    throw MalformedJson(entry, "id", fmt::format("step id {} stands twice", id));
+  if (taken[static_cast<std::size_t>(id)]) throw MalformedJson(entry, "id", fmt::format("step id {} stands twice", id));
   taken[static_cast<std::size_t>(id)] = true;
   step.id = static_cast<std::uint8_t>(id);
   step.module = text_or(entry, "module", "");
@@ -190,8 +189,9 @@ Header header_from_json(const json& in, const Header* defaults) {
   Header header;
   header.writer = text_or(in, "writer", "an unnamed program");
   if (version != 1)
-    throw MalformedJson(in, "ztrace", fmt::format("it has version {} and was written by {}; this zstep reads version 1",
-                                                  version, header.writer));
+    throw MalformedJson(
+        in, "ztrace",
+        fmt::format("it has version {} and was written by {}; this zstep reads version 1", version, header.writer));
   Parts parts;
   parts.read([&] {
     known_keys(in, "a trace's header", {"ztrace", "writer", "algorithm", "title", "conventions", "steps", "scene"});

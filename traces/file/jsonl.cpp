@@ -54,10 +54,18 @@ std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {
   ordered_json line = begin_line(page, recorded.step);
   for (const FieldOfKind& field : fields_of_kind(recorded.event.index())) {
     switch (field.type) {
-      case FieldOfKind::Type::real: put(line, field.name, field.read(recorded.event)); break;
-      case FieldOfKind::Type::whole: put(line, field.name, field.whole_in(recorded.event)); break;
-      case FieldOfKind::Type::truth: put(line, field.name, field.true_in(recorded.event)); break;
-      case FieldOfKind::Type::word: put(line, field.name, field.word_in(recorded.event)); break;
+      case FieldOfKind::Type::real:
+        put(line, field.name, field.read(recorded.event));
+        break;
+      case FieldOfKind::Type::whole:
+        put(line, field.name, field.whole_in(recorded.event));
+        break;
+      case FieldOfKind::Type::truth:
+        put(line, field.name, field.true_in(recorded.event));
+        break;
+      case FieldOfKind::Type::word:
+        put(line, field.name, field.word_in(recorded.event));
+        break;
     }
   }
   return text_of(line);
@@ -112,10 +120,13 @@ Trace open_jsonl(const std::filesystem::path& path, std::string* impossible, Giv
   InputStream in{InputFile(path)};
   Scene kept;
   std::optional<TraceRecorder> recorder;
-  const auto cut = read_jsonl(in, path.string(), [&](const Header& header, Scene scene) -> TraceRecorder& {
-    kept = std::move(scene);
-    return recorder.emplace(header, kept);
-  }, impossible, given);
+  const auto cut = read_jsonl(
+      in, path.string(),
+      [&](const Header& header, Scene scene) -> TraceRecorder& {
+        kept = std::move(scene);
+        return recorder.emplace(header, kept);
+      },
+      impossible, given);
   recorder->finish(!cut);
   return Trace::from_bytes(recorder->take_bytes(), path.string(), cut.value_or(""));
 }

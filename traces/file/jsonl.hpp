@@ -23,9 +23,9 @@ inline constexpr const char* cut_off_key = "cut_off";
 /// The whole trace.
 void write_jsonl(const Trace& trace, std::ostream& out);
 
-/// For who judges a run of a scene of their own: the scene that the run brings along is not looked at, and its header is
-/// what `review` lets through of it. A header may leave out method and steps, which are then these; or there is none,
-/// which declares nothing.
+/// For who judges a run of a scene of their own: the scene that the run brings along is not looked at, and its header
+/// is what `review` lets through of it. A header may leave out method and steps, which are then these; or there is
+/// none, which declares nothing.
 struct GivenRun {
   const Header* header = nullptr;
   const Scene* scene = nullptr;

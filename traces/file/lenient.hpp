@@ -33,8 +33,8 @@ struct PassedOver {
 Trace open_given_run(const std::filesystem::path& path, std::string& impossible, GivenRun& given,
                      PassedOver& passed_over);
 
-/// What languages print for 0/0 and for a division by 0. JSON has none of these, so they are read only as the slope of a
-/// span with x_left = x_right; `null`, or no slope at all, will do there, too.
+/// What languages print for 0/0 and for a division by 0. JSON has none of these, so they are read only as the slope of
+/// a span with x_left = x_right; `null`, or no slope at all, will do there, too.
 inline constexpr std::array<std::string_view, 8> words_of_no_number{"nan",       "-nan", "NaN",  "-NaN",
                                                                     "-nan(ind)", "inf",  "-inf", "Infinity"};
 
@@ -53,7 +53,8 @@ std::optional<std::string> with_words_quoted(std::string_view text);
 /// one that is no number, or none. True where it changed anything.
 bool as_trace_has_it(nlohmann::json& line, const Page& page);
 
-/// A span, or an interval between two edges, without a pixel of the raster may say by any numbers that it is empty: makes them those of its ends.
+/// A span, or an interval between two edges, without a pixel of the raster may say by any numbers that it is empty:
+/// makes them those of its ends.
 void give_numbers_of_empty(Event& event, std::int32_t width, Conventions::Coverage coverage);
 
 }  // namespace zstep

@@ -77,16 +77,18 @@ std::int32_t Trace::polygon_of_piece(std::int32_t piece) const {
 }
 
 std::optional<std::int32_t> Trace::polygon_named(const Event& event) const {
-  return visit_event([&]<class E>(const E& known) -> std::optional<std::int32_t> {
-    if constexpr (names_polygon<E> == Names::polygon) return known.polygon;
-    else if constexpr (names_polygon<E> == Names::facet) {
-      const std::vector<Facet>& facets = scene().facets;
-      return known.facet >= 0 && static_cast<std::size_t>(known.facet) < facets.size()
-                 ? facets[static_cast<std::size_t>(known.facet)].polygon
-                 : no_polygon;
-    } else if constexpr (names_polygon<E> == Names::piece) return polygon_of_piece(known.piece);
-    else return std::nullopt;
-  }, event);
+  return visit_event(
+      [&]<class E>(const E& known) -> std::optional<std::int32_t> {
+        if constexpr (names_polygon<E> == Names::polygon) return known.polygon;
+        else if constexpr (names_polygon<E> == Names::facet) {
+          const std::vector<Facet>& facets = scene().facets;
+          return known.facet >= 0 && static_cast<std::size_t>(known.facet) < facets.size()
+                     ? facets[static_cast<std::size_t>(known.facet)].polygon
+                     : no_polygon;
+        } else if constexpr (names_polygon<E> == Names::piece) return polygon_of_piece(known.piece);
+        else return std::nullopt;
+      },
+      event);
 }
 
 }  // namespace zstep

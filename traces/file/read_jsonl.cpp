@@ -56,8 +56,8 @@ struct ImpossibleStep : MalformedJson {
 class Reader {
  public:
   using Begin = std::function<TraceRecorder&(const Header&, Scene)>;
-  Reader(std::istream& in, const std::string& name, const Begin& begin, std::string* impossible,
-         GivenRun* given, PassedOver* passed_over)
+  Reader(std::istream& in, const std::string& name, const Begin& begin, std::string* impossible, GivenRun* given,
+         PassedOver* passed_over)
       : lines_(in), name_(name), begin_(begin), given_(given), passed_over_(passed_over), impossible_(impossible) {}
 
   std::optional<std::string> read() {
@@ -65,8 +65,10 @@ class Reader {
     while (next(line)) {
       if (number_ == 1) check_encoding(line);
       if (line.size() > line_limit) {
-        add(number_, {0, false, "the line is longer than 24 MiB",
-                      "write one event a line; large scenes are recorded straight to a .ztrace"}, "");
+        add(number_,
+            {0, false, "the line is longer than 24 MiB",
+             "write one event a line; large scenes are recorded straight to a .ztrace"},
+            "");
         if (passed_over_) passed_over_->gave_up = true;
         break;  // what follows is the rest of it
       }
@@ -169,8 +171,10 @@ class Reader {
       add(*cut_off_, {0, false, "the recording is said to be cut off here, but it goes on", "take this line out"}, "");
     cut_off_.reset();
     if (const auto repeated = json_text::repeated_key(text, document)) {
-      add(first, {repeated->place, false, fmt::format("\"{}\" is given twice in one object", repeated->key),
-                  "keep one of them"}, text);
+      add(first,
+          {repeated->place, false, fmt::format("\"{}\" is given twice in one object", repeated->key),
+           "keep one of them"},
+          text);
       return;
     }
     if (recorder_ != nullptr && document.is_object() && document.size() == 1 && document.contains(cut_off_key)) {
@@ -252,13 +256,15 @@ class Reader {
     }
     return true;
   }
-  /// Says that it stands on several lines, and reads it all the same: what comes after it can be checked then. Who judges
-  /// a run takes it as it is.
+  /// Says that it stands on several lines, and reads it all the same: what comes after it can be checked then. Who
+  /// judges a run takes it as it is.
   bool parse_gathered(std::int64_t first, const std::string& text, json& document) {
     give_up_tail();
     const auto complain = [&] {
-      add(first, {0, false, "the object goes on over several lines",
-                  "write each object on one line; in Python: json.dumps(event), without indent"}, text);
+      add(first,
+          {0, false, "the object goes on over several lines",
+           "write each object on one line; in Python: json.dumps(event), without indent"},
+          text);
     };
     if (!passed_over_) complain();
     try {
@@ -286,10 +292,11 @@ class Reader {
     json_members::Parts parts;
     Scene scene;
     if (!no_header) parts.read([&] { header_ = header_from_json(document, given_ ? given_->header : nullptr); });
-    if (given_ == nullptr) parts.read([&] {
-      if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
-      scene = scene_from_json(document.at("scene"));
-    });
+    if (given_ == nullptr)
+      parts.read([&] {
+        if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
+        scene = scene_from_json(document.at("scene"));
+      });
     if (passed_over_ == nullptr) parts.done();
     if (given_ != nullptr) {
       given_->without_header = no_header || parts.any();
@@ -437,7 +444,9 @@ Pixels pixels_between(double x_left, double x_right, std::int32_t width, Convent
 
 /// Pixels from one x to another: what is drawn of a scan line between two edges.
 template <class E>
-concept BetweenEdges = requires(E e) { e.x_left, e.x_right, e.first, e.last; };
+concept BetweenEdges = requires(E e) {
+  e.x_left, e.x_right, e.first, e.last;
+};
 
 /// True where it has changed.
 template <BetweenEdges E>

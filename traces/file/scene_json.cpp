@@ -218,8 +218,9 @@ ordered_json scene_to_json(const Scene& scene) {
 }
 
 Scene scene_from_json(const json& in) {
-  known_keys(in, "the scene", {"name", "source", "raster", "camera", "background", "light", "surface", "points",
-                               "placements", "fit", "file_points", "point_lines", "polygons", "facets"});
+  known_keys(in, "the scene",
+             {"name", "source", "raster", "camera", "background", "light", "surface", "points", "placements", "fit",
+              "file_points", "point_lines", "polygons", "facets"});
   Scene scene;
   scene.name = text_or(in, "name", "scene");
   scene.source = text_or(in, "source", "");

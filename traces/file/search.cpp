@@ -82,10 +82,12 @@ std::int64_t Trace::Impl::last_touch(std::size_t block, Trace::Pixel pixel) cons
 }
 
 std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& predicate, const Among& among) const {
-  return next_at(from, [&](std::int64_t, const RecordedEvent& recorded) { return predicate(recorded); }, among);
+  return next_at(
+      from, [&](std::int64_t, const RecordedEvent& recorded) { return predicate(recorded); }, among);
 }
 std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& predicate, const Among& among) const {
-  return previous_at(from, [&](std::int64_t, const RecordedEvent& recorded) { return predicate(recorded); }, among);
+  return previous_at(
+      from, [&](std::int64_t, const RecordedEvent& recorded) { return predicate(recorded); }, among);
 }
 
 std::optional<std::int64_t> Trace::next_at(std::int64_t from, const PredicateAt& predicate, const Among& among) const {

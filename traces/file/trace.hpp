@@ -62,8 +62,8 @@ class Trace {
 
   const Header& header() const;
   const Scene& scene() const;
-  const std::string& name() const;                   ///< the path it was opened from, or the name given
-  std::int64_t size() const;                         ///< number of events
+  const std::string& name() const;  ///< the path it was opened from, or the name given
+  std::int64_t size() const;        ///< number of events
   /// Does it have all that was recorded? What the warnings say may concern something else, as an index that was made
   /// anew.
   bool whole() const;
@@ -80,8 +80,8 @@ class Trace {
   /// nothing if it names none.
   std::optional<std::int32_t> polygon_named(const Event& event) const;
   std::int32_t polygon_of_piece(
-      std::int32_t piece) const;                     ///< by the piece_make events; no_polygon where there is none
-  bool has(std::uint8_t kind) const;                 ///< whether some event is of this kind
+      std::int32_t piece) const;      ///< by the piece_make events; no_polygon where there is none
+  bool has(std::uint8_t kind) const;  ///< whether some event is of this kind
 
   /// The event that leads to `position` (1 … size()). Decodes its block when it is not at hand; the reference lives
   /// until events of other blocks are asked for. Not thread-safe.
@@ -104,9 +104,9 @@ class Trace {
     std::int32_t x, y;
   };
   struct Among {
-    std::optional<Pixel> pixel;                ///< events with this x and y
-    std::optional<std::uint8_t> kind;          ///< events of this kind
-    std::optional<std::int64_t> until;         ///< positions no farther than this one
+    std::optional<Pixel> pixel;         ///< events with this x and y
+    std::optional<std::uint8_t> kind;   ///< events of this kind
+    std::optional<std::int64_t> until;  ///< positions no farther than this one
     Among() = default;
     Among(Pixel pixel_) : pixel(pixel_) {}
     Among(std::optional<Pixel> pixel_, std::optional<std::uint8_t> kind_ = {}, std::optional<std::int64_t> until_ = {})

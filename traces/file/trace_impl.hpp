@@ -26,7 +26,7 @@ struct Trace::Impl {
     std::uint64_t frame_offset = 0;  ///< of the zstd frame within the chunk's bytes
     mutable bool checked =
         false;  ///< its events' numbers were found to lie within the scene, and what its info says of them to be true
-    mutable bool lost = false;       ///< it is damaged
+    mutable bool lost = false;  ///< it is damaged
   };
 
   std::string name;
@@ -34,7 +34,7 @@ struct Trace::Impl {
   bool of_file = false;  ///< `name` is its path
   Header header;
   Scene scene;
-  std::optional<StepMeanings> meanings;  ///< of the header
+  std::optional<StepMeanings> meanings;       ///< of the header
   std::optional<codec::SceneGeometry> facts;  ///< of header and scene
   std::vector<Block> blocks;
   std::vector<PolygonMark> polygons;
@@ -90,8 +90,8 @@ struct Trace::Impl {
 
   mutable std::list<std::pair<std::size_t, Bytes>> packed_at_hand;
   mutable std::list<std::pair<std::size_t, Events>> events_at_hand;
-  mutable RecordedEvent one_event;                     ///< that of a block which was asked for no other
-  mutable std::size_t asked_once = ~std::size_t{0};    ///< that block
+  mutable RecordedEvent one_event;                   ///< that of a block which was asked for no other
+  mutable std::size_t asked_once = ~std::size_t{0};  ///< that block
 };
 
 }  // namespace zstep

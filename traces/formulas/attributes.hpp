@@ -2,8 +2,8 @@
 // polygon itself.
 //
 // Under perspective a is not linear on the picture, but a/z_v and 1/z_v are. So both are interpolated as depths are,
-// and divided at each pixel: J. F. Blinn, Hyperbolic Interpolation, IEEE Computer Graphics and Applications 12(4), 1992;
-// P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping and Shading, in State of the Art in
+// and divided at each pixel: J. F. Blinn, Hyperbolic Interpolation, IEEE Computer Graphics and Applications 12(4),
+// 1992; P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping and Shading, in State of the Art in
 // Computer Graphics, 1991.
 #pragma once
 
@@ -38,8 +38,7 @@ T linear_attribute_error(const T& a_0, const T& a_1, const T& z_0, const T& z_1,
 
 /// Is a divided by z_v before it is interpolated? Parallel projection leaves it linear.
 inline bool attribute_over_depth(const Scene& scene, const Conventions& conventions) {
-  return conventions.attribute == Conventions::Attribute::perspective &&
-         scene.camera.kind == Camera::Kind::perspective;
+  return conventions.attribute == Conventions::Attribute::perspective && scene.camera.kind == Camera::Kind::perspective;
 }
 
 /// The attribute of a vertex is its x_w, as if a texture were projected along y and z. Of a vertex that clipping made,
@@ -53,9 +52,7 @@ inline double attribute_of(const Scene& scene, std::int32_t vertex, const glm::d
 
 /// The attribute is seen as stripes, so many to a unit of it; every other one keeps this part of its polygon's colour.
 inline constexpr double stripes_a_unit = 4, in_dark_stripe = 0.45;
-inline double stripe_shade(double a) {
-  return std::fmod(std::floor(a * stripes_a_unit), 2) == 0 ? 1 : in_dark_stripe;
-}
+inline double stripe_shade(double a) { return std::fmod(std::floor(a * stripes_a_unit), 2) == 0 ? 1 : in_dark_stripe; }
 /// Whether a is so near to the edge of a stripe that its last digits decide which one it is in.
 inline bool at_stripe_edge(double a) {
   constexpr double some = 1e-6;

@@ -46,9 +46,9 @@ struct CornersPlane {
   /// The same of a number that is as large as the normal.
   CornersPlane times(double sign, double size) const {
     constexpr double near = 1e-3;
-    const double factor = sign * (std::abs(size - 1) < near                  ? 1
+    const double factor = sign * (std::abs(size - 1) < near                 ? 1
                                   : std::abs(size - length) < near * length ? length
-                                                                             : size);
+                                                                            : size);
     const Rounded by(factor, 0);
     return {normal * by, d * by, length};
   }

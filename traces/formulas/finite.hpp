@@ -18,7 +18,8 @@ inline bool may_be(const Header& header, std::uint8_t kind, std::string_view fie
     std::uint8_t kind;
     std::string_view name;
   };
-  // A horizon begins nowhere, nothing is met, nothing is shared, a vertex lies behind the eye, or a ray runs along a plane.
+  // A horizon begins nowhere, nothing is met, nothing is shared, a vertex lies behind the eye, or a ray runs along a
+  // plane.
   static constexpr std::array<Field, 8> not_finite{{{kind_of<HorizonMove>, "y_curve"},
                                                     {kind_of<OverlapTest>, "x_at"},
                                                     {kind_of<OverlapTest>, "y_at"},
@@ -31,7 +32,7 @@ inline bool may_be(const Header& header, std::uint8_t kind, std::string_view fie
     if (one.kind == kind && one.name == field) return true;
   if (kind == kind_of<BuffersClear>) return std::isinf(value);
   // What is written may be the depth of nothing: a buffer may be cleared pixel by pixel.
-  return (kind == kind_of<DepthWrite> || kind == kind_of<PixelPaint>) && value == header.empty_depth();
+  return (kind == kind_of<DepthWrite> || kind == kind_of<PixelPaint>)&&value == header.empty_depth();
 }
 
 }  // namespace zstep

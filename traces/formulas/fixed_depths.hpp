@@ -11,8 +11,8 @@ constexpr double greatest_number(NumberFormat format) {
   return static_cast<double>((std::uint64_t{1} << bits_of(format)) - 1);
 }
 
-/// What fixed-point depths are counted from: the least one between the near plane and the far one; in a screen scene, the
-/// least z of its points. depth_range() is the distance from it to the greatest.
+/// What fixed-point depths are counted from: the least one between the near plane and the far one; in a screen scene,
+/// the least z of its points. depth_range() is the distance from it to the greatest.
 double least_depth(const Scene& scene, Conventions::Depth depth);
 
 }  // namespace zstep::formulas

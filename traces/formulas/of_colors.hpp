@@ -164,9 +164,9 @@ void derive(const ShadowCompare& e, const Situation& at, Out& out) {
   if (!std::isfinite(z_v)) return;
   const double w_x = camera.window * raster.width / raster.height;
   const double per_plane = camera.kind == Camera::Kind::orthographic ? 1 : z_v / camera.d;
-  const glm::dvec4 point = glm::inverse(camera.view) *
-                           glm::dvec4(window_x<double>(e.x, w_x, raster.width) * per_plane,
-                                      window_y<double>(e.y, camera.window, raster.height) * per_plane, z_v, 1);
+  const glm::dvec4 point =
+      glm::inverse(camera.view) * glm::dvec4(window_x<double>(e.x, w_x, raster.width) * per_plane,
+                                             window_y<double>(e.y, camera.window, raster.height) * per_plane, z_v, 1);
   const glm::dvec4 seen = lamp.view * point;
   const double lamp_x = lamp.window * raster.width / raster.height;
   const double x = screen_x<double>(projected<double>(lamp.d, seen.x, seen.z), lamp_x, raster.width),
@@ -210,8 +210,8 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
   } else if (!covered.empty() && covered.front().x == e.x && covered.front().y == e.y) {
     for (const CoverageAdd& share : covered) {
       const auto owner = static_cast<std::size_t>(share.owner);
-      const Color color = share.owner < 0 || owner >= at.scene.polygons.size() ? at.scene.background
-                                                                                : at.scene.polygons[owner].color;
+      const Color color =
+          share.owner < 0 || owner >= at.scene.polygons.size() ? at.scene.background : at.scene.polygons[owner].color;
       for (std::size_t k = 0; k < 3; ++k)
         shades[k] = with_share<double>(shades[k], share.coverage, detail::channels(color)[k]);
     }
@@ -230,8 +230,8 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
         if (std::abs(recorded[k] - shades[k]) < 2) shades[k] = recorded[k];
   } else if (attribute && attribute->x == e.x && attribute->y == e.y) {
     out.reads(Place{Place::In::attribute, 0});
-    const auto polygon = static_cast<std::size_t>(
-        at.before.picture.polygon[static_cast<std::size_t>(at.pixel(e.x, e.y))]);
+    const auto polygon =
+        static_cast<std::size_t>(at.before.picture.polygon[static_cast<std::size_t>(at.pixel(e.x, e.y))]);
     if (polygon >= at.scene.polygons.size() || at_stripe_edge(attribute->attribute)) return;
     out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
     shades = detail::channels(at.scene.polygons[polygon].color);

@@ -54,8 +54,8 @@ void derive(const HorizonMove& e, const Situation& at, Out& out) {
   if (work.test && work.test->x == e.x) out.is(&HorizonMove::y_curve, work.test->y_curve);
 }
 
-/// Where a curve crosses a horizon between two columns, both taken as straight there: at the part d_0/(d_0 − d_1) of the
-/// way, d being how far the curve is from the horizon.
+/// Where a curve crosses a horizon between two columns, both taken as straight there: at the part d_0/(d_0 − d_1) of
+/// the way, d being how far the curve is from the horizon.
 template <class Out>
 void derive(const HorizonCross& e, const Situation& at, Out& out) {
   const HorizonWork& work = at.method().horizon;
@@ -93,11 +93,14 @@ inline std::vector<VisiblePart> visible_parts(const HorizonPassage& from, const 
     const Horizon where = begins ? from.test.verdict : to.test.verdict;
     if (where == Horizon::hidden) continue;
     const bool upper = where == Horizon::above;
-    const double t =
-        where_zero(y_0 - (upper ? from.upper : from.lower), y_1 - (upper ? to.upper : to.lower));
+    const double t = where_zero(y_0 - (upper ? from.upper : from.lower), y_1 - (upper ? to.upper : to.lower));
     const bool crosses = t >= 0 && t <= 1;  // else only the column itself is drawn
-    const double x = crosses ? part_of_way(x_0, x_1, t) : begins ? x_0 : x_1,
-                 y = crosses ? part_of_way(y_0, y_1, t) : begins ? y_0 : y_1;
+    const double x = crosses  ? part_of_way(x_0, x_1, t)
+                     : begins ? x_0
+                              : x_1,
+                 y = crosses  ? part_of_way(y_0, y_1, t)
+                     : begins ? y_0
+                              : y_1;
     parts.push_back(begins ? VisiblePart{x_0, y_0, x, y, where} : VisiblePart{x, y, x_1, y_1, where});
   }
   return parts;

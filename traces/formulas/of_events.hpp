@@ -19,6 +19,8 @@ namespace zstep::formulas {
 
 /// Is there something to be said of this kind?
 template <class E, class Out>
-concept Derived = requires(const E& e, const Situation& at, Out& out) { derive(e, at, out); };
+concept Derived = requires(const E& e, const Situation& at, Out& out) {
+  derive(e, at, out);
+};
 
 }  // namespace zstep::formulas

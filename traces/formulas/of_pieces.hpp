@@ -112,8 +112,7 @@ void derive(const ExtentTest& e, const Situation& at, Out& out) {
     out.is(&ExtentTest::other_low, low(*other->extent)), out.is(&ExtentTest::other_high, high(*other->extent));
   }
   // Whether what only touches overlaps is a convention, and z asks which one is nearer altogether.
-  const double largest =
-      std::max({std::abs(e.low), std::abs(e.high), std::abs(e.other_low), std::abs(e.other_high)});
+  const double largest = std::max({std::abs(e.low), std::abs(e.high), std::abs(e.other_low), std::abs(e.other_high)});
   const auto equal = [&](double begin, double end) { return out.equal(begin, end); };
   if (e.axis == Axis::z || extents_meet(e.low, e.other_high, largest, equal) ||
       extents_meet(e.other_low, e.high, largest, equal))

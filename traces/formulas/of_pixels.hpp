@@ -72,8 +72,8 @@ void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
   out.gives(&E::z, interpolated(at, z));
 }
 
-/// The pixel at work was nearer, so that its depth has to be written before another pixel's turn comes. Glass is mixed in
-/// and writes no depth.
+/// The pixel at work was nearer, so that its depth has to be written before another pixel's turn comes. Glass is mixed
+/// in and writes no depth.
 inline bool has_won(const Situation& at) {
   const auto& last = at.method().fragment;
   return last && last->nearer && *last->nearer && at.has_step<DepthWrite>() && !at.method().compares_write &&
@@ -127,8 +127,8 @@ void derive_painted_by_plane(const PixelPaint& e, const Situation& at, Out& out)
     out.rule(Rule::pixel_in_span, e.x >= winner.first && e.x <= winner.last && at.method().scan_line == e.y);
   } else if (at.method().area >= 0) {
     const AreaBegin& area = at.method().areas[static_cast<std::size_t>(at.method().area)].entry;
-    out.rule(Rule::pixel_in_area, e.x >= area.first_column && e.x < area.end_column && e.y >= area.first_row &&
-                                      e.y < area.end_row);
+    out.rule(Rule::pixel_in_area,
+             e.x >= area.first_column && e.x < area.end_column && e.y >= area.first_row && e.y < area.end_row);
   }
 }
 
@@ -151,17 +151,15 @@ void derive_painted_by_ray(const PixelPaint& e, const Situation& at, Out& out) {
   // z_v of the point that is met: row 3 of T_v.
   const auto& view = camera.view;
   const Rounded t(end.t);
-  const Rounded z_v = matrix_row<Rounded>(view[0][2], view[1][2], view[2][2], view[3][2],
-                                          Rounded(ray.x_0) + t * Rounded(ray.dir_x),
-                                          Rounded(ray.y_0) + t * Rounded(ray.dir_y),
-                                          Rounded(ray.z_0) + t * Rounded(ray.dir_z));
+  const Rounded z_v =
+      matrix_row<Rounded>(view[0][2], view[1][2], view[2][2], view[3][2], Rounded(ray.x_0) + t * Rounded(ray.dir_x),
+                          Rounded(ray.y_0) + t * Rounded(ray.dir_y), Rounded(ray.z_0) + t * Rounded(ray.dir_z));
   const Rounded near(camera.near), far(camera.far);
   const Conventions::Depth depth = at.header.conventions.depth;
   if (depth != Conventions::Depth::pseudodepth)
     return out.near(&PixelPaint::z, other_depth(depth, parallel, near, far, z_v));
-  out.near(&PixelPaint::z,
-           parallel ? parallel_pseudodepth(near, far, z_v)
-                    : pseudodepth(near, pseudodepth_a(near, far), pseudodepth_b(near, far), z_v));
+  out.near(&PixelPaint::z, parallel ? parallel_pseudodepth(near, far, z_v)
+                                    : pseudodepth(near, pseudodepth_a(near, far), pseudodepth_b(near, far), z_v));
 }
 
 }  // namespace detail
@@ -263,11 +261,10 @@ void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
              right = detail::over_depth_on_edge(out, at, span->right_edge, e.y, "2", "3");
   if (!left || !right) return;
   const Place place{Place::In::span, 0};
-  const auto here = span->x_right == span->x_left
-                        ? *left
-                        : on_line(*left, *right, out.number("x", e.x, Place{}),
-                                  out.number("x_L", span->x_left, place["x_left"]),
-                                  out.number("x_R", span->x_right, place["x_right"]));
+  const auto here = span->x_right == span->x_left ? *left
+                                                  : on_line(*left, *right, out.number("x", e.x, Place{}),
+                                                            out.number("x_L", span->x_left, place["x_left"]),
+                                                            out.number("x_R", span->x_right, place["x_right"]));
   out.gives(&AttributeInterpolate::over_z, here.over_z);
   if (divides) out.gives(&AttributeInterpolate::one_over_z, here.one_over_z);
   else out.is(&AttributeInterpolate::one_over_z, 1.0);

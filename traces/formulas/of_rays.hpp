@@ -213,8 +213,8 @@ void derive(const CellVisit& e, const Situation& at, Out& out) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double along = detail::way_of(*ray)[axis];
     if (along == 0 || cells[axis] <= 0) continue;
-    const Rounded side = side_of_cells<Rounded>(low[axis], high[axis], Rounded(cell[axis] + (along > 0), 0),
-                                                Rounded(cells[axis], 0));
+    const Rounded side =
+        side_of_cells<Rounded>(low[axis], high[axis], Rounded(cell[axis] + (along > 0), 0), Rounded(cells[axis], 0));
     const Rounded t = ray_at_side<Rounded>(side, detail::start_of(*ray)[axis], along);
     if (t.value < leave.value) leave = t;
   }
@@ -227,8 +227,8 @@ void derive(const CellVisit& e, const Situation& at, Out& out) {
   }
   const CellVisit& last = visited.back();
   out.near(&CellVisit::t_enter, Rounded(std::max(last.t_enter, last.t_leave)));
-  out.rule(Rule::cell_is_next, std::abs(e.cell_x - last.cell_x) + std::abs(e.cell_y - last.cell_y) +
-                                       std::abs(e.cell_z - last.cell_z) == 1);
+  out.rule(Rule::cell_is_next,
+           std::abs(e.cell_x - last.cell_x) + std::abs(e.cell_y - last.cell_y) + std::abs(e.cell_z - last.cell_z) == 1);
 }
 
 template <class Out>

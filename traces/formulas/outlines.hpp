@@ -77,7 +77,7 @@ inline glm::dvec3 part_of_way(const glm::dvec3& p_0, const glm::dvec3& p_1, doub
 
 /// Where something lies whose values of a plane go from `least` to `greatest`.
 inline Side side_of(double least, double greatest, double tolerance) {
-  const bool behind = least < -tolerance, front = greatest > tolerance;
+  const bool behind = least<-tolerance, front = greatest> tolerance;
   return behind ? (front ? Side::crossing : Side::behind) : front ? Side::front : Side::on;
 }
 

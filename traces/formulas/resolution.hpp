@@ -18,8 +18,7 @@ inline double resolution(const Scene& scene, const Conventions& conventions, dou
 
 /// How many numbers the depth buffer has between two depths z_v, counting one of the two.
 inline double depths_between(const Scene& scene, const Conventions& conventions, double z_v, double other) {
-  const double a = buffer_depth(scene.camera, conventions, z_v),
-               b = buffer_depth(scene.camera, conventions, other);
+  const double a = buffer_depth(scene.camera, conventions, z_v), b = buffer_depth(scene.camera, conventions, other);
   if (const double unit = depth_unit(scene, conventions); unit > 0) return std::abs(a - b) / unit;
   // The bits of a floating-point number, read as a whole one, count the numbers from 0 to it.
   const auto place = [&](double depth) {

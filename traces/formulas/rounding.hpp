@@ -82,8 +82,8 @@ inline bool gives(const Rounded& formula, double recorded, double rounding) {
   return std::abs(recorded - formula.value) <= rounding * scale;
 }
 
-/// By how much a recorded number may differ from its formula where the two are shown together. (`zstep check` knows more
-/// of each operand, and allows less.)
+/// By how much a recorded number may differ from its formula where the two are shown together. (`zstep check` knows
+/// more of each operand, and allows less.)
 struct Tolerance {
   double relative = 0, absolute = 0;
   bool allows(const Rounded& formula, double recorded) const {

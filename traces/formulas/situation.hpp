@@ -59,56 +59,56 @@ struct Place {
 
 /// What must hold besides formulas. Each has a name and a sentence (traces/check/rules.hpp).
 enum class Rule : std::uint8_t {
-  edge_in_bucket,    ///< an edge enters at its first scan line
-  edge_sorted,       ///< it enters at a place that keeps the list in order
-  edge_retires,      ///< an edge leaves the list at the scan line where it ends
-  edge_left_behind,  ///< no edge stays in the list beyond its end
-  edge_missing,      ///< no edge whose scan line has come is left out of the list
-  edge_moves_once,   ///< an active edge has moved once for each scan line since it entered
-  swap_needed,       ///< only neighbours that are out of order change places
-  list_in_order,     ///< when a span begins the list is in order
-  span_pairs,        ///< a span goes from an edge to the next one in the list
-  span_line,         ///< it lies on the scan line at work
-  pixel_in_span,     ///< a pixel lies in the span at work
-  write_after_win,   ///< a pixel is written only after its depth was nearer
-  win_is_written,    ///< and after it was nearer, its depth is
-  skip_is_right,     ///< an edge is left out only where it meets no scan line
-  box_entered,       ///< a ray that meets a box enters it before it leaves it
-  kept_inside,       ///< of the points where a ray meets planes only those inside their facets are kept
-  facet_of_polygon,  ///< a facet is one of its polygon's
-  reject_is_right,   ///< a polygon is dropped for a reason that its tests gave
-  outline_of_facet,  ///< an outline has its facet's corners, and vertices that were made
-  edge_of_outline,   ///< an edge joins two neighbours of its outline
-  side_is_right,     ///< a side follows from the values of the plane
-  cut_in_edge,       ///< an edge is cut between its ends
-  point_in_both,     ///< a point that two pieces share lies in the extents of both
-  test_of_pair,      ///< two pieces are tested as the pair at work
-  pair_in_list,      ///< a pair is the first piece of the list and another one in it
-  list_is_whole,     ///< the list has all pieces before they are compared or drawn
-  flip_own_edge,     ///< the flag that flips at an edge is its own polygon's
-  winner_inside,     ///< only a piece whose flag is true is seen
-  share_of_pixel,    ///< shares of a pixel are from 0 to 1
-  node_is_free,      ///< a node of the tree has one child on each side
-  far_side_first,    ///< what lies beyond a plane is painted before what lies in it
-  node_skip_side,    ///< a side of a plane is passed over only where nothing is seen there
-  box_decides,       ///< a box alone decides only what it can
-  area_case,         ///< what is done with an area follows from its bins
-  pixel_in_area,     ///< a pixel that is painted lies in the area at work
-  box_in_parent,     ///< a box lies in the box around it
-  box_is_tight,      ///< a side of a box goes through a point of the scene
-  box_holds,         ///< a facet lies in the box that holds it
-  cell_holds,        ///< a facet meets the cell that holds it
-  number_is_next,    ///< what a run numbers in the order of work has the next number
-  line_is_next,      ///< while edges are active scan lines come one after another
-  cell_is_next,      ///< a ray goes from a cell to one beside it
-  ray_paints_own,    ///< a ray paints the pixel that it was cast for
-  horizon_moves_out, ///< a horizon moves away from the other one
-  cross_beside,      ///< a curve crosses a horizon between two columns
-  ink_on_curve,      ///< a pixel of a curve lies where the curve is visible
-  hides_of_line,     ///< what is hidden of a line is a part of it
-  outline_is_closed, ///< each edge of an outline that meets a scan line is in the edge table
-  pair_has_span,     ///< each pair of active edges with pixels between them has a span
-  span_is_filled,    ///< each pixel of a span has its turn
+  edge_in_bucket,     ///< an edge enters at its first scan line
+  edge_sorted,        ///< it enters at a place that keeps the list in order
+  edge_retires,       ///< an edge leaves the list at the scan line where it ends
+  edge_left_behind,   ///< no edge stays in the list beyond its end
+  edge_missing,       ///< no edge whose scan line has come is left out of the list
+  edge_moves_once,    ///< an active edge has moved once for each scan line since it entered
+  swap_needed,        ///< only neighbours that are out of order change places
+  list_in_order,      ///< when a span begins the list is in order
+  span_pairs,         ///< a span goes from an edge to the next one in the list
+  span_line,          ///< it lies on the scan line at work
+  pixel_in_span,      ///< a pixel lies in the span at work
+  write_after_win,    ///< a pixel is written only after its depth was nearer
+  win_is_written,     ///< and after it was nearer, its depth is
+  skip_is_right,      ///< an edge is left out only where it meets no scan line
+  box_entered,        ///< a ray that meets a box enters it before it leaves it
+  kept_inside,        ///< of the points where a ray meets planes only those inside their facets are kept
+  facet_of_polygon,   ///< a facet is one of its polygon's
+  reject_is_right,    ///< a polygon is dropped for a reason that its tests gave
+  outline_of_facet,   ///< an outline has its facet's corners, and vertices that were made
+  edge_of_outline,    ///< an edge joins two neighbours of its outline
+  side_is_right,      ///< a side follows from the values of the plane
+  cut_in_edge,        ///< an edge is cut between its ends
+  point_in_both,      ///< a point that two pieces share lies in the extents of both
+  test_of_pair,       ///< two pieces are tested as the pair at work
+  pair_in_list,       ///< a pair is the first piece of the list and another one in it
+  list_is_whole,      ///< the list has all pieces before they are compared or drawn
+  flip_own_edge,      ///< the flag that flips at an edge is its own polygon's
+  winner_inside,      ///< only a piece whose flag is true is seen
+  share_of_pixel,     ///< shares of a pixel are from 0 to 1
+  node_is_free,       ///< a node of the tree has one child on each side
+  far_side_first,     ///< what lies beyond a plane is painted before what lies in it
+  node_skip_side,     ///< a side of a plane is passed over only where nothing is seen there
+  box_decides,        ///< a box alone decides only what it can
+  area_case,          ///< what is done with an area follows from its bins
+  pixel_in_area,      ///< a pixel that is painted lies in the area at work
+  box_in_parent,      ///< a box lies in the box around it
+  box_is_tight,       ///< a side of a box goes through a point of the scene
+  box_holds,          ///< a facet lies in the box that holds it
+  cell_holds,         ///< a facet meets the cell that holds it
+  number_is_next,     ///< what a run numbers in the order of work has the next number
+  line_is_next,       ///< while edges are active scan lines come one after another
+  cell_is_next,       ///< a ray goes from a cell to one beside it
+  ray_paints_own,     ///< a ray paints the pixel that it was cast for
+  horizon_moves_out,  ///< a horizon moves away from the other one
+  cross_beside,       ///< a curve crosses a horizon between two columns
+  ink_on_curve,       ///< a pixel of a curve lies where the curve is visible
+  hides_of_line,      ///< what is hidden of a line is a part of it
+  outline_is_closed,  ///< each edge of an outline that meets a scan line is in the edge table
+  pair_has_span,      ///< each pair of active edges with pixels between them has a span
+  span_is_filled,     ///< each pixel of a span has its turn
   count
 };
 
@@ -122,9 +122,7 @@ struct Situation {
   std::optional<Camera> lamp = {};               ///< the scene's light as a camera
 
   /// Takes the camera that is at work now.
-  void look() {
-    camera = before.machine.pass != Pass::light ? &scene.camera : lamp ? &*lamp : nullptr;
-  }
+  void look() { camera = before.machine.pass != Pass::light ? &scene.camera : lamp ? &*lamp : nullptr; }
 
   template <class E>
   bool records() const {

@@ -8,8 +8,8 @@
 namespace zstep::formulas {
 
 /// visit(position, const E& event, const Situation& before) for every step, until it returns false;
-/// impossible(position, why) where a step does not go with what was before it, which is left out then. Returns the state
-/// at the end. (`zstep check` goes through traces by Trace::visit, which is faster and takes longer to compile.)
+/// impossible(position, why) where a step does not go with what was before it, which is left out then. Returns the
+/// state at the end. (`zstep check` goes through traces by Trace::visit, which is faster and takes longer to compile.)
 template <class Visit, class OnImpossible>
 State walk(const Trace& trace, Visit&& visit, OnImpossible&& impossible) {
   const Beginning beginning(trace);

@@ -64,7 +64,7 @@ struct PartCount {
   std::int64_t computed = 0;    ///< of the expected ones, the run has and computes from its own operands
   std::int64_t same = 0;        ///< of the expected ones, the run has with the reference's numbers, but for rounding
   std::optional<Halves> halves = std::nullopt;
-  std::vector<Loss> lost{};     ///< empty where and only where the part has all points
+  std::vector<Loss> lost{};  ///< empty where and only where the part has all points
   std::int64_t all() const { return expected + additional; }
   /// Its halves are to be told apart: not the same pixels are right in both.
   bool in_halves() const { return halves && (halves->colors != same || halves->depths != same); }

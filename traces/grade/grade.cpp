@@ -152,8 +152,8 @@ class Outlines {
     if (polygon < 0 || static_cast<std::size_t>(polygon) >= facets_.size()) return {};
     const Facet* facet = facets_[static_cast<std::size_t>(polygon)];
     if (!facet) return {};
-    return std::span(scene_.corners).subspan(static_cast<std::size_t>(facet->first_corner),
-                                             static_cast<std::size_t>(facet->corner_count));
+    return std::span(scene_.corners)
+        .subspan(static_cast<std::size_t>(facet->first_corner), static_cast<std::size_t>(facet->corner_count));
   }
 
  private:
@@ -178,8 +178,9 @@ struct Meanings {
     any = true;
     const auto outline = outlines.of(polygon);
     const auto place = [&](std::int32_t vertex) {
-      return vertex >= 0 && static_cast<std::size_t>(vertex) < outline.size() ? outline[static_cast<std::size_t>(vertex)]
-                                                                              : -1;
+      return vertex >= 0 && static_cast<std::size_t>(vertex) < outline.size()
+                 ? outline[static_cast<std::size_t>(vertex)]
+                 : -1;
     };
     as_scene = as_scene && joins(outline, a, b);
     polygons_from_1 = polygons_from_1 && joins(outlines.of(polygon - 1), a, b);
@@ -239,8 +240,8 @@ struct Given {
   void verdict(Follows<E, bool> field, double, double) { fields |= 1u << field.number; }
 };
 
-/// Is one of the differing fields a number that should follow from something, and does from nothing, or is it none? What
-/// the number format alone lets it be off is no difference.
+/// Is one of the differing fields a number that should follow from something, and does from nothing, or is it none?
+/// What the number format alone lets it be off is no difference.
 template <class E>
 bool from_nothing(const E& e, const Situation& at, const diff::Difference& differing, const Precision& precision) {
   Given<E> given{e};
@@ -253,8 +254,7 @@ bool from_nothing(const E& e, const Situation& at, const diff::Difference& diffe
           differing.off <= precision.relative + 2 * precision.absolute / std::abs(value))
         return;
       // What is as long as a plane's normal may have any length.
-      const bool should_follow = has(field_at<E, I>.as, As::formula) &&
-                                 !diff::as_long_as_normal(field_at<E, I>.name);
+      const bool should_follow = has(field_at<E, I>.as, As::formula) && !diff::as_long_as_normal(field_at<E, I>.name);
       found = found || !std::isfinite(value) || (should_follow && (given.fields >> I & 1u) == 0);
     }
   });
@@ -271,10 +271,9 @@ std::uint32_t number_fields(std::uint8_t kind) {
 }
 
 /// By step of the run, from 1: whether it does not follow from the run's own operands. A step that has the reference's
-/// numbers does unless one of `faults` is its; of a number that is not the reference's a formula must say what it follows
-/// from, and it must be finite: NaN follows from NaN, and anything from nothing.
-std::vector<bool> not_computed(const Trace& run, const diff::DiffReport& difference,
-                               const std::vector<Fault>& faults) {
+/// numbers does unless one of `faults` is its; of a number that is not the reference's a formula must say what it
+/// follows from, and it must be finite: NaN follows from NaN, and anything from nothing.
+std::vector<bool> not_computed(const Trace& run, const diff::DiffReport& difference, const std::vector<Fault>& faults) {
   std::vector<bool> found(static_cast<std::size_t>(run.size()) + 1);
   for (const Fault& fault : faults) found[static_cast<std::size_t>(fault.step)] = true;
   // By the steps of the run, as the walk goes.
@@ -311,7 +310,8 @@ PixelsApart pixels_apart(const Ends& ends, const Trace& reference, const Trace& 
   const std::vector<double>& written = ends.run.depth;
   if (std::any_of(written.begin(), written.end(), [](double z) { return z != no_depth; }))  // NaN is one, and wrong
     apart.depth = diff::compare_depths(ends.reference.depth, ends.run.depth, precision,
-                                       diff::buffers_of(reference, ends.reference).empty).apart;
+                                       diff::buffers_of(reference, ends.reference).empty)
+                      .apart;
   return apart;
 }
 
@@ -364,17 +364,15 @@ std::set<std::uint8_t> kinds_of_unknown_edges(const Trace& run) {
   return kinds;
 }
 
-Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts,
-                const HeldTo& held) {
+Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts, const HeldTo& held) {
   Judgement found;
   const std::set<std::uint8_t> aside = kinds_of_unknown_edges(run);
   CheckMarks marks;
   found.checked = check(run, nullptr, nullptr, &marks, held);
   found.difference = diff::compare(reference, run, nullptr, diff::Way::fast, held);
   Ends& ends = found.ends = {picture_of(reference), picture_of(run), {}};
-  ends.apart =
-      diff::compare_pictures(diff::buffers_of(reference, ends.reference), diff::buffers_of(run, ends.run),
-                             found.difference.precision);
+  ends.apart = diff::compare_pictures(diff::buffers_of(reference, ends.reference), diff::buffers_of(run, ends.run),
+                                      found.difference.precision);
   const Counter counter(reference, run, found.difference, not_computed(run, found.difference, marks.faults), aside);
   for (const Part& part : parts)
     found.parts.push_back(part.level == Level::buffers

@@ -46,8 +46,8 @@ struct Judgement {
   CheckReport checked;
 };
 
-/// What a homework with this `free` holds numbers to: those of a fixed-point format that it does not name are wrong where
-/// float64 and float32 would have others.
+/// What a homework with this `free` holds numbers to: those of a fixed-point format that it does not name are wrong
+/// where float64 and float32 would have others.
 HeldTo held_to(int digits, const std::vector<std::string>& free);
 
 /// The kinds of a run's steps that nothing can be said of, as they speak of edges by numbers and the run has no edge
@@ -56,16 +56,15 @@ std::set<std::uint8_t> kinds_of_unknown_edges(const Trace& run);
 
 /// Judges a run of the reference's scene. Numbers are held to so many digits or decimals, however few are written: who
 /// prints three would have errors taken for rounding.
-Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts,
-                const HeldTo& held = {});
+Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts, const HeldTo& held = {});
 
 /// The known mistake that the run goes wrong by, where one is found to make its very numbers; or two that do together.
 struct Likely {
   mistakes::Mistake mistake{};
   std::optional<mistakes::Mistake> also{};  ///< in the same number
 };
-/// `either`, where it is there, takes the mistakes that make the same numbers, so that none of them is named: another run
-/// of the program may tell which.
+/// `either`, where it is there, takes the mistakes that make the same numbers, so that none of them is named: another
+/// run of the program may tell which.
 std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const Judgement& found,
                                  std::vector<mistakes::Mistake>* either = nullptr);
 

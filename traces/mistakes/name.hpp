@@ -17,9 +17,9 @@ std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precis
 
 /// The mistake that a run goes wrong by, where one of the catalogue makes the run's own numbers from there on; several,
 /// where these make the same numbers and nothing tells which of them it is. `first` is the step at which it first goes
-/// wrong, `next` the first one that is wrong for another reason; 0 where none is. The mistake must show before that: what
-/// shows later may be another's doing. And it explains all that is wrong at each of its steps, and at the first one. `depth_is_wrong`: at the first step it is the depth of a pixel, which no mistake
-/// with the buffer makes.
+/// wrong, `next` the first one that is wrong for another reason; 0 where none is. The mistake must show before that:
+/// what shows later may be another's doing. And it explains all that is wrong at each of its steps, and at the first
+/// one. `depth_is_wrong`: at the first step it is the depth of a pixel, which no mistake with the buffer makes.
 std::vector<Mistake> mistakes_of(const Trace& run, std::int64_t first, std::int64_t next, bool depth_is_wrong,
                                  const Precision& precision);
 

@@ -9,8 +9,8 @@
 
 namespace zstep::mistakes {
 
-/// y_upside_down or x_y_exchanged, where the run has the reference's steps at pixels, number by number, once y is turned
-/// over or x and y are exchanged; and not both of them do.
+/// y_upside_down or x_y_exchanged, where the run has the reference's steps at pixels, number by number, once y is
+/// turned over or x and y are exchanged; and not both of them do.
 std::optional<Mistake> turned_of(const Trace& reference, const Trace& run, const Precision& precision);
 
 }  // namespace zstep::mistakes

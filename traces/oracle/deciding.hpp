@@ -46,10 +46,10 @@ struct Wholly {
 };
 
 /// A plane's value at a point, as a distance, and what rounding may do to it. In Newell's normal of n corners two
-/// differences, a product and a difference round each term by 4u, n - 3 sums by u each, and the division by the length by
-/// 3u: (n + 4)u of the terms. That turns the plane about the mean of its corners. Ax + By + Cz + D rounds by 4u of the
-/// point's coordinates, which A, B and C make no larger. D rounds by 3u of the mean's, and the mean itself by n u of them
-/// where no coordinates cancel in it. Twice (n + 4)u is allowed, and 16u of the coordinates.
+/// differences, a product and a difference round each term by 4u, n - 3 sums by u each, and the division by the length
+/// by 3u: (n + 4)u of the terms. That turns the plane about the mean of its corners. Ax + By + Cz + D rounds by 4u of
+/// the point's coordinates, which A, B and C make no larger. D rounds by 3u of the mean's, and the mean itself by n u
+/// of them where no coordinates cancel in it. Twice (n + 4)u is allowed, and 16u of the coordinates.
 struct Distance {
   int sign;
   double size, bound;

@@ -36,13 +36,14 @@ class DecisionJudge {
     if constexpr (requires { one.judge(e, at); }) {
       try {
         one.judge(e, at);
-      } catch (const std::domain_error&) {  // not finite
+      } catch (const std::domain_error&) {    // not finite
       } catch (const std::overflow_error&) {  // divided by 0
       }
     }
   }
   deciding::Common common_;
-  std::tuple<deciding::PolygonJudge, deciding::PieceJudge, deciding::PlaneJudge, deciding::RayJudge, deciding::CurveJudge>
+  std::tuple<deciding::PolygonJudge, deciding::PieceJudge, deciding::PlaneJudge, deciding::RayJudge,
+             deciding::CurveJudge>
       judges_{common_, common_, common_, common_, common_};
 };
 

@@ -11,24 +11,24 @@
 namespace zstep::oracle {
 
 enum class Predicate : std::uint8_t {
-  facing,          ///< which side of a facet the eye sees
-  clip_side,       ///< is a vertex inside a plane of the view volume?
-  span_end,        ///< which pixel is the first, which the last between two edges
-  edge_order,      ///< which of two edges is the left one
-  depth_compare,   ///< which of two depths that were interpolated is nearer
-  vertex_side,     ///< on which side of a polygon's plane a vertex lies
-  side,            ///< and a whole piece
-  eye_side,        ///< and the eye
-  extents,         ///< do two extents overlap?
-  overlap,         ///< do two projections?
-  bin,             ///< how a polygon lies to an area
-  plane_depth,     ///< which of two planes is nearer at a pixel or at a corner of an area
-  ray_facing,      ///< does a ray meet a facet from its front?
-  ray_inside,      ///< does it meet its plane inside the outline?
-  ray_nearest,     ///< is what it meets nearer than what it met before?
-  box,             ///< does it meet a box before that?
-  horizon,         ///< is a curve above, below or between the horizons?
-  line_and_face,   ///< does a face cover some of a line?
+  facing,         ///< which side of a facet the eye sees
+  clip_side,      ///< is a vertex inside a plane of the view volume?
+  span_end,       ///< which pixel is the first, which the last between two edges
+  edge_order,     ///< which of two edges is the left one
+  depth_compare,  ///< which of two depths that were interpolated is nearer
+  vertex_side,    ///< on which side of a polygon's plane a vertex lies
+  side,           ///< and a whole piece
+  eye_side,       ///< and the eye
+  extents,        ///< do two extents overlap?
+  overlap,        ///< do two projections?
+  bin,            ///< how a polygon lies to an area
+  plane_depth,    ///< which of two planes is nearer at a pixel or at a corner of an area
+  ray_facing,     ///< does a ray meet a facet from its front?
+  ray_inside,     ///< does it meet its plane inside the outline?
+  ray_nearest,    ///< is what it meets nearer than what it met before?
+  box,            ///< does it meet a box before that?
+  horizon,        ///< is a curve above, below or between the horizons?
+  line_and_face,  ///< does a face cover some of a line?
   count
 };
 

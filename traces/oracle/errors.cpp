@@ -40,7 +40,7 @@ class DepthJudge {
         unit_(depth_unit(trace.scene(), trace.header().conventions)),
         cuts_(trace.has(kind_of<SplitVertex>) || formulas::run_cuts_in_world(trace.header(), trace.scene())),
         vertices_(formulas::run_cuts_in_world(trace.header(), trace.scene()) ? ExactVertices::From::world
-                                                                              : ExactVertices::From::vertices),
+                                                                             : ExactVertices::From::vertices),
         rays_(trace.scene(), trace.header().conventions.depth) {
     const Raster& raster = trace.scene().raster;
     const std::size_t pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
@@ -96,7 +96,7 @@ class DepthJudge {
     if (!tried_) {
       tried_ = true;
       auto exact = truth_ == Truth::formula && at.method().slopes ? on_plane(at, *at.method().slopes, y)
-                                                                   : between_edges(at, *span);
+                                                                  : between_edges(at, *span);
       if (exact) span_ = std::make_shared<const ExactDepth>(std::move(*exact));
     }
     return span_;

@@ -13,13 +13,13 @@ namespace zstep::oracle {
 /// Of the depths of one polygon, or of all.
 struct ErrorOf {
   std::int32_t polygon = no_polygon;
-  std::int64_t depths = 0;        ///< that were computed and could be held against the exact ones
-  double largest = 0;             ///< error in units of the last digit of the number format
-  double largest_depth = 0;       ///< the same in units of depth
-  double sum_of_squares = 0;      ///< of the errors in last digits
-  double largest_view = 0;        ///< in units of z_v
+  std::int64_t depths = 0;    ///< that were computed and could be held against the exact ones
+  double largest = 0;         ///< error in units of the last digit of the number format
+  double largest_depth = 0;   ///< the same in units of depth
+  double sum_of_squares = 0;  ///< of the errors in last digits
+  double largest_view = 0;    ///< in units of z_v
   double sum_of_squares_view = 0;
-  std::int64_t decided_wrong = 0; ///< compares that the exact depths decide otherwise
+  std::int64_t decided_wrong = 0;  ///< compares that the exact depths decide otherwise
   double root_mean_square() const;
   double root_mean_square_view() const;
 };
@@ -34,21 +34,21 @@ struct WrongDecision {
 
 struct Errors {
   ErrorOf all;
-  std::vector<ErrorOf> polygons;        ///< by their number; those without depths are left out
-  std::int64_t not_judged = 0;          ///< depths of which nothing says what they are exactly
-  std::int64_t by_polygon = 0;          ///< held against the polygon itself, as the trace has no span with its edges
-  std::int64_t not_finite = 0;          ///< NaN and infinities, whose error is infinite
-  std::int64_t not_finite_step = 0;     ///< the first of them
-  std::int64_t steepest_step = 0;       ///< with the largest error
-  std::vector<WrongDecision> decisions; ///< the first ones, at most 100
-  std::int64_t compares = 0;            ///< of which the exact outcome is known
-  std::int64_t wrong_pixels = 0;        ///< that show another polygon than the one that is exactly the nearest
-  std::int64_t fighting_pixels = 0;     ///< in which a compare was decided otherwise
-  std::vector<bool> fighting;           ///< [height*width], which these are
-  std::optional<double> least_gap;      ///< the smallest z_v by which two polygons that met in a pixel differ
-  double gap_at = 0;                    ///< and the z_v of the nearer of them
-  /// Errors in last digits of the pixels of the longest span, and of the first pixels of spans on the lines of the longest
-  /// left edge: what increments add up.
+  std::vector<ErrorOf> polygons;         ///< by their number; those without depths are left out
+  std::int64_t not_judged = 0;           ///< depths of which nothing says what they are exactly
+  std::int64_t by_polygon = 0;           ///< held against the polygon itself, as the trace has no span with its edges
+  std::int64_t not_finite = 0;           ///< NaN and infinities, whose error is infinite
+  std::int64_t not_finite_step = 0;      ///< the first of them
+  std::int64_t steepest_step = 0;        ///< with the largest error
+  std::vector<WrongDecision> decisions;  ///< the first ones, at most 100
+  std::int64_t compares = 0;             ///< of which the exact outcome is known
+  std::int64_t wrong_pixels = 0;         ///< that show another polygon than the one that is exactly the nearest
+  std::int64_t fighting_pixels = 0;      ///< in which a compare was decided otherwise
+  std::vector<bool> fighting;            ///< [height*width], which these are
+  std::optional<double> least_gap;       ///< the smallest z_v by which two polygons that met in a pixel differ
+  double gap_at = 0;                     ///< and the z_v of the nearer of them
+  /// Errors in last digits of the pixels of the longest span, and of the first pixels of spans on the lines of the
+  /// longest left edge: what increments add up.
   std::vector<double> along_span, along_edge;
   std::vector<std::int32_t> polygon_of_pixel;  ///< [height*width], whose depth is stored at the end
   std::vector<double> depth_error_of_pixel;    ///< and its error in units of depth; NaN: none
@@ -57,14 +57,14 @@ struct Errors {
 
 /// One depth of a span, held against the exact one.
 struct DepthError {
-  std::int64_t step = 0;         ///< that computed it
-  std::int64_t span = 0;         ///< that began its span
-  std::int64_t edge = 0;         ///< that put the span's left edge into the edge table
+  std::int64_t step = 0;  ///< that computed it
+  std::int64_t span = 0;  ///< that began its span
+  std::int64_t edge = 0;  ///< that put the span's left edge into the edge table
   std::int32_t x = 0, y = 0;
-  std::int32_t along_span = 0;   ///< pixels from the first of the span
-  std::int32_t along_edge = 0;   ///< scan lines from the first of the edge
+  std::int32_t along_span = 0;  ///< pixels from the first of the span
+  std::int32_t along_edge = 0;  ///< scan lines from the first of the edge
   double z = 0;
-  double error = 0;              ///< what was computed − what is exact, in last digits of the number format
+  double error = 0;  ///< what was computed − what is exact, in last digits of the number format
 };
 
 /// What a depth is held against. The two differ where z_v is interpolated as if it were linear on the picture.

@@ -14,8 +14,8 @@
 namespace zstep::oracle {
 
 /// A fraction. Without expression templates, so that `auto` holds a number as it does with doubles.
-using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend,
-                                               boost::multiprecision::et_off>;
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 using Point = formulas::Vector<Rational>;
 
 /// As it is, every digit; throws std::domain_error where it is not finite.

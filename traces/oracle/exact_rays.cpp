@@ -19,9 +19,9 @@ Rational depth_of_view(const Camera& camera, Conventions::Depth depth, const Rat
   const Rational near = exactly(camera.near), far = exactly(camera.far);
   const bool parallel = camera.kind == Camera::Kind::orthographic;
   if (depth != Conventions::Depth::pseudodepth) return formulas::other_depth(depth, parallel, near, far, z_v);
-  return parallel ? formulas::parallel_pseudodepth(near, far, z_v)
-                  : formulas::pseudodepth(near, formulas::pseudodepth_a(near, far), formulas::pseudodepth_b(near, far),
-                                          z_v);
+  return parallel
+             ? formulas::parallel_pseudodepth(near, far, z_v)
+             : formulas::pseudodepth(near, formulas::pseudodepth_a(near, far), formulas::pseudodepth_b(near, far), z_v);
 }
 
 const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
@@ -33,9 +33,7 @@ const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
     return ray_;
   }
   // The axes of view coordinates are the rows of T_v.
-  const auto row = [&](int i) {
-    return exactly(glm::dvec3(camera.view[0][i], camera.view[1][i], camera.view[2][i]));
-  };
+  const auto row = [&](int i) { return exactly(glm::dvec3(camera.view[0][i], camera.view[1][i], camera.view[2][i])); };
   const Point right = row(0), up = row(1), away = row(2);
   const Rational width = scene_.raster.width, height = scene_.raster.height, w_y = exactly(camera.window),
                  w_x = formulas::window_width(w_y, width, height);

@@ -87,7 +87,7 @@ EventLog::Whole EventLog::whole_event(std::size_t left, const std::array<std::ui
   if (step >= codec::row_token || kind >= kind_count || kind_of_step[step] != kind) return {};
   Whole whole;
   const auto look = [&]<class E>() {
-    if (kind != kind_of<E> || logged_size<E> > left || !can_be<E>(end_ + 2)) return;
+    if (kind != kind_of<E> || logged_size < E >> left || !can_be<E>(end_ + 2)) return;
     steps.learn<E>(step);
     whole = {logged_size<E>, 1};
   };

@@ -1,5 +1,5 @@
-// What a run has recorded since the last block: events as they came, and the pixels of a span already drawn together into
-// runs.
+// What a run has recorded since the last block: events as they came, and the pixels of a span already drawn together
+// into runs.
 //
 // This is the half of recording that runs within the method that is recorded, so it does little: it sees whether pixels
 // follow one another along their span, and copies everything else. Whether the depths are those that the span foretells
@@ -37,7 +37,7 @@ struct LoggedRun {
   bool painted = false;
   std::int32_t x = 0;  ///< of the first pixel
   std::uint32_t count = 0;
-  std::uint64_t nearer = 0;  ///< bit k: the k-th pixel's compare; of painted pixels, 0
+  std::uint64_t nearer = 0;              ///< bit k: the k-th pixel's compare; of painted pixels, 0
   const std::uint8_t* depths = nullptr;  ///< where `count` doubles stand in the log, without regard to alignment
 
   double depth(std::uint32_t pixel) const {

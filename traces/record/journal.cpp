@@ -33,8 +33,8 @@ constexpr std::array<char, 8> journal_signature{'z', 'j', 'o', 'u', 'r', 'n', '\
 /// How the file begins; the logs follow on the next page. It is read by the zstep that wrote it, on the same machine.
 struct Head {
   std::array<char, 8> signature = journal_signature;
-  std::uint64_t layout = 0;    ///< of events in memory
-  std::uint64_t trace = 0;     ///< checksum of the head of the trace
+  std::uint64_t layout = 0;  ///< of events in memory
+  std::uint64_t trace = 0;   ///< checksum of the head of the trace
   std::uint64_t logs = 0, log_size = 0;
   std::array<std::uint64_t, most_logs> block{};  ///< which each log holds
 };

@@ -89,7 +89,7 @@ struct TraceRecorder::Sink {
   Bytes index;
   std::uint64_t blocks = 0;
   BlockEncoder encoder;
-  Journal journal;  ///< the memory of the logs at work and, after them, of the one that is recorded into
+  Journal journal;                ///< the memory of the logs at work and, after them, of the one that is recorded into
   std::vector<EventLog> at_work;  ///< in turn
   std::size_t next_log = 0;
   BackgroundWorker worker{logs_at_work};  // ends first

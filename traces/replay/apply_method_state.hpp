@@ -108,8 +108,7 @@ inline void apply_method_state(const EdgeEnter& event, MethodState& machine) {
     throw Impossible(fmt::format("the active edge list has no place {}", event.place));
   detail::set_stage(machine, event.edge, EdgeStage::active);
   const EdgeTableInsert& entry = machine.edge_table[static_cast<std::size_t>(event.edge)];
-  machine.active.insert(machine.active.begin() + event.place,
-                        ActiveEdge{event.edge, entry.x_edge, entry.z_edge});
+  machine.active.insert(machine.active.begin() + event.place, ActiveEdge{event.edge, entry.x_edge, entry.z_edge});
 }
 inline void apply_method_state(const EdgeRetire& event, MethodState& machine) {
   const std::size_t place = detail::place_of(machine, event.edge);

@@ -15,8 +15,8 @@ void begin(Picture& picture, std::int32_t width, std::int32_t height, double dep
   picture.depth.assign(size, depth);
 }
 
-/// A run that could record writes of depths, and has none, either does not print them or does not write them. It does not
-/// where its compares would be right against a buffer that is never written, and only against that one.
+/// A run that could record writes of depths, and has none, either does not print them or does not write them. It does
+/// not where its compares would be right against a buffer that is never written, and only against that one.
 bool forgets_depths(const Trace& trace) {
   const Header& header = trace.header();
   if (!records<DepthWrite>(header) || !trace.has(kind_of<PixelWrite>)) return false;

@@ -53,7 +53,7 @@ class KeyFrames {
   std::int64_t end_, spacing_, next_due_;
   std::size_t budget_, bytes_ = 0;
   std::vector<Frame> frames_;
-  State last_;                 ///< its pictures are those of the last frame, while more are to come
+  State last_;  ///< its pictures are those of the last frame, while more are to come
 };
 
 }  // namespace zstep

@@ -23,9 +23,8 @@ void set_fragment(State& state, const E& event, const HeldBefore& before) {
 /// The span on which a pixel is painted, and none where a method paints without spans.
 void set_span(State& state, const Trace& trace, std::int64_t step, const PixelPaint& paint) {
   if (!records<SpanBegin>(trace.header())) return;
-  const auto begin = trace.previous(step, [](const RecordedEvent& recorded) {
-    return is_one_of<SpanBegin, PieceDraw, SpanWinner>(recorded.event);
-  });
+  const auto begin = trace.previous(
+      step, [](const RecordedEvent& recorded) { return is_one_of<SpanBegin, PieceDraw, SpanWinner>(recorded.event); });
   if (!begin) return;
   const Event event = trace.event(*begin).event;
   if (const auto* span = get_if<SpanBegin>(&event))
@@ -34,8 +33,9 @@ void set_span(State& state, const Trace& trace, std::int64_t step, const PixelPa
 
 /// The ray and what it met so far.
 void set_ray(State& state, const Trace& trace, std::int64_t step) {
-  const auto begin = trace.previous(step, [](const RecordedEvent& recorded) { return holds<RayBegin>(recorded.event); },
-                                    Trace::Among({}, kind_of<RayBegin>));
+  const auto begin = trace.previous(
+      step, [](const RecordedEvent& recorded) { return holds<RayBegin>(recorded.event); },
+      Trace::Among({}, kind_of<RayBegin>));
   if (!begin) return;
   const RayBegin ray = get<RayBegin>(trace.event(*begin).event);
   state.machine.rays.tree.push_back({ray, std::nullopt});

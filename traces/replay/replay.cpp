@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t key_frame_budget = std::size_t{96} << 20;  // bytes
 constexpr std::int64_t most_key_frames = 192;
-constexpr std::int64_t few_events = 64;  // that are better asked for one by one
-constexpr std::size_t picture_budget = std::size_t{64} << 20;    // bytes of whole pictures in the undo log
+constexpr std::int64_t few_events = 64;                        // that are better asked for one by one
+constexpr std::size_t picture_budget = std::size_t{64} << 20;  // bytes of whole pictures in the undo log
 
 }  // namespace
 
@@ -135,7 +135,7 @@ struct Replay::Impl {
       return true;
     }
     template <class Run>
-      requires requires(const Run& run, State& changed) { apply_run(run, changed); }
+    requires requires(const Run& run, State& changed) { apply_run(run, changed); }
     bool operator()(std::int64_t before, const Run& run) {
       apply_run(run, replay.state);
       replay.state.position = before + run.events();
@@ -151,7 +151,7 @@ struct Replay::Impl {
     for (std::int64_t position = check_points.back().first + 1; position <= target; ++position) {
       if (!trace->impl().readable(position)) continue;
       visit_event([&](const auto& event) { apply_method_state(event, state.machine, position); },
-                 trace->event(position).event);
+                  trace->event(position).event);
     }
     state.machine.fragment = fragment;
     state.position = target;

@@ -36,8 +36,8 @@ class SharedList {
     std::size_t place = 0;
     auto piece = pieces_.begin();
     for (; piece->home != home; ++piece) place += piece->items().size();
-    const auto item = std::find_if(piece->items().begin(), piece->items().end(),
-                                   [&](const T& one) { return one.*key == number; });
+    const auto item =
+        std::find_if(piece->items().begin(), piece->items().end(), [&](const T& one) { return one.*key == number; });
     return place + static_cast<std::size_t>(item - piece->items().begin());
   }
 
@@ -79,8 +79,7 @@ class SharedList {
   /// Before what stands at `place`, or at the end.
   void insert(std::size_t place, T item) {
     if (pieces_.empty()) add_piece(0, {});
-    const auto [piece, at] =
-        place < size_ ? find(place) : std::pair{pieces_.size() - 1, pieces_.back().items().size()};
+    const auto [piece, at] = place < size_ ? find(place) : std::pair{pieces_.size() - 1, pieces_.back().items().size()};
     settle(item, pieces_[piece].home);
     std::vector<T>& items = own(piece);
     items.insert(items.begin() + static_cast<std::ptrdiff_t>(at), std::move(item));
@@ -101,10 +100,9 @@ class SharedList {
   }
 
   bool shares_with(const SharedList& other) const {
-    return size_ == other.size_ && std::equal(pieces_.begin(), pieces_.end(), other.pieces_.begin(),
-                                              other.pieces_.end(), [](const Piece& one, const Piece& its) {
-                                                return one.shared == its.shared;
-                                              });
+    return size_ == other.size_ &&
+           std::equal(pieces_.begin(), pieces_.end(), other.pieces_.begin(), other.pieces_.end(),
+                      [](const Piece& one, const Piece& its) { return one.shared == its.shared; });
   }
   /// Calls each(const std::vector<…>&) for what this alone holds of both: its pieces, and where its items are found.
   template <class Each>

@@ -88,8 +88,8 @@ struct MethodState {
   // What changes often stands apart from what does not, so that copies share the most.
   SharedChunks<EdgeTableInsert> edge_table;  ///< by edge number; buckets by first_row
   EdgeStages edge_stages;                    ///< likewise by number
-  std::vector<ActiveEdge> active;     ///< left to right
-  std::size_t looked_up = 0;          ///< a place in it, from which the next edge is looked for: no part of the state
+  std::vector<ActiveEdge> active;            ///< left to right
+  std::size_t looked_up = 0;  ///< a place in it, from which the next edge is looked for: no part of the state
   std::optional<std::int32_t> scan_line;
   std::optional<PlaneSlopes> slopes;  ///< of the polygon's plane, where depths go by it
   std::optional<SpanBegin> span;
@@ -97,22 +97,22 @@ struct MethodState {
   std::optional<AttributeInterpolate> attribute;  ///< the last one of the polygon at work
 
   // The whole run.
-  bool keeps_all = false;  ///< edges, vertices and pieces of all polygons are kept (tables_begin)
+  bool keeps_all = false;       ///< edges, vertices and pieces of all polygons are kept (tables_begin)
   bool compares_write = false;  ///< a compare that finds its depth nearer writes it, as the run has no steps for that
-  bool edges_told = true;  ///< else the run has no edge table, and its spans and flags may speak of any edges
-  bool rays_told = true;   ///< else the run does not say which rays it casts, and may end any
+  bool edges_told = true;       ///< else the run has no edge table, and its spans and flags may speak of any edges
+  bool rays_told = true;        ///< else the run does not say which rays it casts, and may end any
   Pass pass = Pass::eye;
   SharedChunks<Piece> pieces;
-  SharedChunks<std::int32_t> drawn;  ///< pieces, in the order in which they were drawn
+  SharedChunks<std::int32_t> drawn;               ///< pieces, in the order in which they were drawn
   SharedList<ListEntry, &ListEntry::piece> list;  ///< depth sort's, from the front
-  std::optional<PairBegin> pair;  ///< under test
-  SharedChunks<TreeNode> tree;    ///< node 0 is the root
-  std::int32_t node = -1;         ///< at work
-  Sweep sweep;                    ///< along the scan line
-  SharedChunks<AreaRow> areas;    ///< by number
-  std::int32_t area = -1;         ///< at work
-  std::vector<AreaBin> bins;      ///< of that area
-  SharedChunks<BoxRow> boxes;     ///< by number
+  std::optional<PairBegin> pair;                  ///< under test
+  SharedChunks<TreeNode> tree;                    ///< node 0 is the root
+  std::int32_t node = -1;                         ///< at work
+  Sweep sweep;                                    ///< along the scan line
+  SharedChunks<AreaRow> areas;                    ///< by number
+  std::int32_t area = -1;                         ///< at work
+  std::vector<AreaBin> bins;                      ///< of that area
+  SharedChunks<BoxRow> boxes;                     ///< by number
   std::optional<GridMake> grid;
   SharedChunks<CellHold> cells;  ///< what the grid's cells hold
   RayWork rays;

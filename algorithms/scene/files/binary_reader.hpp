@@ -23,10 +23,10 @@ class BinaryReader {
   /// The next number; throws InputError where the file ends before.
   template <class T>
   T take() {
-    using Bits = std::conditional_t<
-        sizeof(T) == 1, std::uint8_t,
-        std::conditional_t<sizeof(T) == 2, std::uint16_t,
-                           std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
+    using Bits =
+        std::conditional_t<sizeof(T) == 1, std::uint8_t,
+                           std::conditional_t<sizeof(T) == 2, std::uint16_t,
+                                              std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
     last_ = at_;
     if (bytes_left() < sizeof(T))
       throw InputError(where(), "the file ends before the last element", "get the file again: it was cut short");

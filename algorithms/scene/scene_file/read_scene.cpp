@@ -83,7 +83,8 @@ class Reader {
     std::int32_t next = 0;
     for (const toml::node& node : order) {
       const auto name = node.value<std::string>();
-      if (!name || name->empty()) fail_at(node, file_, "the order is not a list of names", "write order = [\"A\", \"B\", …]");
+      if (!name || name->empty())
+        fail_at(node, file_, "the order is not a list of names", "write order = [\"A\", \"B\", …]");
       const auto found = by_name.find(*name);
       if (found == by_name.end())
         fail_at(node, file_, fmt::format("there is no polygon {} to put in order", in_quotes(*name)),

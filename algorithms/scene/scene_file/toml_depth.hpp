@@ -11,8 +11,8 @@ namespace zstep::scene {
 /// InputError at FILE:LINE when a key has more than 32 parts; `first_line` numbers the first line of `text`.
 void check_toml_depth(std::string_view text, const std::string& name, int first_line = 1);
 
-/// The end of the string that opens at `at`; strings of one line end with their line at the latest. Counts the lines that
-/// it passes.
+/// The end of the string that opens at `at`; strings of one line end with their line at the latest. Counts the lines
+/// that it passes.
 std::size_t skip_string(std::string_view text, std::size_t at, int& line);
 
 }  // namespace zstep::scene

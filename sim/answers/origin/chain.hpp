@@ -14,7 +14,7 @@ namespace zstep::answers {
 /// A number in a formula. It is one of the chain's own, or a plain one (a row, a size of the raster, an entry of a
 /// matrix).
 struct Operand {
-  std::string symbol;      ///< letters, digits and _: as it stands in the formula
+  std::string symbol;  ///< letters, digits and _: as it stands in the formula
   double value = 0;
   std::int32_t link = -1;  ///< the link that tells where it comes from; -1 for a plain number
   std::string name;        ///< its name there
@@ -22,14 +22,14 @@ struct Operand {
 
 /// One number, and how it was made.
 struct ChainValue {
-  std::string name;      ///< "x_L"; of a condition, the condition's own name, with value 1 (true) or 0
+  std::string name;  ///< "x_L"; of a condition, the condition's own name, with value 1 (true) or 0
   double value = 0;
-  std::string formula;   ///< over the operands' symbols, "z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L)"; empty: taken over
+  std::string formula;  ///< over the operands' symbols, "z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L)"; empty: taken over
   std::vector<Operand> operands;
   bool exact = true;  ///< of zstep's own runs in float64 it gives the recorded bits; else but for rounding
   bool condition = false;
-  std::string word;      ///< of a choice between words, the one: "front"
-  std::string note;      ///< what no formula says, in a few words
+  std::string word;                                              ///< of a choice between words, the one: "front"
+  std::string note;                                              ///< what no formula says, in a few words
   formulas::Tolerance tolerance{formulas::rounding_of_float64};  ///< that the trace's numbers are allowed
   std::string_view rounds{};  ///< what numbers are that the trace's format cannot hold: "rounded", "cut off"
 };
@@ -41,8 +41,8 @@ struct ChainLink {
   std::int32_t depth = 0;    ///< how many links lead to it
   std::string what;          ///< "depth at x = 9 on the span"
   std::vector<ChainValue> values;
-  std::string source;        ///< "pyramid.obj:12", where the scene has lines
-  bool given = false;        ///< a datum of the scene: its numbers are exact as they stand
+  std::string source;  ///< "pyramid.obj:12", where the scene has lines
+  bool given = false;  ///< a datum of the scene: its numbers are exact as they stand
 };
 
 /// The links in the order in which they are read: each right behind the one that asked for it, or behind what that one

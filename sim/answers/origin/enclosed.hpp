@@ -57,7 +57,8 @@ inline Enclosed root_of(const Rational& square) {
   // The root of n/d is that of n·d, over d.
   const Whole below = denominator(square), product = Whole(numerator(square)) * below;
   constexpr unsigned bits = 200;
-  const unsigned shift = std::max(bits, static_cast<unsigned>(msb(product)) / 2) - static_cast<unsigned>(msb(product)) / 2;
+  const unsigned shift =
+      std::max(bits, static_cast<unsigned>(msb(product)) / 2) - static_cast<unsigned>(msb(product)) / 2;
   Whole left;
   const Whole root = boost::multiprecision::sqrt(Whole(product << (2 * shift)), left), unit = below << shift;
   const Rational least(root, unit);
@@ -76,8 +77,12 @@ struct Functions<Enclosed> {
     if (a.is_fraction() && b.is_fraction()) return true;
     throw NotExact{"a comparison of what is closer than square roots are known"};
   }
-  static Enclosed floor(const Enclosed& a) { return whole(a, [](const Rational& r) { return oracle::floor(r); }); }
-  static Enclosed ceil(const Enclosed& a) { return whole(a, [](const Rational& r) { return oracle::ceil(r); }); }
+  static Enclosed floor(const Enclosed& a) {
+    return whole(a, [](const Rational& r) { return oracle::floor(r); });
+  }
+  static Enclosed ceil(const Enclosed& a) {
+    return whole(a, [](const Rational& r) { return oracle::ceil(r); });
+  }
   static Enclosed round(const Enclosed& a) {
     return whole(a, [](const Rational& r) {
       const Rational half(1, 2);

@@ -64,12 +64,15 @@ struct Found {
 template <class E, class Meant>
 std::optional<Found<E>> next_that(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
   Found<E> found;
-  const auto step = trace.next(from, [&](const RecordedEvent& recorded) {
-    const E& event = get<E>(recorded.event);
-    if (!is_meant(event)) return false;
-    found.event = event;
-    return true;
-  }, Trace::Among({}, kind_of<E>, end - 1));
+  const auto step = trace.next(
+      from,
+      [&](const RecordedEvent& recorded) {
+        const E& event = get<E>(recorded.event);
+        if (!is_meant(event)) return false;
+        found.event = event;
+        return true;
+      },
+      Trace::Among({}, kind_of<E>, end - 1));
   if (!step) return std::nullopt;
   found.step = *step;
   return found;

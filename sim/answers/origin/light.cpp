@@ -36,9 +36,9 @@ void tell_view_depth(Datum& datum, const viewing::Lens& lens, const std::string&
   if (lens.depth == Conventions::Depth::view || std::isinf(depth.value)) return datum.same_as(name, depth);
   Operands of;
   const Formula n = of("n", lens.near), f = of("f", lens.far), z = of(name, depth);
-  datum.is(lens.orthographic ? formulas::depth_of_parallel_pseudodepth(n, f, z)
-                             : formulas::depth_of_pseudodepth(n, f, z),
-           of);
+  datum.is(
+      lens.orthographic ? formulas::depth_of_parallel_pseudodepth(n, f, z) : formulas::depth_of_pseudodepth(n, f, z),
+      of);
 }
 
 /// The numbers between the two pictures, as values of the step's link.
@@ -51,7 +51,9 @@ struct ThroughSpace {
   const viewing::Lens light{camera, work.scene.raster, work.conventions.depth};
 
   template <class Tell>
-  Number value(const std::string& name, double is, Tell&& tell) { return work.derived(step, "", "", name, is, tell); }
+  Number value(const std::string& name, double is, Tell&& tell) {
+    return work.derived(step, "", "", name, is, tell);
+  }
 
   Number depth() {
     const double z = work.buffers().picture.depth[work.buffers().picture.at(e.x, e.y)];

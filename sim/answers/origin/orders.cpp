@@ -41,9 +41,7 @@ std::int32_t corner_with(const Work& work, const Piece& piece, const PlaneEquati
 
 }  // namespace
 
-bool cuts_in_world(const Work& work) {
-  return formulas::run_cuts_in_world(work.trace.header(), work.scene);
-}
+bool cuts_in_world(const Work& work) { return formulas::run_cuts_in_world(work.trace.header(), work.scene); }
 
 Number Work::extent(std::int32_t number, std::string_view name) {
   const auto axis = static_cast<std::size_t>(axis_of(name));
@@ -104,8 +102,9 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e,
   if (corner < 0) return;
   const bool own_depth = work.step_name(step) == "penetrate";  // there a corner counts where its own plane has it
   Operands operands;
-  const Formula here = plane_at(operands, [&](char letter) { return work.plane(e.plane_of, letter); },
-                                [&](Axis3 axis) { return work.cutting(corner, axis); });
+  const Formula here = plane_at(
+      operands, [&](char letter) { return work.plane(e.plane_of, letter); },
+      [&](Axis3 axis) { return work.cutting(corner, axis); });
   datum.is(turned ? -here : here, operands, false);
   datum.note(fmt::format("at vertex {}{}", work.vertex_name(corner), own_depth ? ", with z from its own plane" : ""));
 }
@@ -194,8 +193,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, 
 
 void tell_orders(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
   tell_one_of<Extent, ExtentTest, VertexSide, SideTest, OverlapTest, SplitVertex, EyeSide, NodeSkip, AreaBegin,
-              AreaBin>(
-      event, [&](const auto& e) { tell(datum, work, step, e, field); });
+              AreaBin>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

@@ -57,8 +57,8 @@ void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& 
   const Point none{Formula(0), Formula(0), Formula(0)}, normal = formulas::newell_normal(none, count, point);
   Operands sides;
   const auto side = [&](const char* name, const Formula& along) {
-    return sides(name, work.derived(step, subject, "", name, along.value(),
-                                    [&](Datum& inner) { inner.is(along, of); }));
+    return sides(name,
+                 work.derived(step, subject, "", name, along.value(), [&](Datum& inner) { inner.is(along, of); }));
   };
   const Formula x = side("n_x", normal.x), y = side("n_y", normal.y), z = side("n_z", normal.z);
   datum.is((letter == 'A' ? x : letter == 'B' ? y : z) / formulas::length_of(Point{x, y, z}), sides, false);
@@ -74,7 +74,8 @@ Formula plane_at(Operands& of, const std::function<Number(char)>& plane, const s
 Number plane_value(Work& work, std::int64_t step, const char* name, std::int32_t piece,
                    const std::function<Number(Axis3)>& point) {
   Operands of;
-  const Formula value = plane_at(of, [&](char letter) { return work.plane(piece, letter); }, point);
+  const Formula value = plane_at(
+      of, [&](char letter) { return work.plane(piece, letter); }, point);
   return work.derived(step, "", "", name, value.value(), [&](Datum& datum) { datum.is(value, of); });
 }
 

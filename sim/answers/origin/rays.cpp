@@ -61,15 +61,14 @@ Step kept_hit(const Work& work, std::int64_t at, std::int64_t begin) {
 Number unit_along(Work& work, std::int64_t begin, int axis) {
   const RayBegin ray = begin_at(work, begin);
   const glm::dvec3 along = glm::normalize(glm::dvec3(ray.dir_x, ray.dir_y, ray.dir_z));
-  return work.derived(
-      begin, "unit", fmt::format("direction of ray {}, of length 1", ray.ray), fmt::format("D_{}", axis_names[axis]),
-      component(along, axis), [&](Datum& datum) {
-        Operands of;
-        const Formula x = of("x", work.field(begin, "dir_x")), y = of("y", work.field(begin, "dir_y")),
-                      z = of("z", work.field(begin, "dir_z"));
-        const Way way{x, y, z};
-        datum.is(along_axis(way, axis) / formulas::length_of(way), of, false);
-      });
+  return work.derived(begin, "unit", fmt::format("direction of ray {}, of length 1", ray.ray),
+                      fmt::format("D_{}", axis_names[axis]), component(along, axis), [&](Datum& datum) {
+                        Operands of;
+                        const Formula x = of("x", work.field(begin, "dir_x")), y = of("y", work.field(begin, "dir_y")),
+                                      z = of("z", work.field(begin, "dir_z"));
+                        const Way way{x, y, z};
+                        datum.is(along_axis(way, axis) / formulas::length_of(way), of, false);
+                      });
 }
 
 void tell_eye_direction(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, int axis) {
@@ -119,8 +118,7 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
   if (e.role == RayRole::shadow) {
     const Number point = work.field(hit, hit_fields[axis]);
     Operands of;
-    const Formula light =
-        of("light_" + name, work.scene.light ? component(work.scene.light->position, axis) : 0);
+    const Formula light = of("light_" + name, work.scene.light ? component(work.scene.light->position, axis) : 0);
     return datum.is(light - of("point_" + name, point), of);
   }
   const std::int32_t facet = get<RayHit>(work.trace.event(hit).event).facet;
@@ -132,8 +130,7 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
   const Formula d_x = direction(0), n_x = facing(0), d_y = direction(1), n_y = facing(1), d_z = direction(2),
                 n_z = facing(2);
   const Way along{d_x, d_y, d_z}, normal{n_x, n_y, n_z};
-  if (e.role == RayRole::reflected)
-    return datum.is(along_axis(formulas::mirrored(along, normal), axis), of, false);
+  if (e.role == RayRole::reflected) return datum.is(along_axis(formulas::mirrored(along, normal), axis), of, false);
   const bool entering = formulas::dot(along, normal).value() < 0;
   const auto polygon = static_cast<std::size_t>(work.scene.facets[static_cast<std::size_t>(facet)].polygon);
   const double n = work.scene.polygons[polygon].material->refraction, ratio = entering ? 1 / n : n;

@@ -125,13 +125,12 @@ Number Work::projected(std::int32_t vertex, std::string_view name) {
 
 Number Work::window_width(std::int64_t step, const std::string& name, double w_y) {
   const Raster& raster = scene.raster;
-  return derived(step, "", "", name, formulas::window_width<double>(w_y, raster.width, raster.height),
-                 [&](Datum& datum) {
-                   Operands of;
-                   const Formula half_height = of("w_y", w_y), width = of("W", raster.width),
-                                 height = of("H", raster.height);
-                   datum.is(formulas::window_width(half_height, width, height), of);
-                 });
+  return derived(
+      step, "", "", name, formulas::window_width<double>(w_y, raster.width, raster.height), [&](Datum& datum) {
+        Operands of;
+        const Formula half_height = of("w_y", w_y), width = of("W", raster.width), height = of("H", raster.height);
+        datum.is(formulas::window_width(half_height, width, height), of);
+      });
 }
 
 Number Work::on_raster(std::int32_t vertex, Axis3 axis) {

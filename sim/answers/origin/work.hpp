@@ -107,8 +107,8 @@ class Work {
   /// chain. Its buffers are empty; see buffers().
   const State& state() const;
   const MethodState& machine() const { return state().machine; }
-  /// The same state with its buffers. It moves while a number is followed back, so what is needed of it afterwards is to
-  /// be copied.
+  /// The same state with its buffers. It moves while a number is followed back, so what is needed of it afterwards is
+  /// to be copied.
   const State& buffers() const {
     replay_.go_to(at_);
     return replay_.state();

@@ -30,8 +30,7 @@ class Sheet : public Paper {
   float height() const { return static_cast<float>(renderer_.height()); }
   float text_height() const override { return fonts_.text->FontSize; }
   float text_width(const std::string& text, bool bold = false) const override;
-  void text(float x, float y, const std::string& text, ImU32 color, Side side = Side::left,
-            bool bold = false) override;
+  void text(float x, float y, const std::string& text, ImU32 color, Side side = Side::left, bool bold = false) override;
   void line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) override;
   void rectangle(ImVec2 from, ImVec2 to, ImU32 color) override;
   /// A picture with its upper left corner there.

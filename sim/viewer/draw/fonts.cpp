@@ -43,7 +43,11 @@ const ImWchar ranges[] = {0x0020, 0x00ff, 0x0370, 0x03ff, 0x2010, 0x2030, 0x2070
                           0x21ff, 0x2200, 0x22ff, 0x2308, 0x230b, 0x2500, 0x2500, 0x2514, 0x2514,
                           0x25a0, 0x25ff, 0x2605, 0x2606, 0x2699, 0x2699, 0x2713, 0x2717, 0};
 
-struct Substitute { ImWchar code; const char* utf8; const char* ascii; };
+struct Substitute {
+  ImWchar code;
+  const char* utf8;
+  const char* ascii;
+};
 const Substitute substitutes[] = {
     {0x2212, "\u2212", "-"},     {0x221e, "\u221e", "inf"},   {0x00b7, "\u00b7", "*"},        {0x00d7, "\u00d7", "x"},
     {0x2264, "\u2264", "<="},    {0x2265, "\u2265", ">="},    {0x2192, "\u2192", "->"},       {0x2190, "\u2190", "<-"},

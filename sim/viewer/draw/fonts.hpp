@@ -10,7 +10,7 @@
 namespace zstep::viewer {
 
 struct Fonts {
-  ImFont* text = nullptr;   ///< body
+  ImFont* text = nullptr;  ///< body
   ImFont* bold = nullptr;
   ImFont* mono = nullptr;   ///< code and numbers: all digits as wide
   ImFont* small = nullptr;  ///< monospaced, for cells and legends

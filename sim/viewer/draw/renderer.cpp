@@ -46,7 +46,8 @@ void Renderer::fill(Box box, ImU32 color) {
   for (int y = box.top; y < box.bottom; ++y) {
     Pixel32* row = picture_.row(y);
     if (alpha == 255) std::fill(row + box.left, row + box.right, pixel);
-    else for (int x = box.left; x < box.right; ++x) row[x] = mixed(row[x], pixel, alpha);
+    else
+      for (int x = box.left; x < box.right; ++x) row[x] = mixed(row[x], pixel, alpha);
   }
 }
 

@@ -33,11 +33,13 @@ class Renderer {
   void draw(const ImDrawData& data, Pixel32 clear);
 
   const Canvas& picture() const { return picture_; }
-  std::uint64_t fingerprint() const;  ///< of the picture
+  std::uint64_t fingerprint() const;      ///< of the picture
   std::vector<std::uint8_t> rgb() const;  ///< [height*width*3], row 0 on top
 
  private:
-  struct Box { int left, top, right, bottom; };
+  struct Box {
+    int left, top, right, bottom;
+  };
   struct Atlas {
     const unsigned char* alpha = nullptr;
     int width = 0, height = 0;

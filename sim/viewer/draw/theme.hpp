@@ -13,10 +13,10 @@ struct Theme {
   ImU32 now, now_soft;                          ///< soft: a band behind text
   ImU32 changed, changed_soft;
   ImU32 selected, selected_soft;
-  ImU32 good, bad;                              ///< replies to answers
+  ImU32 good, bad;  ///< replies to answers
   ImU32 button, button_hovered;
-  ImU32 grid;                                   ///< between a raster's cells
-  ImU32 empty, empty_hatch;                     ///< a depth of infinity
+  ImU32 grid;                ///< between a raster's cells
+  ImU32 empty, empty_hatch;  ///< a depth of infinity
 };
 
 const Theme& light_theme();

@@ -207,9 +207,10 @@ void draw_why(App& app) {
   ImGui::Dummy({1, std::round(ui.em * 0.3f)});
   // The steps stand right below the verdict; where both are long, each has half of the room.
   const auto& picked_pixel = app.why().pixel;
-  const std::string now = app.at_this_step(
-      app.why_of() ? app.why_of() : picked_pixel ? std::optional(Cell{picked_pixel->x, picked_pixel->y}) : std::nullopt,
-      app.why_decides() ? app.why().step : 0);
+  const std::string now = app.at_this_step(app.why_of()   ? app.why_of()
+                                           : picked_pixel ? std::optional(Cell{picked_pixel->x, picked_pixel->y})
+                                                          : std::nullopt,
+                                           app.why_decides() ? app.why().step : 0);
   float text = flow_height(ui, app.why().sentence, {}) + ui.em * 0.8f;
   if (!now.empty()) text += flow_height(ui, now, {});
   for (const std::string& line : app.why().formulas) text += formula_height(ui, line, {}) + ui.em * 0.25f;

@@ -123,8 +123,8 @@ const std::vector<PixelMark>& Against::pixels() {
   pixels_.clear();
   const Picture &a = a_.state().picture_of_pass(), &b = b_.state().picture_of_pass();
   if (a.width != b.width || a.height != b.height) return pixels_;  // the one is at what the light sees
-  const diff::BufferDifference found = diff::compare_pictures(
-      diff::buffers_of(a_.trace(), a), diff::buffers_of(b_.trace(), b), report_.precision);
+  const diff::BufferDifference found =
+      diff::compare_pictures(diff::buffers_of(a_.trace(), a), diff::buffers_of(b_.trace(), b), report_.precision);
   for (std::size_t i = 0; i < found.apart.size(); ++i) {
     if (!(found.apart[i] > 0)) continue;
     const bool colored = a.polygon[i] != b.polygon[i] || (!a.ink.empty() && !b.ink.empty() && a.ink[i] != b.ink[i]);
@@ -142,9 +142,9 @@ const std::optional<Against::PixelApart>& Against::first_pixel_apart() {
       end_a.go_to(a_.size());
       end_b.go_to(b_.size());
       const Picture &a = end_a.state().picture, &b = end_b.state().picture;
-      first = diff::compare_pictures(diff::buffers_of(a_.trace(), a), diff::buffers_of(b_.trace(), b),
-                                     report_.precision)
-                  .first;
+      first =
+          diff::compare_pictures(diff::buffers_of(a_.trace(), a), diff::buffers_of(b_.trace(), b), report_.precision)
+              .first;
     });
   });
   if (!first) return pixel_apart_;

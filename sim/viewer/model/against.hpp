@@ -85,8 +85,8 @@ class Against {
   std::optional<std::int64_t> followed_;  ///< where the first run was then
   std::vector<Parted> parted_;            ///< by place
   std::vector<Place> causes_;             ///< as the report has them
-  std::size_t alike_ = 0;          ///< the difference whose fields are gone through
-  std::optional<Place> alike_at_;  ///< where going through them has led
+  std::size_t alike_ = 0;                 ///< the difference whose fields are gone through
+  std::optional<Place> alike_at_;         ///< where going through them has led
   std::vector<PixelMark> pixels_;
   std::optional<Place> pixels_at_;
   bool looked_for_pixel_ = false;

@@ -19,9 +19,9 @@ struct HeatMap {
   std::string name;            ///< of the column, "count(*)"; "rows" where the answer has no number besides x and y
   std::vector<double> values;  ///< [height*width]
   double least = 0, most = 0;
-  std::string meaning;         ///< of a number, "colours written"; may be empty
-  bool polygons = false;       ///< the numbers are polygons, shown in their colours
-  std::int64_t until = -1;     ///< counted up to this step; -1: the whole run
+  std::string meaning;      ///< of a number, "colours written"; may be empty
+  bool polygons = false;    ///< the numbers are polygons, shown in their colours
+  std::int64_t until = -1;  ///< counted up to this step; -1: the whole run
   double share(double value) const { return most > least ? (value - least) / (most - least) : 1; }
 };
 
@@ -37,7 +37,7 @@ class Inquiry {
   const std::string& sql() const { return sql_; }  ///< that was asked last
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<std::string>>& rows() const { return rows_; }  ///< the first of them
-  const std::string& note() const { return note_; }                           ///< how many there are, or what is wrong
+  const std::string& note() const { return note_; }                            ///< how many there are, or what is wrong
   bool is_wrong() const { return wrong_; }
 
   /// Where a row leads: its `step`, and the pixel of its `x` and `y`.

@@ -1,4 +1,5 @@
-// Which lines of the pseudo-code matter at a step: what a class is shown, and what stays where there is no room for all.
+// Which lines of the pseudo-code matter at a step: what a class is shown, and what stays where there is no room for
+// all.
 #pragma once
 
 #include <cstddef>

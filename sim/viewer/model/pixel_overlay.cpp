@@ -24,24 +24,36 @@ bool names_polygons(Count count) { return count == Count::first || count == Coun
 
 std::string PixelOverlay::name(Count count) {
   switch (count) {
-    case Count::writes: return "overdraw";
-    case Count::failed: return "compares failed";
-    case Count::first: return "first writer";
-    case Count::last: return "last writer";
-    case Count::work: return "work";
-    case Count::covers: return "depth complexity";
+    case Count::writes:
+      return "overdraw";
+    case Count::failed:
+      return "compares failed";
+    case Count::first:
+      return "first writer";
+    case Count::last:
+      return "last writer";
+    case Count::work:
+      return "work";
+    case Count::covers:
+      return "depth complexity";
   }
   return "";
 }
 
 std::string PixelOverlay::meaning(Count count) {
   switch (count) {
-    case Count::writes: return "colours written";
-    case Count::failed: return "fragments not nearer";
-    case Count::first: return "whose colour it took first";
-    case Count::last: return "whose colour it took last";
-    case Count::work: return "steps that name it";
-    case Count::covers: return "polygons that reached it";
+    case Count::writes:
+      return "colours written";
+    case Count::failed:
+      return "fragments not nearer";
+    case Count::first:
+      return "whose colour it took first";
+    case Count::last:
+      return "whose colour it took last";
+    case Count::work:
+      return "steps that name it";
+    case Count::covers:
+      return "polygons that reached it";
   }
   return "";
 }

@@ -51,8 +51,8 @@ class Places {
  private:
   Session& session_;
   std::optional<places::Search> search_;
-  std::int64_t from_ = 0;              ///< where the reader was when it began
-  std::vector<std::string> asked_;     ///< newest first
+  std::int64_t from_ = 0;           ///< where the reader was when it began
+  std::vector<std::string> asked_;  ///< newest first
   places::Bookmarks bookmarks_;
   std::string trouble_;
 };

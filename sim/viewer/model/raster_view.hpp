@@ -10,7 +10,7 @@
 namespace zstep::viewer {
 
 struct RasterView {
-  double zoom = 1;                   ///< 1: the whole raster fits the pane
+  double zoom = 1;  ///< 1: the whole raster fits the pane
   double center_x = 0,
          center_y = 0;  ///< the raster point in the middle of the pane while zoomed in, in cells from the centre
   bool operator==(const RasterView&) const = default;
@@ -24,8 +24,8 @@ inline double most_zoom(const Raster& raster) { return std::max(64.0, std::max(r
 struct RasterMap {
   int width = 1, height = 1;  ///< cells
   bool y_up = false;
-  double cell = 1;            ///< pixels a cell
-  double left = 0, top = 0;   ///< of the raster's corner inside the box, in pixels
+  double cell = 1;           ///< pixels a cell
+  double left = 0, top = 0;  ///< of the raster's corner inside the box, in pixels
   int box_width = 1, box_height = 1;
 
   RasterMap(const Raster& raster, const RasterView& view, int box_width_, int box_height_);
@@ -49,8 +49,11 @@ inline SpanOnRaster span_on_raster(const RasterMap& map, double x_left, double x
 }
 
 inline RasterMap::RasterMap(const Raster& raster, const RasterView& view, int box_width_, int box_height_)
-    : width(std::max(1, raster.width)), height(std::max(1, raster.height)), y_up(raster.y_up),
-      box_width(std::max(1, box_width_)), box_height(std::max(1, box_height_)) {
+    : width(std::max(1, raster.width)),
+      height(std::max(1, raster.height)),
+      y_up(raster.y_up),
+      box_width(std::max(1, box_width_)),
+      box_height(std::max(1, box_height_)) {
   const double fit = std::min(static_cast<double>(box_width) / width, static_cast<double>(box_height) / height);
   cell = fit * view.zoom;
   // Whole pixels make an even grid; where they would waste much room, quarters.

@@ -19,7 +19,8 @@ namespace {
 /// curves in turn. Empty where none begins in it, which is found without reading its events.
 std::string_view word_in(const Trace& trace, Unit unit) {
   for (std::size_t kind = 0; kind < kind_count; ++kind)
-    if (const Begins& begins = description_of_kind(kind).begins; begins.unit == unit && trace.has(static_cast<std::uint8_t>(kind)))
+    if (const Begins& begins = description_of_kind(kind).begins;
+        begins.unit == unit && trace.has(static_cast<std::uint8_t>(kind)))
       return begins.word;
   const bool assumed = unit == Unit::pixel || (unit == Unit::polygon && !trace.polygons().empty());
   return assumed ? unit_word(unit) : "";
@@ -34,17 +35,26 @@ bool may_begin(const Event& event, Unit unit) {
 
 const char* unit_word(Unit unit) {
   switch (unit) {
-    case Unit::event: return "step";
-    case Unit::pixel: return "pixel";
-    case Unit::span: return "span";
-    case Unit::scan_line: return "scan line";
-    case Unit::polygon: return "polygon";
+    case Unit::event:
+      return "step";
+    case Unit::pixel:
+      return "pixel";
+    case Unit::span:
+      return "span";
+    case Unit::scan_line:
+      return "scan line";
+    case Unit::polygon:
+      return "polygon";
   }
   return "step";
 }
 
 Session::Session(const Trace& trace, const Lesson* lesson)
-    : trace_(trace), lesson_(lesson), replay_(trace), chosen_(lesson ? lesson->stops.size() : 0), marks_(chosen_.size()) {
+    : trace_(trace),
+      lesson_(lesson),
+      replay_(trace),
+      chosen_(lesson ? lesson->stops.size() : 0),
+      marks_(chosen_.size()) {
   stop_ = stop_at(0);
 }
 
@@ -82,9 +92,7 @@ void Session::move(Unit unit, int direction) {
     return;
   }
   if (unit == Unit::event) return go_to(at + direction, unit);
-  const auto say = [this](std::string sentence) {
-    message = std::move(sentence);
-  };
+  const auto say = [this](std::string sentence) { message = std::move(sentence); };
   const std::string_view word = word_in(trace_, unit);
   if (word.empty()) return say(fmt::format("No {} begins in this trace.", unit_word(unit)));
   const std::int64_t to = direction > 0 ? next_unit(trace_, at, unit) : previous_unit(trace_, at, unit);
@@ -130,9 +138,7 @@ bool Session::to_selected_pixel(int direction) {
   return false;
 }
 
-void Session::select(std::optional<Cell> cell) {
-  selected = cell;
-}
+void Session::select(std::optional<Cell> cell) { selected = cell; }
 
 // --- Before and after
 

@@ -68,30 +68,30 @@ class Session {
   std::optional<Cell> current_cell() const;  ///< the pixel of the current event, or that at work
 
   // --- Lesson
-  int stop() const { return stop_; }         ///< index of the stop that speaks, −1 before the first
+  int stop() const { return stop_; }  ///< index of the stop that speaks, −1 before the first
   void to_stop(int index);
   /// False where it is asked for a stop beyond the last again, after that was said.
   bool next_stop(int direction);
   void answer(int choice);
-  void show_answer();                        ///< the right one of the current stop's question
+  void show_answer();  ///< the right one of the current stop's question
   std::optional<int> chosen(int stop) const { return chosen_[static_cast<std::size_t>(stop)]; }
-  bool question_open() const;                ///< the current stop asks and has no right answer yet
-  bool nudged() const;                       ///< beyond the question of the current stop, which has no answer yet
+  bool question_open() const;  ///< the current stop asks and has no right answer yet
+  bool nudged() const;         ///< beyond the question of the current stop, which has no answer yet
 
   // --- Marked by hand, where a stop asks for it; kept by stop
   struct Marks {
-    std::vector<std::int32_t> made;          ///< as Marking::right has them; in an order, as they were made
-    bool checked = false;                    ///< as they are now
-    std::size_t hints = 0;                   ///< that were given
-    bool shown = false;                      ///< what is right
+    std::vector<std::int32_t> made;  ///< as Marking::right has them; in an order, as they were made
+    bool checked = false;            ///< as they are now
+    std::size_t hints = 0;           ///< that were given
+    bool shown = false;              ///< what is right
   };
-  const Marking* marking() const;            ///< of the stop that speaks, or nullptr
-  bool marks_cells() const;                  ///< pixels or a scan line are asked for
+  const Marking* marking() const;  ///< of the stop that speaks, or nullptr
+  bool marks_cells() const;        ///< pixels or a scan line are asked for
   const Marks& marks() const { return marks_[static_cast<std::size_t>(stop_)]; }  ///< where marking() is one
-  void mark(std::int32_t what);              ///< or takes the mark away
-  void mark(Cell cell);                      ///< or its scan line, where that is asked for
+  void mark(std::int32_t what);                                                   ///< or takes the mark away
+  void mark(Cell cell);  ///< or its scan line, where that is asked for
   void check_marks();
-  void help_with_marks();                    ///< the next hint, and after the last what is right
+  void help_with_marks();  ///< the next hint, and after the last what is right
 
   // --- Selected and pointed at, the same in every pane
   std::optional<Cell> selected;
@@ -111,8 +111,12 @@ class Session {
   void toggle_play();
   /// Whole seconds that playing still leaves a reader at this stop; 0 where it does not wait.
   int seconds_to_read() const { return playing ? waits_ : 0; }
-  int speed = 2;                             ///< index into speeds()
-  struct Speed { const char* name; double steps_a_second; std::optional<Unit> unit_a_frame; };
+  int speed = 2;  ///< index into speeds()
+  struct Speed {
+    const char* name;
+    double steps_a_second;
+    std::optional<Unit> unit_a_frame;
+  };
   static const std::vector<Speed>& speeds();
   /// Plays on; `now` in seconds of any clock. Returns in how many seconds the next picture is due, 0 for at once.
   double play(double now);
@@ -121,7 +125,7 @@ class Session {
   std::int64_t loop_first = 0, loop_last = 0;
   bool loops() const { return loop_first < loop_last; }
 
-  std::string message;                       ///< one sentence for the reader, until the next move
+  std::string message;  ///< one sentence for the reader, until the next move
 
  private:
   std::optional<std::int32_t> entry_of(const ScenePart& part) const;

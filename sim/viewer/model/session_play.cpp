@@ -10,10 +10,16 @@
 namespace zstep::viewer {
 
 const std::vector<Session::Speed>& Session::speeds() {
-  static const std::vector<Speed> all{
-      {"1 step/s", 1, {}},     {"2 steps/s", 2, {}},   {"5 steps/s", 5, {}},     {"10 steps/s", 10, {}},
-      {"30 steps/s", 30, {}},  {"100 steps/s", 100, {}}, {"500 steps/s", 500, {}}, {"a span a frame", 0, Unit::span},
-      {"a line a frame", 0, Unit::scan_line}, {"a polygon a frame", 0, Unit::polygon}};
+  static const std::vector<Speed> all{{"1 step/s", 1, {}},
+                                      {"2 steps/s", 2, {}},
+                                      {"5 steps/s", 5, {}},
+                                      {"10 steps/s", 10, {}},
+                                      {"30 steps/s", 30, {}},
+                                      {"100 steps/s", 100, {}},
+                                      {"500 steps/s", 500, {}},
+                                      {"a span a frame", 0, Unit::span},
+                                      {"a line a frame", 0, Unit::scan_line},
+                                      {"a polygon a frame", 0, Unit::polygon}};
   return all;
 }
 

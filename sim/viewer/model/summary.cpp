@@ -49,8 +49,7 @@ std::optional<std::int64_t> ScanLineMarks::sweep_from(const Trace& trace) {
   sweep_known_ = true;
   if (!sweeps(trace.header())) return std::nullopt;
   const std::int64_t gathered = trace.polygons().empty() ? 0 : trace.polygons().back().position;
-  const auto line =
-      trace.next(gathered, [](const RecordedEvent& e) { return holds<ScanLineBegin>(e.event); });
+  const auto line = trace.next(gathered, [](const RecordedEvent& e) { return holds<ScanLineBegin>(e.event); });
   if (line) sweep_from_ = *line - 1;
   return sweep_from_;
 }

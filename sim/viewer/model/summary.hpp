@@ -31,12 +31,15 @@ DepthRange depth_range(const Trace& trace);
 /// Found again when the polygon changes.
 class ScanLineMarks {
  public:
-  struct Mark { std::int64_t position; std::int32_t y; };
+  struct Mark {
+    std::int64_t position;
+    std::int32_t y;
+  };
   struct Interval {
     std::int64_t first = 0, last = 0;  ///< the polygon's events lead to positions first+1 … last
     std::int32_t polygon = no_polygon;
     std::vector<Mark> lines;
-    bool complete = true;              ///< false: too long to look through for marks
+    bool complete = true;  ///< false: too long to look through for marks
   };
   const Interval& at(const Trace& trace, std::int64_t position);
   /// The position just before the first line of all polygons at once; nullopt where each polygon has lines of its own.
@@ -52,7 +55,10 @@ class ScanLineMarks {
 /// none where the trace is too long to look through, or has none.
 class CurveMarks {
  public:
-  struct Mark { std::int64_t position; CurveBegin curve; };
+  struct Mark {
+    std::int64_t position;
+    CurveBegin curve;
+  };
   const std::vector<Mark>& of(const Trace& trace);
   /// The one at work at a position: its place among them, −1 before the first.
   std::ptrdiff_t at(const Trace& trace, std::int64_t position);
@@ -65,7 +71,10 @@ class CurveMarks {
 /// the trace is too long to look through, or has no rays.
 class RowMarks {
  public:
-  struct Mark { std::int64_t position; std::int32_t y; };
+  struct Mark {
+    std::int64_t position;
+    std::int32_t y;
+  };
   const std::vector<Mark>& of(const Trace& trace);
   /// The one at work at a position: its place among them, −1 before the first.
   std::ptrdiff_t at(const Trace& trace, std::int64_t position);

@@ -176,9 +176,10 @@ std::string depth_note(Ui& ui) {
   const char* kept = "";
   if (depth_buffer(s.header()) == DepthBuffer::none) kept = "; the method keeps none";
   if (depth_buffer(s.header()) == DepthBuffer::line) kept = "; the method keeps one line of them";
-  return name + kept + (ui.range_mode == Ui::RangeMode::fitted    ? ", range fitted"
-                 : ui.range_mode == Ui::RangeMode::by_hand ? ", range by hand"
-                                                           : "");
+  return name + kept +
+         (ui.range_mode == Ui::RangeMode::fitted    ? ", range fitted"
+          : ui.range_mode == Ui::RangeMode::by_hand ? ", range by hand"
+                                                    : "");
 }
 
 bool keeps_depths(const Header& header) { return depth_buffer(header) == DepthBuffer::picture; }

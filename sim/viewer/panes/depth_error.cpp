@@ -15,9 +15,7 @@ namespace {
 std::optional<Drift> drift_of(Ui& ui, std::optional<Cell> chosen) { return drift_at(ui.moment(), ui.errors, chosen); }
 std::optional<Cell> chosen_in(const Ui& ui) { return ui.pointed ? ui.pointed : ui.session.selected; }
 
-const char* unit_of(const Header& header) {
-  return bits_of(header.conventions.number_format) > 0 ? "units" : "ulps";
-}
+const char* unit_of(const Header& header) { return bits_of(header.conventions.number_format) > 0 ? "units" : "ulps"; }
 
 /// The span filled and solid, the edge hollow and dashed; the second run has marks and colours of its own.
 void add_lines(LineChart& chart, const Drift& drift, const std::string& run, int look) {
@@ -88,9 +86,8 @@ std::string note_of_depth_error(Ui& ui) {
 }
 
 bool serves_depth_error(const Header& header) {
-  return has_step_of<SpanBegin>(header) &&
-         (has_step_of<DepthInterpolate>(header) || has_step_of<DepthCompare>(header) ||
-          has_step_of<PixelPaint>(header));
+  return has_step_of<SpanBegin>(header) && (has_step_of<DepthInterpolate>(header) ||
+                                            has_step_of<DepthCompare>(header) || has_step_of<PixelPaint>(header));
 }
 
 }  // namespace

@@ -11,13 +11,13 @@ namespace zstep::viewer {
 
 struct TableCell {
   std::string text;
-  std::optional<double> value;  ///< drawn with its column's decimals; exact on hover
-  ImU32 chip = 0;               ///< a swatch of this colour before the text
+  std::optional<double> value;                ///< drawn with its column's decimals; exact on hover
+  ImU32 chip = 0;                             ///< a swatch of this colour before the text
   std::optional<answers::Question> question;  ///< of a number: what a click asks
-  std::string brief;            ///< instead of the text where room is scarce; a sign
-  bool changed = false;         ///< by this step
+  std::string brief;                          ///< instead of the text where room is scarce; a sign
+  bool changed = false;                       ///< by this step
   std::optional<std::string> was;  ///< in the run before the last change, where that has it otherwise; empty: not there
-  bool result = false;          ///< the text is a result as numbers are: the second run's is shown where it is another
+  bool result = false;  ///< the text is a result as numbers are: the second run's is shown where it is another
   TableCell(std::string t = {}) : text(std::move(t)) {}
   TableCell(double v) : value(v) {}
   TableCell(double v, answers::Question q) : value(v), question(std::move(q)) {}
@@ -34,12 +34,12 @@ struct TableRow {
   std::vector<TableCell> cells;
   Look look = Look::plain;
   Findings::Trust trust = Findings::Trust::right;  ///< of what is wrong the text is red, and a sign says which it is
-  bool lit = false;       ///< selected or pointed at, here or in another pane
-  int key = -1;           ///< what click and hover report; −1: nothing
+  bool lit = false;                                ///< selected or pointed at, here or in another pane
+  int key = -1;                                    ///< what click and hover report; −1: nothing
   /// By which the row is found in the second run's table, of several rows about the same in their order; empty: it is
   /// not looked for there.
   std::string about = {};
-  std::size_t name = 0;   ///< the cell that names it
+  std::size_t name = 0;  ///< the cell that names it
 };
 
 struct TableResult {

@@ -12,22 +12,25 @@
 namespace zstep::viewer {
 
 struct Pane {
-  const char* id;               ///< for the layout file
-  const char* title;            ///< "FRAMEBUFFER"
-  void (*draw)(Ui&);            ///< inside its own child window; the cursor is at the top left
-  std::string (*note)(Ui&);     ///< right of the title, in muted text; may be nullptr
-  bool (*serves)(const Header&);///< shown for this trace; nullptr: always
-  float share;                  ///< of its row's width, to begin with
-  bool scrolls;                 ///< its content may be larger than it is
-  int (*leads)(const Header&) = nullptr;  ///< the two greatest of a trace lead on the stage; nullptr: only when asked to
-  bool wide = false;            ///< has the stage alone when it leads
-  bool (*waits)(Ui&) = nullptr;        ///< the run has not come to it yet: it is folded to its title
-  const Pane* with = nullptr;          ///< leads together with it
+  const char* id;                 ///< for the layout file
+  const char* title;              ///< "FRAMEBUFFER"
+  void (*draw)(Ui&);              ///< inside its own child window; the cursor is at the top left
+  std::string (*note)(Ui&);       ///< right of the title, in muted text; may be nullptr
+  bool (*serves)(const Header&);  ///< shown for this trace; nullptr: always
+  float share;                    ///< of its row's width, to begin with
+  bool scrolls;                   ///< its content may be larger than it is
+  int (*leads)(const Header&) =
+      nullptr;                   ///< the two greatest of a trace lead on the stage; nullptr: only when asked to
+  bool wide = false;             ///< has the stage alone when it leads
+  bool (*waits)(Ui&) = nullptr;  ///< the run has not come to it yet: it is folded to its title
+  const Pane* with = nullptr;    ///< leads together with it
 };
 
 /// A pane that leads with this rank wherever it is shown.
 template <int rank>
-int always(const Header&) { return rank; }
+int always(const Header&) {
+  return rank;
+}
 
 extern const Pane pseudo_code_pane, happened_pane, frame_pane, slice_pane, lesson_pane, depth_error_pane,
     depth_units_pane;

@@ -21,7 +21,7 @@ struct RasterInk {
 void paint_raster(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32>& cells, const RasterInk& ink,
                   const std::vector<double>* counts = nullptr);
 
-inline constexpr double grid_from = 5;     ///< pixels a cell needs for a grid
-inline constexpr double numbers_from = 16; ///< … for numbers to be tried
+inline constexpr double grid_from = 5;      ///< pixels a cell needs for a grid
+inline constexpr double numbers_from = 16;  ///< … for numbers to be tried
 
 }  // namespace zstep::viewer

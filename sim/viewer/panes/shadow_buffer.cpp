@@ -13,7 +13,8 @@ namespace zstep::viewer {
 namespace {
 
 /// The range of the light's depths at this step: near is bright, as in the depth buffer.
-void paint_shadow_buffer(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const DepthScale& scale) {
+void paint_shadow_buffer(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c,
+                         const DepthScale& scale) {
   const Picture& light = now.state().light;
   const DepthRange range = fitted_range(light, now.header());
   std::vector<Pixel32> cells(light.depth.size());
@@ -53,8 +54,8 @@ void draw_shadow_buffer(Ui& ui) {
   const int width = static_cast<int>(room.x), height = static_cast<int>(room.y - caption);
   if (width < 16 || height < 16) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(Raster{state.light.width, state.light.height, false}, {}, width, height);
-  const Kept<Canvas>& canvas =
-      *keep_canvas(ui.canvases, "shadow", width, height, paint_shadow_buffer, map, ui.moment(), ui.colors(), ui.depth_scale);
+  const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "shadow", width, height, paint_shadow_buffer, map, ui.moment(),
+                                            ui.colors(), ui.depth_scale);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
@@ -73,7 +74,8 @@ bool serves_shadow_buffer(const Header& header) { return has_step_of<ShadowCompa
 
 }  // namespace
 
-const Pane shadow_buffer_pane{"shadow_buffer", "SHADOW BUFFER", draw_shadow_buffer, note_of_shadow_buffer,
-                              serves_shadow_buffer, 0.5f, false, always<15>, false, none_yet<ShadowCompare>};
+const Pane shadow_buffer_pane{
+    "shadow_buffer", "SHADOW BUFFER", draw_shadow_buffer,     note_of_shadow_buffer, serves_shadow_buffer, 0.5f, false,
+    always<15>,      false,           none_yet<ShadowCompare>};
 
 }  // namespace zstep::viewer

@@ -18,8 +18,12 @@ std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 ori
   if (!span || map.cell < least_cell || !std::isfinite(span->x_left) || !std::isfinite(span->x_right))
     return std::nullopt;
   const SpanOnRaster at = span_on_raster(map, span->x_left, span->x_right, span->y);
-  SpanEnds ends{origin.x + static_cast<float>(at.left), origin.x + static_cast<float>(at.right),
-                origin.y + static_cast<float>(at.top), origin.y + static_cast<float>(at.end), {}, {}};
+  SpanEnds ends{origin.x + static_cast<float>(at.left),
+                origin.x + static_cast<float>(at.right),
+                origin.y + static_cast<float>(at.top),
+                origin.y + static_cast<float>(at.end),
+                {},
+                {}};
   const float thick = std::round(2 * ui.thin), cell = static_cast<float>(map.cell);
   // Above and below what stands in a pixel, on both sides of the row's borders.
   const float reach = std::clamp((cell - 1.2f * ui.fonts.bold->FontSize) / 2 - thick, thick, cell / 2);
@@ -34,8 +38,8 @@ std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 ori
 void draw_span_ends(const Ui& ui, const SpanEnds& ends) {
   const Theme& c = ui.colors();
   const auto fill = [&](const SpanEnds::Box& box, float around, ImU32 color) {
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        {box.at.x - around, box.at.y}, {box.at.x + box.size.x + around, box.at.y + box.size.y}, color);
+    ImGui::GetWindowDrawList()->AddRectFilled({box.at.x - around, box.at.y},
+                                              {box.at.x + box.size.x + around, box.at.y + box.size.y}, color);
   };
   fill(ends.line, 0, c.now);
   for (const SpanEnds::Box& stroke : ends.strokes) fill(stroke, std::round(ui.thin), c.pane), fill(stroke, 0, c.now);

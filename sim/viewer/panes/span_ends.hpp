@@ -9,8 +9,8 @@
 
 namespace zstep::viewer {
 
-/// A line along the scan line's lower border from x_L to x_R, and a stroke across the row's borders at each of them. What
-/// stands in pixels is not crossed.
+/// A line along the scan line's lower border from x_L to x_R, and a stroke across the row's borders at each of them.
+/// What stands in pixels is not crossed.
 struct SpanEnds {
   float left = 0, right = 0, top = 0, end = 0;  ///< on screen: x_L, x_R, and the scan line's borders
   struct Box {

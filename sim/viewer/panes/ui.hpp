@@ -99,9 +99,9 @@ struct Ui {
   const Findings* findings = nullptr;  ///< what check found, where it was asked
   StepMarks* marks = nullptr;          ///< the same, or where two runs part: on the timeline, and said of the step
   const std::vector<PixelMark>* pixel_marks = nullptr;
-  Ui* other = nullptr;                 ///< the second run's, where there is one
-  Ui* before = nullptr;                ///< the run's before the last change, at the same moment; where that is known
-  bool asks = true;                    ///< a click on a number asks where it comes from; not in the second run
+  Ui* other = nullptr;   ///< the second run's, where there is one
+  Ui* before = nullptr;  ///< the run's before the last change, at the same moment; where that is known
+  bool asks = true;      ///< a click on a number asks where it comes from; not in the second run
   Fonts fonts;
   const Theme* theme = &light_theme();
   DepthScale depth_scale;
@@ -115,25 +115,27 @@ struct Ui {
   RasterView view;
   Look look;                         ///< from where the scene is seen from outside
   std::optional<bool> from_outside;  ///< as the reader chose, or else as it suits the method
-  struct ChosenViewing { int step, stop; };
+  struct ChosenViewing {
+    int step, stop;
+  };
   std::optional<ChosenViewing> chosen_viewing;  ///< T_1 … T_4, or 0, by the reader at that stop of the lesson
-  std::optional<HeatMap> heat;                   ///< painted over the frame
-  std::string heat_behind;                       ///< how far it is from being counted, or nothing
+  std::optional<HeatMap> heat;                  ///< painted over the frame
+  std::string heat_behind;                      ///< how far it is from being counted, or nothing
   enum class RangeMode : std::uint8_t { whole, fitted, by_hand };
-  RangeMode range_mode = RangeMode::whole;       ///< of the depth buffer's colours
+  RangeMode range_mode = RangeMode::whole;  ///< of the depth buffer's colours
   DepthRange hand_range;
-  bool histogram = false;                        ///< of depths, below the depth buffer
-  bool relief = false;                           ///< the depth buffer as a surface in space
-  Look relief_look;                              ///< from where it is seen
-  RowPlaces row_places, rows_before;             ///< in this frame, and when the step before was drawn last
-  KeptThings<Cells> cells;                       ///< by pane
+  bool histogram = false;             ///< of depths, below the depth buffer
+  bool relief = false;                ///< the depth buffer as a surface in space
+  Look relief_look;                   ///< from where it is seen
+  RowPlaces row_places, rows_before;  ///< in this frame, and when the step before was drawn last
+  KeptThings<Cells> cells;            ///< by pane
   KeptThings<ChartPicture> charts;
-  KeptThings<Canvas> canvases;                   ///< by what is painted there
+  KeptThings<Canvas> canvases;  ///< by what is painted there
   KeptThings<Room> rooms;
   KeptThings<OutsideSeen> seen_from_outside;
   KeptThings<std::vector<LabelSpot>> spots;
-  float em = 16;            ///< body text in pixels
-  float thin = 1;           ///< pixels of a thin line: more than one on a large screen
+  float em = 16;   ///< body text in pixels
+  float thin = 1;  ///< pixels of a thin line: more than one on a large screen
   bool presenter = false;
   bool whole_code = false;           ///< no line of the pseudo-code is folded
   bool vertices_always = false;      ///< the way of the vertices is shown even where room is scarce
@@ -158,8 +160,8 @@ struct Ui {
   std::string asked_as;                    ///< how it is written there, where it is one of a formula's
   bool reads = false;  ///< the keys are at work, and the mouse lies where it was left: nothing may pop up at it
   std::vector<TableSeen>* tables_seen = nullptr;  ///< where they are put while a frame is drawn
-  std::string mouse_help;            ///< what the mouse does here, for the bottom line
-  Targets* targets = nullptr;        ///< what a finger can hit is told there while a frame is drawn
+  std::string mouse_help;                         ///< what the mouse does here, for the bottom line
+  Targets* targets = nullptr;                     ///< what a finger can hit is told there while a frame is drawn
   float least_target = 0;  ///< how wide and high what is hit should be: for fingers and in small windows, else 0
 
   const Theme& colors() const { return *theme; }
@@ -178,9 +180,9 @@ void draw_text(const Ui& ui, ImVec2 at, const ImFont* font, ImU32 color, const s
 
 struct Flow {
   ImU32 color = 0;
-  float indent = 0;          ///< of every line but the first
+  float indent = 0;              ///< of every line but the first
   const ImFont* font = nullptr;  ///< of plain runs; body text by default
-  float width = 0;           ///< 0: to the right edge of the pane
+  float width = 0;               ///< 0: to the right edge of the pane
   /// Called for each number in the text: how it is written, and between which corners.
   std::function<void(const std::string& number, ImVec2 a, ImVec2 b)> on_number = {};
 };

@@ -27,9 +27,9 @@ struct StageRow {
 /// How the numbers of a vertex are set.
 struct StageLayout {
   const ImFont* font;
-  int across;         ///< numbers side by side: three, or one below the other
+  int across;  ///< numbers side by side: three, or one below the other
   int decimals;
-  float name, column; ///< widths
+  float name, column;  ///< widths
 };
 /// Where three do not fit into the room, smaller type, then one below the other; never fewer decimals, for 0 is another
 /// number than 0.5.

@@ -145,9 +145,7 @@ int viewing_step(const Ui& ui) {
   return has_viewing_steps(s.scene()) ? told : 0;
 }
 
-void choose_viewing_step(Ui& ui, int step) {
-  ui.chosen_viewing = {step, ui.session.stop()};
-}
+void choose_viewing_step(Ui& ui, int step) { ui.chosen_viewing = {step, ui.session.stop()}; }
 
 std::vector<glm::dvec3> ends_of_viewing_axes(const Room& room, const Camera& camera) {
   std::vector<glm::dvec3> ends;

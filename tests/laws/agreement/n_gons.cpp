@@ -203,9 +203,8 @@ Mesh sheet(Numbers& random, double fold, double wave, double rough) {
   for (int y = 0; y < side; y += 2) {
     for (int x = 0; x < side; x += 2) {
       // An L of three squares and the fourth one; or all four as one with eight corners.
-      const std::vector<std::int32_t> whole_square{at(x, y),         at(x + 1, y),     at(x + 2, y),
-                                                   at(x + 2, y + 1), at(x + 2, y + 2), at(x + 1, y + 2),
-                                                   at(x, y + 2),     at(x, y + 1)};
+      const std::vector<std::int32_t> whole_square{at(x, y),         at(x + 1, y),     at(x + 2, y), at(x + 2, y + 1),
+                                                   at(x + 2, y + 2), at(x + 1, y + 2), at(x, y + 2), at(x, y + 1)};
       if (random.engine() % 3 == 0) {
         mesh.polygon(whole_square);
         continue;
@@ -245,16 +244,15 @@ NGonKind kind_of(std::string name) {
 }  // namespace
 
 const std::vector<NGonKind>& n_gon_kinds() {
-  static const std::vector<NGonKind> kinds{
-      kind_of<not_planar>("not planar"),
-      kind_of<nearly_planar>("nearly planar"),
-      kind_of<concave>("concave"),
-      kind_of<thin>("thin"),
-      kind_of<through_each_other>("through each other"),
-      kind_of<nearly_coplanar>("nearly coplanar"),
-      kind_of<pages>("pages of a book"),
-      kind_of<folded_sheet>("a sheet"),
-      kind_of<flat_sheet>("an almost flat sheet")};
+  static const std::vector<NGonKind> kinds{kind_of<not_planar>("not planar"),
+                                           kind_of<nearly_planar>("nearly planar"),
+                                           kind_of<concave>("concave"),
+                                           kind_of<thin>("thin"),
+                                           kind_of<through_each_other>("through each other"),
+                                           kind_of<nearly_coplanar>("nearly coplanar"),
+                                           kind_of<pages>("pages of a book"),
+                                           kind_of<folded_sheet>("a sheet"),
+                                           kind_of<flat_sheet>("an almost flat sheet")};
   return kinds;
 }
 

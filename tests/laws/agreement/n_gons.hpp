@@ -12,7 +12,7 @@ namespace zstep::test {
 /// A way of making polygons that are hard to put into an order.
 struct NGonKind {
   std::string name;
-  Scene (*make)(std::uint64_t seed);       ///< as the loader makes it: what is not planar is cut into triangles
+  Scene (*make)(std::uint64_t seed);        ///< as the loader makes it: what is not planar is cut into triangles
   std::string (*file)(std::uint64_t seed);  ///< the same mesh in the OFF format, each number with all its digits
 };
 const std::vector<NGonKind>& n_gon_kinds();

@@ -33,8 +33,9 @@ namespace {
 std::string name_of(const Trace& trace, const Fault& fault) {
   const StepInfo* step = find_step(trace.header().page, fault.line);
   return fmt::format("{}.{}", step ? step->name : "?",
-                     fault.rule ? std::string(rule_text(*fault.rule).name)
-                     : fault.field.empty() ? "impossible" : fault.field);
+                     fault.rule            ? std::string(rule_text(*fault.rule).name)
+                     : fault.field.empty() ? "impossible"
+                                           : fault.field);
 }
 
 std::string causes_of(const Trace& trace) {
@@ -88,8 +89,10 @@ TEST_CASE("check: each step of every golden trace follows from its own operands,
   CHECK(numbers > 15'000);
 }
 
-/// A run of two triangles on a raster of 12x10, as a program prints it; `table`: the names of its steps and their events.
-std::string small_head(const std::string& interpolation, const std::vector<std::pair<const char*, const char*>>& table) {
+/// A run of two triangles on a raster of 12x10, as a program prints it; `table`: the names of its steps and their
+/// events.
+std::string small_head(const std::string& interpolation,
+                       const std::vector<std::pair<const char*, const char*>>& table) {
   std::string steps;
   for (std::size_t i = 0; i < table.size(); ++i)
     steps += fmt::format(R"({}{{"id":{},"name":"{}","event":"{}"}})", i == 0 ? "" : ",", i + 1, table[i].first,
@@ -250,8 +253,8 @@ TEST_CASE("check: a pixel is written where it was compared, also in runs without
 }
 
 TEST_CASE("check: steps that a run never has are not recorded, whatever its header lists") {
-  const std::string compares = compare_at(2, 2, 5, true) + compare_at(3, 2, 5, true) + compare_at(2, 2, 4, true) +
-                               compare_at(2, 2, 4.5, false);
+  const std::string compares =
+      compare_at(2, 2, 5, true) + compare_at(3, 2, 5, true) + compare_at(2, 2, 4, true) + compare_at(2, 2, 4.5, false);
   const Trace run = test::trace_of(small_head("direct", whole_table) + begin_a + compares +
                                    R"({"step":"scan","y":1})"
                                    "\n"
@@ -269,8 +272,9 @@ TEST_CASE("check: steps that a run never has are not recorded, whatever its head
     for (const double z : {4.0, 5.0}) {
       const bool wins = z == 4.0 || farther_wins;
       text += begin_a + compare_at(2, 2, z, wins);
-      if (wins) text += R"({"step":"wp","x":2,"y":2,"polygon":0})"
-                        "\n";
+      if (wins)
+        text += R"({"step":"wp","x":2,"y":2,"polygon":0})"
+                "\n";
     }
     return causes_of(test::trace_of(text));
   };
@@ -344,7 +348,8 @@ TEST_CASE("law: a convention acquits no number that is judged under the declared
       for (zoo::Task task : {test::triangles(3, 3, 18), test::ties()}) {
         task.mistake = mistake;
         std::string impossible;
-        const Trace run = test::trace_of(test::head(task, "float64", interpolation) + zoo::edge_table(task), &impossible);
+        const Trace run =
+            test::trace_of(test::head(task, "float64", interpolation) + zoo::edge_table(task), &impossible);
         const CheckReport report = check(run);
         if (report.causes.empty()) continue;
         const auto hint = convention_it_follows(run, report);
@@ -369,7 +374,8 @@ TEST_CASE("law: a convention acquits no number that is judged under the declared
         CHECK(other.wrong_steps == hint->wrong_steps);
         CHECK(other.judged >= report.judged);
         CHECK(other.numbers >= report.numbers);
-        for (std::size_t kind = 0; kind < kind_count; ++kind) CHECK(other.kinds[kind].judged >= report.kinds[kind].judged);
+        for (std::size_t kind = 0; kind < kind_count; ++kind)
+          CHECK(other.kinds[kind].judged >= report.kinds[kind].judged);
         CHECK(std::string(mistake) != "z_not_to_centre");
         CHECK(std::string(mistake) != "z_stepped_before_use");
         ++hints;
@@ -427,7 +433,11 @@ TEST_CASE("check: an error is counted where it is made, and what follows from it
   const Trace wrong = test::changed(right, [&](std::int64_t step, Event& event) {
     visit_event(
         [&]<class E>(E& e) {
-          if constexpr (requires { e.x; e.y; e.z; })
+          if constexpr (requires {
+                          e.x;
+                          e.y;
+                          e.z;
+                        })
             if (step >= *won - 1 && step <= *won + 1 && e.x == nearer.x && e.y == nearer.y) e.z -= 0.001;
         },
         event);
@@ -478,7 +488,8 @@ TEST_CASE("check: numbers that a program writes with few digits are not doubted,
   }
 }
 
-TEST_CASE("check: the convention that a run follows otherwise than its header says is named, unless much is wrong still") {
+TEST_CASE(
+    "check: the convention that a run follows otherwise than its header says is named, unless much is wrong still") {
   const Trace right = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
   const auto followed = [&](auto&& change, int wrong_depths) {
     int left = wrong_depths;

@@ -194,10 +194,14 @@ TEST_CASE("check: depths are in fixed point where they are whole numbers of unit
     CAPTURE(std::string(printed.name));
     const double unit = test::range_of_z / (std::pow(2, bits_of(printed.computed)) - 1);
     const auto format_of = [&](double off) {
-      return precision_of(test::run_printed(printed, {}, [&](std::int64_t, Event& event) {
-               if (auto* depth = get_if<DepthInterpolate>(&event)) depth->z += off * unit;
-               if (auto* compared = get_if<DepthCompare>(&event)) compared->z += off * unit;
-             })).format;
+      return precision_of(test::run_printed(printed, {},
+                                            [&](std::int64_t, Event& event) {
+                                              if (auto* depth = get_if<DepthInterpolate>(&event))
+                                                depth->z += off * unit;
+                                              if (auto* compared = get_if<DepthCompare>(&event))
+                                                compared->z += off * unit;
+                                            }))
+          .format;
     };
     CHECK(format_of(0.9e-5) == printed.computed);
     CHECK(format_of(1.5e-5) != printed.computed);

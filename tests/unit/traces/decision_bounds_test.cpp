@@ -60,8 +60,7 @@ TEST_CASE("decisions: a vertex just within what rounding may do to its distance 
   // A sliver: the term is 8·(8 + 1/64), the normal 1/8 long, which makes 14u·513. The point (4, 12) is 4/3 + 12 − 1/192
   // from the mean (16/3, 1/192). Nearly all of it is the 14u.
   const std::vector<glm::dvec3> sliver{{0, 0, 2}, {8, 0, 2}, {8, 1 / 64.0, 2}};
-  const double of_sliver =
-      14 * u * 513 * (4 / 3.0 + 12 - 1 / 192.0) + 16 * u * (18 + 16 / 3.0 + 1 / 192.0 + 2);
+  const double of_sliver = 14 * u * 513 * (4 / 3.0 + 12 - 1 / 192.0) + 16 * u * (18 + 16 / 3.0 + 1 / 192.0 + 2);
   CHECK(of_bound(sliver, {4, 12}, 0.9 * of_sliver) == doctest::Approx(0.9).epsilon(0.02));
   CHECK(of_bound(sliver, {4, 12}, 1.5 * of_sliver) == doctest::Approx(1.5).epsilon(0.02));
 
@@ -77,9 +76,9 @@ TEST_CASE("decisions: a vertex that cutting made may be as far off as it was put
   // The first plane, x = 4, cuts the third triangle at z = 2 + 2⁻²⁰, which is that far from the second, z = 2.
   const double away = 0x1p-20;
   const double z = 2 + away;
-  const Scene scene = test::screen_scene(16, 16, {{{4, 0, 0}, {4, 15, 0}, {4, 8, 9}},
-                                                  {{5, 5, 2}, {12, 5, 2}, {5, 12, 2}},
-                                                  {{1, 1, z}, {9, 2, z}, {2, 12, z}}});
+  const Scene scene = test::screen_scene(
+      16, 16,
+      {{{4, 0, 0}, {4, 15, 0}, {4, 8, 9}}, {{5, 5, 2}, {12, 5, 2}, {5, 12, 2}}, {{1, 1, z}, {9, 2, z}, {2, 12, z}}});
   const auto of_slip = [&](double slip) {
     std::int32_t made = -1;
     test::changed(test::recorded_by("bsp", scene), [&](std::int64_t, Event& event) {

@@ -168,9 +168,9 @@ std::string all_of(const diff::DiffReport& report) {
                        count.only_b);
   }
   for (const diff::Cause& cause : report.causes)
-    all += fmt::format("cause {} {} {} {} {} {} {} {}\n", cause.first.a, cause.first.b,
-                       cause.part == diff::Part::rounding, cause.wrong_a, cause.wrong_b, cause.again, cause.symptoms,
-                       cause.pixels);
+    all +=
+        fmt::format("cause {} {} {} {} {} {} {} {}\n", cause.first.a, cause.first.b, cause.part == diff::Part::rounding,
+                    cause.wrong_a, cause.wrong_b, cause.again, cause.symptoms, cause.pixels);
   return all;
 }
 

@@ -89,10 +89,12 @@ TEST_CASE("diff: numbers that follow from nothing recorded are apart by what the
     const std::int64_t compared = first_of<DepthCompare>(run), written = first_of<DepthWrite>(run);
     const double z = get<DepthCompare>(run.event(compared).event).z;
     const auto apart = [&](double off) {
-      return parts(run, declared_as(other, run, [&](std::int64_t step, Event& event) {
-                     if (step == compared) get<DepthCompare>(event).z += off;
-                     if (step == written) get<DepthWrite>(event).z += off;
-                   }),
+      return parts(run,
+                   declared_as(other, run,
+                               [&](std::int64_t step, Event& event) {
+                                 if (step == compared) get<DepthCompare>(event).z += off;
+                                 if (step == written) get<DepthWrite>(event).z += off;
+                               }),
                    printed, compared);
     };
     const double allowed = coarser.of(z, 2);
@@ -112,18 +114,22 @@ TEST_CASE("diff: a number that follows from its own run's operands is held to wh
     const auto entry = get<EdgeTableInsert>(run.event(*inserted).event);
     const double x = entry.x_edge + entry.dx_dy, z = get<DepthWrite>(run.event(written).event).z;
     const auto sum_apart = [&](double off) {
-      return parts(run, declared_as(other, run, [&](std::int64_t step, Event& event) {
-                     if (step == moved) get<EdgeStep>(event).x_edge = x + off;
-                   }),
+      return parts(run,
+                   declared_as(other, run,
+                               [&](std::int64_t step, Event& event) {
+                                 if (step == moved) get<EdgeStep>(event).x_edge = x + off;
+                               }),
                    printed, moved);
     };
     const double of_sum = coarser.of(std::abs(entry.x_edge) + std::abs(entry.dx_dy), 2);
     CHECK(!sum_apart(0.9 * of_sum));
     CHECK(sum_apart(1.5 * of_sum));
     const auto copy_apart = [&](double off) {
-      return parts(run, declared_as(other, run, [&](std::int64_t step, Event& event) {
-                     if (step == written) get<DepthWrite>(event).z = z + off;
-                   }),
+      return parts(run,
+                   declared_as(other, run,
+                               [&](std::int64_t step, Event& event) {
+                                 if (step == written) get<DepthWrite>(event).z = z + off;
+                               }),
                    printed, written);
     };
     CHECK(!copy_apart(0.9 * coarser.of(z)));

@@ -186,9 +186,8 @@ TEST_CASE("jsonl: the first ten mistakes are told, each on a line") {
   said = lines_of(read(text).error);
   REQUIRE(said.size() == 11);
   CHECK(said.back() == "run.jsonl: there may be more mistakes; mend these first");
-  CHECK(
-      lines_of(read(with_conventions(R"({"nearer": "greatest", "coverage": "nearest", "Ties": "last"})")).error).size() ==
-      3);
+  CHECK(lines_of(read(with_conventions(R"({"nearer": "greatest", "coverage": "nearest", "Ties": "last"})")).error)
+            .size() == 3);
 }
 
 TEST_CASE("jsonl: a header is obeyed and kept, or refused with the words that there are") {

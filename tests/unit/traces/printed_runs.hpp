@@ -23,8 +23,9 @@ namespace zstep::test {
 inline constexpr double range_of_z = 8;
 inline constexpr std::size_t upright_from = 0, upright_to = 1;
 inline Scene two_triangles(double away) {
-  Scene scene = screen_scene(16, 16, {{{3.25, 2, 2.5}, {3.25, 13, 2.5}, {12.6875, 7.3125, 9.40625}},
-                                      {{0.9375, 1.1875, 3.125}, {13.71875, 12.90625, 10}, {2.40625, 14.4375, 2}}});
+  Scene scene = screen_scene(16, 16,
+                             {{{3.25, 2, 2.5}, {3.25, 13, 2.5}, {12.6875, 7.3125, 9.40625}},
+                              {{0.9375, 1.1875, 3.125}, {13.71875, 12.90625, 10}, {2.40625, 14.4375, 2}}});
   for (glm::dvec3& point : scene.points) point.z += away;
   return scene;
 }

@@ -16,8 +16,8 @@ Header some_header() {
   header.algorithm = "z-buffer";
   header.title = "Z-buffer";
   for_each_kind([&]<class E>() {
-    header.page.push_back(
-        {step_of(kind_of<E>), kind_of<E>, 1, "tests", std::string(description_of<E>.name), "a line of pseudo-code: ∞ ≤ φ"});
+    header.page.push_back({step_of(kind_of<E>), kind_of<E>, 1, "tests", std::string(description_of<E>.name),
+                           "a line of pseudo-code: ∞ ≤ φ"});
   });
   return header;
 }
@@ -83,8 +83,8 @@ std::vector<RecordedEvent> random_events(std::size_t count, unsigned seed) {
         else if constexpr (std::is_enum_v<Value>) value = static_cast<Value>(random() % words_of<Value>.size());
         else if constexpr (name == "x") value = static_cast<std::int32_t>(random() % 16);
         else if constexpr (name == "y") value = static_cast<std::int32_t>(random() % 12);
-        else if constexpr (name == "polygon" || name == "facet" || name == "nearest_facet" ||
-                           name == "left_facet" || name == "right_facet" || name == "owner")
+        else if constexpr (name == "polygon" || name == "facet" || name == "nearest_facet" || name == "left_facet" ||
+                           name == "right_facet" || name == "owner")
           value = static_cast<std::int32_t>(random() % 2);
         else if constexpr (name == "first" || name == "last") value = static_cast<std::int32_t>(random() % 19) - 2;
         else if constexpr (name == "first_row" || name == "end_row") value = static_cast<std::int32_t>(random() % 13);

@@ -274,12 +274,13 @@ std::string Hands::state() {
   std::string text = fmt::format(
       "{} stop {} message '{}' overlay {} picked {} typed '{}' selected {} edge {} playing {} loop {} {} speed {} dark "
       "{} "
-      "presenter {} black {} text {} reduced {} lead {} zoom {} {} {} look {} {} clipboard '{}' saved '{}' quit {} full {}",
+      "presenter {} black {} text {} reduced {} lead {} zoom {} {} {} look {} {} clipboard '{}' saved '{}' quit {} "
+      "full {}",
       app().command_line(), s.stop(), s.message, static_cast<int>(app().overlay()), app().picked, app().typed,
       s.selected ? fmt::format("{},{}", s.selected->x, s.selected->y) : "none", s.selected_edge.value_or(-1), s.playing,
-      s.loop_first, s.loop_last, s.speed, kept.dark, kept.presenter, app().black(), kept.text_scale, kept.reduced_motion, app().lead(),
-      app().ui().view.zoom, app().ui().view.center_x, app().ui().view.center_y, app().ui().look.turn,
-      app().ui().look.tilt, clipboard_, saved_, quit_, full_screen_);
+      s.loop_first, s.loop_last, s.speed, kept.dark, kept.presenter, app().black(), kept.text_scale,
+      kept.reduced_motion, app().lead(), app().ui().view.zoom, app().ui().view.center_x, app().ui().view.center_y,
+      app().ui().look.turn, app().ui().look.tilt, clipboard_, saved_, quit_, full_screen_);
   for (const viewer::Changed::Made& made : app().changed().made)
     text += fmt::format(" {} = {}", made.change.name, made.change.value);
   return text;

@@ -33,7 +33,8 @@ Explanation told(const std::string& golden, Fits&& fits, Alter&& alter) {
 }
 template <class E, class Alter>
 Explanation told(const std::string& golden, Alter&& alter) {
-  return told<E>(golden, [](const E&, const State&) { return true; }, alter);
+  return told<E>(
+      golden, [](const E&, const State&) { return true; }, alter);
 }
 const auto same = [](auto&) {};
 

@@ -25,7 +25,8 @@ TEST_CASE("a method has a depth buffer, a line of one, or none, by the steps tha
   for (const Method& method : methods()) {
     CAPTURE(method.id);
     const std::set<std::string_view> with{"z-buffer", "shadow-buffer", "transparency"};
-    CHECK(depth_buffer(header_for(method, {})) == (with.contains(method.id) ? DepthBuffer::picture : DepthBuffer::none));
+    CHECK(depth_buffer(header_for(method, {})) ==
+          (with.contains(method.id) ? DepthBuffer::picture : DepthBuffer::none));
   }
   Conventions by_line;
   by_line.options["resolve"] = "line-buffer";

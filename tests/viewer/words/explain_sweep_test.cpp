@@ -85,8 +85,7 @@ TEST_CASE("the plane's depth and the implied edge are told with their numbers") 
 
 TEST_CASE("a depth that its plane does not give is doubted") {
   const Trace trace = swept("lessons/scenes/abc-def.toml", {});
-  const auto position =
-      trace.next(0, [](const RecordedEvent& e) { return holds<PlaneDepth>(e.event); });
+  const auto position = trace.next(0, [](const RecordedEvent& e) { return holds<PlaneDepth>(e.event); });
   REQUIRE(position);
   Replay replay(trace);
   replay.go_to(*position);

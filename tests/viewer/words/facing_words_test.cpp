@@ -47,8 +47,9 @@ TEST_CASE("back-face test: of four corners three vertices say 250880, and the su
   const auto quad = facing_formulas(trace, "W"), triangle = facing_formulas(trace, "A");
   CHECK(line_of(quad, triple) == triple + " = 250880");
   CHECK(line_of(quad, fan) == fan + triple + " + V_0\u00b7(V_2 \u00d7 V_3) = 250880 + 250880 = 501760");
-  CHECK(line_of(quad, "n = ") ==
-        "n = (p_1 \u2212 p_0) \u00d7 (p_2 \u2212 p_0) + (p_2 \u2212 p_0) \u00d7 (p_3 \u2212 p_0), the sum over the fan");
+  CHECK(
+      line_of(quad, "n = ") ==
+      "n = (p_1 \u2212 p_0) \u00d7 (p_2 \u2212 p_0) + (p_2 \u2212 p_0) \u00d7 (p_3 \u2212 p_0), the sum over the fan");
   CHECK(line_of(triangle, triple) == triple + " = 44580");
   CHECK(line_of(triangle, fan).empty());
   CHECK(line_of(triangle, "n = ") == "n = (p_1 \u2212 p_0) \u00d7 (p_2 \u2212 p_0)");
@@ -80,8 +81,9 @@ TEST_CASE("law: what is called the triple product of three vertices is that of t
       const Scene& scene = trace.scene();
       const Facet& facet = scene.facets[static_cast<std::size_t>(replay.state().machine.facet)];
       const auto view = [&](int i) {
-        return replay.state().vertices[static_cast<std::size_t>(
-            scene.corners[static_cast<std::size_t>(facet.first_corner + i)])].view;
+        return replay.state()
+            .vertices[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + i)])]
+            .view;
       };
       const auto lines = explain(trace, replay.state(), *replay.current()).formulas;
       const std::string three = line_of(lines, triple), sum = line_of(lines, fan);

@@ -36,7 +36,8 @@ TEST_CASE("check: what is wrong, what was expected and what was found, in one li
   CHECK(what_is_wrong(impossible, {}) == "this step is impossible: edge 7 is not in the edge table");
 }
 
-TEST_CASE("check: a result has the digits that tell it from what the trace has, and from nothing that does not follow") {
+TEST_CASE(
+    "check: a result has the digits that tell it from what the trace has, and from nothing that does not follow") {
   const Trace right = open_jsonl(test::in_checkout("tests/golden/pyramid-view.jsonl"));
   const auto at = right.next<DepthInterpolate>(0, [](const DepthInterpolate&) { return true; });
   REQUIRE(at);
@@ -46,7 +47,8 @@ TEST_CASE("check: a result has the digits that tell it from what the trace has, 
     const Event event = trace.event(*at).event;
     const FieldOfKind* z = field_of_kind(event.index(), "z");
     const auto number = static_cast<unsigned>(z - fields_of_kind(event.index()).data());
-    return fields_in_words(event, formulas::situation_of(trace, replay.state()), static_cast<std::uint16_t>(1u << number))
+    return fields_in_words(event, formulas::situation_of(trace, replay.state()),
+                           static_cast<std::uint16_t>(1u << number))
         .at(0);
   };
   CHECK(field_line(right).line().find("   from ") != std::string::npos);

@@ -98,8 +98,9 @@ TEST_CASE("law: what a field follows from gives, as it is printed, what the trac
         const std::vector<std::string> sides = parts(line, " = ");
         const auto ends_in = number_of(sides.back());
         REQUIRE(ends_in);
-        // Of planes: 0 recorded, and -7.95e-18 by the formula. A run in float32 has rounded each operand and each result
-        // on the way; by as much as that moves the formula, the number may be beside what the printed one stands for.
+        // Of planes: 0 recorded, and -7.95e-18 by the formula. A run in float32 has rounded each operand and each
+        // result on the way; by as much as that moves the formula, the number may be beside what the printed one stands
+        // for.
         double beside = 1e-9;
         Interval shown{*ends_in, *ends_in};
         if (trace.header().conventions.number_format == NumberFormat::float32 && sides.size() > 1) {
@@ -123,11 +124,10 @@ TEST_CASE("law: what a field follows from gives, as it is printed, what the trac
     }
   });
   CHECK(compared > 0);
-  for (const std::string kind : {"view_transform", "projection", "viewport_transform", "clip_cross",
-                           "edge_table_insert",
-                           "edge_step", "span_begin", "depth_interpolate", "pixel_paint",
-                           "plane_depth", "plane_slopes", "implied_edge", "eye_side", "split_vertex", "ray_plane",
-                           "ray_hit", "horizon_test", "line_cross"}) {
+  for (const std::string kind :
+       {"view_transform", "projection", "viewport_transform", "clip_cross", "edge_table_insert", "edge_step",
+        "span_begin", "depth_interpolate", "pixel_paint", "plane_depth", "plane_slopes", "implied_edge", "eye_side",
+        "split_vertex", "ray_plane", "ray_hit", "horizon_test", "line_cross"}) {
     CAPTURE(kind);
     CHECK(evaluated[kind] > 0);
   }
@@ -180,7 +180,8 @@ TEST_CASE("law: comparisons, lengths and mixed colours are right as they are pri
   });
   CHECK(lengths > 0);
   CHECK(mixtures > 0);
-  for (const std::string kind : {"depth_compare", "box_test", "extent_test", "clip_vertex", "facing_test", "node_skip"}) {
+  for (const std::string kind :
+       {"depth_compare", "box_test", "extent_test", "clip_vertex", "facing_test", "node_skip"}) {
     CAPTURE(kind);
     CHECK(compared[kind] > 0);
   }
@@ -208,7 +209,8 @@ TEST_CASE("law: a number in a sentence is the step's own, or stands in one of it
       }
     }
   });
-  for (const std::string kind : {"depth_compare", "depth_interpolate", "viewport_transform", "ray_plane", "line_piece"}) {
+  for (const std::string kind :
+       {"depth_compare", "depth_interpolate", "viewport_transform", "ray_plane", "line_piece"}) {
     CAPTURE(kind);
     CHECK(found[kind] > 0);
   }

@@ -49,7 +49,7 @@ std::map<std::string, std::vector<Approved>> approved_sentences() {
 
 std::string kind_of_event(const Event& event) {
   return visit_event([](const auto& known) { return std::string(description_of<std::decay_t<decltype(known)>>.name); },
-                    event);
+                     event);
 }
 
 }  // namespace

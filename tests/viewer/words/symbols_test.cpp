@@ -51,13 +51,19 @@ struct MeaningsOf {
   void operator()(const PlaneDepth& e) {
     const Piece* piece = at.piece(e.piece);
     if (!piece || !piece->plane) return;
-    means = {{"A", piece->plane->plane_a}, {"B", piece->plane->plane_b}, {"C", piece->plane->plane_c},
-             {"D", piece->plane->plane_d}, {"x", e.x_at}, {"y", e.y_at}};
+    means = {{"A", piece->plane->plane_a},
+             {"B", piece->plane->plane_b},
+             {"C", piece->plane->plane_c},
+             {"D", piece->plane->plane_d},
+             {"x", e.x_at},
+             {"y", e.y_at}};
   }
   void operator()(const VertexSide& e) {
     const Piece* piece = at.piece(e.plane_of);
     if (!piece || !piece->plane) return;
-    means = {{"A", piece->plane->plane_a}, {"B", piece->plane->plane_b}, {"C", piece->plane->plane_c},
+    means = {{"A", piece->plane->plane_a},
+             {"B", piece->plane->plane_b},
+             {"C", piece->plane->plane_c},
              {"D", piece->plane->plane_d}};
     const auto vertex = static_cast<std::size_t>(e.vertex);
     if (at.on_screen()) return;
@@ -68,8 +74,13 @@ struct MeaningsOf {
     const Piece* piece = at.piece(at.method().tree[static_cast<std::size_t>(e.node)].pieces.front());
     if (!piece || !piece->plane || at.on_screen()) return;
     const glm::dvec3 eye = at.camera->eye;
-    means = {{"A", piece->plane->plane_a}, {"B", piece->plane->plane_b}, {"C", piece->plane->plane_c},
-             {"D", piece->plane->plane_d}, {"x_w", eye.x}, {"y_w", eye.y}, {"z_w", eye.z},
+    means = {{"A", piece->plane->plane_a},
+             {"B", piece->plane->plane_b},
+             {"C", piece->plane->plane_c},
+             {"D", piece->plane->plane_d},
+             {"x_w", eye.x},
+             {"y_w", eye.y},
+             {"z_w", eye.z},
              {"w", at.camera->kind == Camera::Kind::perspective ? 1 : 0}};
   }
   void operator()(const LineCross& e) {
@@ -141,8 +152,8 @@ TEST_CASE("law: the symbols of a printed formula stand for what the scene and th
       if (meanings.means.empty()) continue;
       const auto step = replay.position();
       CAPTURE(step);
-      const std::string kind(
-          visit_event([](const auto& known) { return description_of<std::decay_t<decltype(known)>>.name; }, recorded.event));
+      const std::string kind(visit_event(
+          [](const auto& known) { return description_of<std::decay_t<decltype(known)>>.name; }, recorded.event));
       for (const std::string& line : explain(trace, replay.state(), recorded).formulas) {
         const std::vector<std::string> sides = parts(line, " = ");
         if (sides.size() < 3) continue;
@@ -197,7 +208,9 @@ TEST_CASE("law: t = 0 and t = 1 are where the edge's vertices are, and x_L, x_R 
       } else {
         const std::string along = symbol_along(trace.scene(), trace.header().conventions);
         CAPTURE(told.formulas[0]);
-        CHECK(are(told.formulas[0], {{"x_L = ", span->x_left}, {"x_R = ", span->x_right}, {along + "_L = ", span->z_left},
+        CHECK(are(told.formulas[0], {{"x_L = ", span->x_left},
+                                     {"x_R = ", span->x_right},
+                                     {along + "_L = ", span->z_left},
                                      {along + "_R = ", span->z_right}}));
         ++spans;
       }

@@ -21,13 +21,31 @@ namespace {
 
 /// The fields that a name stands for; where there is none, it is the field's own.
 const std::map<std::string, std::string>& field_names() {
-  static const std::map<std::string, std::string> names{
-      {"1/m", "dx_dy"}, {"dz/dx", "dz_dx"}, {"dz/dy", "dz_dy"}, {"x_L", "x_left"}, {"x_R", "x_right"},
-      {"z_L", "z_left"}, {"z_R", "z_right"}, {"A", "plane_a"}, {"B", "plane_b"}, {"C", "plane_c"}, {"D", "plane_d"},
-      {"x'", "x_light"}, {"y'", "y_light"}, {"\u03b1", "opacity"}, {"share", "coverage"}, {"at the eye", "value"},
-      {"nearest corner", "value"}, {"a/z", "over_z"},
-      {"1/z", "one_over_z"}, {"a", "attribute"}, {"(p - e).n", "view_dot_normal"}, {"plane at eye", "plane_at_eye"},
-      {"projected n_z", "projected_normal_z"}, {"other low", "other_low"}, {"other high", "other_high"}};
+  static const std::map<std::string, std::string> names{{"1/m", "dx_dy"},
+                                                        {"dz/dx", "dz_dx"},
+                                                        {"dz/dy", "dz_dy"},
+                                                        {"x_L", "x_left"},
+                                                        {"x_R", "x_right"},
+                                                        {"z_L", "z_left"},
+                                                        {"z_R", "z_right"},
+                                                        {"A", "plane_a"},
+                                                        {"B", "plane_b"},
+                                                        {"C", "plane_c"},
+                                                        {"D", "plane_d"},
+                                                        {"x'", "x_light"},
+                                                        {"y'", "y_light"},
+                                                        {"\u03b1", "opacity"},
+                                                        {"share", "coverage"},
+                                                        {"at the eye", "value"},
+                                                        {"nearest corner", "value"},
+                                                        {"a/z", "over_z"},
+                                                        {"1/z", "one_over_z"},
+                                                        {"a", "attribute"},
+                                                        {"(p - e).n", "view_dot_normal"},
+                                                        {"plane at eye", "plane_at_eye"},
+                                                        {"projected n_z", "projected_normal_z"},
+                                                        {"other low", "other_low"},
+                                                        {"other high", "other_high"}};
   return names;
 }
 

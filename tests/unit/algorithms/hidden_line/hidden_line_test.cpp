@@ -62,7 +62,9 @@ Seen look_from_eye(const Scene& scene, glm::dvec3 point, const LineBegin& line, 
   return unsure ? Seen::unsure : Seen::yes;
 }
 
-struct Trial { int agreed = 0, unsure = 0, wrong = 0; };
+struct Trial {
+  int agreed = 0, unsure = 0, wrong = 0;
+};
 
 // Holds the middle of every piece, and two more points of it, against rays.
 Trial try_pieces(const Scene& scene, const Run& run, bool cull) {
@@ -179,7 +181,10 @@ TEST_SUITE("hidden_line") {
   }
 
   TEST_CASE("pieces sum to the edge, and rays from the eye agree on every one") {
-    struct Subject { std::string name; bool cull, ortho; };
+    struct Subject {
+      std::string name;
+      bool cull, ortho;
+    };
     for (const Subject& subject : {Subject{"cube", true, false},
                                    {"pyramid", true, false},
                                    {"pyramid-behind", false, false},

@@ -100,15 +100,16 @@ std::string name_of(const Conventions& c) {
 
 }  // namespace
 
-TEST_CASE("attributes: taken for linear on the picture, one is off by exactly (a_1 - a_0) t(1 - t)(z_1 - z_0)/(z_1 - "
-          "t(z_1 - z_0))") {
+TEST_CASE(
+    "attributes: taken for linear on the picture, one is off by exactly (a_1 - a_0) t(1 - t)(z_1 - z_0)/(z_1 - "
+    "t(z_1 - z_0))") {
   std::mt19937 random(1992);
   for (int n = 0; n < 3000; ++n) {
     const Between of = any_between(random);
     const Rational a_0 = oracle::exactly(of.a_0), a_1 = oracle::exactly(of.a_1), t = oracle::exactly(of.t);
     const Rational linear = formulas::part_of_way(a_0, a_1, t);
-    const Rational error = formulas::linear_attribute_error<Rational>(a_0, a_1, oracle::exactly(of.z_0),
-                                                                      oracle::exactly(of.z_1), t);
+    const Rational error =
+        formulas::linear_attribute_error<Rational>(a_0, a_1, oracle::exactly(of.z_0), oracle::exactly(of.z_1), t);
     CHECK(linear - exact(of) == error);
   }
 }
@@ -129,11 +130,12 @@ TEST_CASE("attributes: perspective-correct ones are never farther off than their
   CHECK(most_32 > 0.25);
 }
 
-TEST_CASE("attributes, in every way: recording changes nothing, the replay rebuilds the picture, check doubts no "
-          "number, and none is farther off than its bound") {
+TEST_CASE(
+    "attributes, in every way: recording changes nothing, the replay rebuilds the picture, check doubts no "
+    "number, and none is farther off than its bound") {
   int ways = 0;
-  for (const Scene& scene : {small("pyramid-behind"), small("pyramid-behind", true), load_scene("delhi").scene,
-                             clipped_floor()}) {
+  for (const Scene& scene :
+       {small("pyramid-behind"), small("pyramid-behind", true), load_scene("delhi").scene, clipped_floor()}) {
     for_each_way(scene, [&](const Conventions& c) {
       CAPTURE(scene.name);
       CAPTURE(name_of(c));
@@ -173,8 +175,7 @@ TEST_CASE("attributes, in every way: recording changes nothing, the replay rebui
 }
 
 TEST_CASE("attributes: a perspective-correct one is the x_w of the very point that is seen at the pixel") {
-  for (const Scene& scene :
-       {small("pyramid-behind"), clipped_floor()}) {
+  for (const Scene& scene : {small("pyramid-behind"), clipped_floor()}) {
     Conventions c;
     c.attribute = Attribute::perspective, c.depth = Conventions::Depth::corrected;
     const interpolation::Bounds run = interpolation::bounds_of(scene, c);

@@ -51,8 +51,7 @@ void for_each_way(const Scene& scene, Visit&& visit) {
           c.number_format = static_cast<NumberFormat>(format);
           c.coverage = static_cast<Conventions::Coverage>(covers);
           if (bits_of(c.number_format) > 0 && how % 2 == 1) c.rounding = Conventions::Rounding::down;
-          if (what % 2 == 1 && scene.camera.kind != Camera::Kind::screen)
-            c.positions = Conventions::Positions::integer;
+          if (what % 2 == 1 && scene.camera.kind != Camera::Kind::screen) c.positions = Conventions::Positions::integer;
           try {
             check_run(method("z-buffer"), scene, c);
           } catch (const InputError&) {
@@ -68,7 +67,8 @@ std::string name_of(const Conventions& c) {
   return name;
 }
 
-TEST_CASE("001: (100, 100, 100) and (200, 200, 200) with d = 10 both come to (10, 10), and its depth tells them apart") {
+TEST_CASE(
+    "001: (100, 100, 100) and (200, 200, 200) with d = 10 both come to (10, 10), and its depth tells them apart") {
   Camera camera;
   camera.d = 10, camera.near = 50, camera.far = 250, camera.window = 20;
   const viewing::Lens lens(camera, {64, 64, false}, Depth::foley);
@@ -81,7 +81,8 @@ TEST_CASE("001: (100, 100, 100) and (200, 200, 200) with d = 10 both come to (10
   CHECK(one.z > other.z);  // greater is nearer
 }
 
-TEST_CASE("004: the worked example has A/C = B/C = -1, and every way gives z = x + y + 1 and keeps the first of equals") {
+TEST_CASE(
+    "004: the worked example has A/C = B/C = -1, and every way gives z = x + y + 1 and keeps the first of equals") {
   const Scene scene = load_scene("delhi").scene;
   NullRecorder nothing;
   const Picture taught = interpolation::run(scene, Conventions{}, nothing);
@@ -108,8 +109,9 @@ TEST_CASE("004: the worked example has A/C = B/C = -1, and every way gives z = x
   CHECK(ways == 28);
 }
 
-TEST_CASE("in every way: recording changes nothing, the replay rebuilds the picture, check doubts no number, and no depth "
-          "is farther off than its bound") {
+TEST_CASE(
+    "in every way: recording changes nothing, the replay rebuilds the picture, check doubts no number, and no depth "
+    "is farther off than its bound") {
   int ways = 0, changed = 0;
   for (const Scene& scene : {small("pyramid-behind"), small("foley"), small("cyclic"), small("pyramid-behind", true),
                              load_scene("delhi").scene}) {
@@ -181,9 +183,8 @@ TEST_CASE("perspective: z_v that is interpolated on the picture is off by t(1 - 
       return oracle::Edge{vertex(entry.vertex_0), vertex(entry.vertex_1)};
     };
     // The ends of the span on the surface: only between them is the depth linear in 1/z_v.
-    const auto surface =
-        oracle::ExactDepth::between(edge(span->left_edge), edge(span->right_edge), span->y,
-                                    oracle::Along::through_inverses);
+    const auto surface = oracle::ExactDepth::between(edge(span->left_edge), edge(span->right_edge), span->y,
+                                                     oracle::Along::through_inverses);
     REQUIRE(surface);
     const double z_0 = surface->at(span->first), z_1 = surface->at(span->last), width = span->last - span->first;
     for (std::int32_t x = span->first; x <= span->last && width > 0; ++x) {
@@ -236,7 +237,8 @@ TEST_CASE("perspective: of a wall from z_v = 10 to 40 the error of z_v is the cl
     }
 }
 
-TEST_CASE("resolution: a unit of b bits is (F - f) z_v^2/(f F)/(2^b - 1) of z_v, at 16 to 32 bits and any near and far") {
+TEST_CASE(
+    "resolution: a unit of b bits is (F - f) z_v^2/(f F)/(2^b - 1) of z_v, at 16 to 32 bits and any near and far") {
   for (const double near : {0.01, 0.1, 1.0})
     for (const double far : {10.0, 1000.0})
       for (const NumberFormat format : {NumberFormat::fixed16, NumberFormat::fixed18, NumberFormat::fixed20,

@@ -20,7 +20,7 @@ namespace {
 TEST_CASE("fixed point: a quotient is the nearest unit, or the one below, whatever the signs") {
   using detail::quotient;
   using enum Conventions::Rounding;
-  CHECK(static_cast<int>(quotient(7, 2, nearest)) == 4);   // halves upwards
+  CHECK(static_cast<int>(quotient(7, 2, nearest)) == 4);  // halves upwards
   CHECK(static_cast<int>(quotient(-7, 2, nearest)) == -3);
   CHECK(static_cast<int>(quotient(7, -2, nearest)) == -3);
   CHECK(static_cast<int>(quotient(7, 2, down)) == 3);
@@ -119,7 +119,8 @@ void hold(const std::string& format, double share) {
 
 TEST_CASE("bounds: of random spans in each format none is farther off than its bound, and some are a quarter as far") {
   const int spans = how_many(250'000);
-  const scan_conversion::NumbersOf<FixedNearest> fixed16{2 / (std::ldexp(1.0, 16) - 1), 1, -1}, fixed32{2 / (std::ldexp(1.0, 32) - 1), 1, -1};
+  const scan_conversion::NumbersOf<FixedNearest> fixed16{2 / (std::ldexp(1.0, 16) - 1), 1, -1},
+      fixed32{2 / (std::ldexp(1.0, 32) - 1), 1, -1};
   const scan_conversion::NumbersOf<FixedDown> cut16{2 / (std::ldexp(1.0, 16) - 1), 1, -1};
   for (const bool adds : {false, true}) {
     CAPTURE(adds);
@@ -191,7 +192,8 @@ double worst_share_of_planes(bool adds, int planes, const scan_conversion::Numbe
 
 TEST_CASE("bounds: of random planes in each format none is farther off than its bound, and some are a quarter as far") {
   const int planes = how_many(20'000);
-  const scan_conversion::NumbersOf<FixedNearest> fixed16{2 / (std::ldexp(1.0, 16) - 1), 1, -1}, fixed32{2 / (std::ldexp(1.0, 32) - 1), 1, -1};
+  const scan_conversion::NumbersOf<FixedNearest> fixed16{2 / (std::ldexp(1.0, 16) - 1), 1, -1},
+      fixed32{2 / (std::ldexp(1.0, 32) - 1), 1, -1};
   const scan_conversion::NumbersOf<FixedDown> cut16{2 / (std::ldexp(1.0, 16) - 1), 1, -1};
   for (const bool adds : {false, true}) {
     CAPTURE(adds);
@@ -258,7 +260,8 @@ double worst_share_of_attributes(bool divides, int spans, const scan_conversion:
   return worst;
 }
 
-TEST_CASE("bounds: of attributes on a million spans none is farther off than its bound, and some are a quarter as far") {
+TEST_CASE(
+    "bounds: of attributes on a million spans none is farther off than its bound, and some are a quarter as far") {
   const int spans = how_many(250'000);
   for (const bool divides : {false, true}) {
     CAPTURE(divides);

@@ -19,9 +19,8 @@ using namespace zstep::test;
 namespace {
 
 SceneFile read(const std::string& text) {
-  return read_scene(text, "s.toml", "s", [](const std::string& path) {
-    return read_mesh(test::in_checkout("tests/data/meshes/") + path);
-  });
+  return read_scene(text, "s.toml", "s",
+                    [](const std::string& path) { return read_mesh(test::in_checkout("tests/data/meshes/") + path); });
 }
 
 std::string error_of(const std::string& text) {

@@ -64,8 +64,7 @@ TEST_SUITE("z_buffer/delhi") {
         CHECK(compare->nearer == (compare->z < stored));
         if (compare->z == stored) ties.push_back({compare->x, compare->y});
       }
-      if (const auto* write = get_if<DepthWrite>(&collected.event))
-        depth[picture.at(write->x, write->y)] = write->z;
+      if (const auto* write = get_if<DepthWrite>(&collected.event)) depth[picture.at(write->x, write->y)] = write->z;
     }
     CHECK(ties == std::vector<std::pair<std::int32_t, std::int32_t>>{{1, 3}, {0, 4}});
     CHECK(picture.polygon[picture.at(1, 3)] == 0);

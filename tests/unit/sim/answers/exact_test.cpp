@@ -109,9 +109,8 @@ TEST_CASE("exact values: in perspective, as the plane through three vertices tha
   // Of the second the window is 4/3 as wide as high, which no double is.
   ViewOptions wide;
   wide.width = 24, wide.height = 18;
-  const std::array<Trace, 2> traces{
-      open_jsonl(test::in_checkout("tests/golden/pyramid.jsonl")),
-      test::recorded_by("z-buffer", look_at_scene(load_scene("pyramid").scene, wide))};
+  const std::array<Trace, 2> traces{open_jsonl(test::in_checkout("tests/golden/pyramid.jsonl")),
+                                    test::recorded_by("z-buffer", look_at_scene(load_scene("pyramid").scene, wide))};
   for (const Trace& trace : traces) {
     const Scene& scene = trace.scene();
     const Camera& camera = scene.camera;
@@ -119,7 +118,8 @@ TEST_CASE("exact values: in perspective, as the plane through three vertices tha
       const glm::dvec3& p = scene.points[static_cast<std::size_t>(vertex)];
       std::array<Fraction, 3> view;
       for (int row = 0; row < 3; ++row)
-        view[static_cast<std::size_t>(row)] = Fraction(camera.view[0][row]) * p.x + Fraction(camera.view[1][row]) * p.y +
+        view[static_cast<std::size_t>(row)] = Fraction(camera.view[0][row]) * p.x +
+                                              Fraction(camera.view[1][row]) * p.y +
                                               Fraction(camera.view[2][row]) * p.z + Fraction(camera.view[3][row]);
       const Fraction d(camera.d), f(camera.near), far(camera.far), w_y(camera.window), width(scene.raster.width),
           height(scene.raster.height), w_x = w_y * width / height;

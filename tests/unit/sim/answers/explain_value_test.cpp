@@ -80,7 +80,9 @@ TEST_SUITE("explain a value") {
   }
 
   TEST_CASE("the depth of a pixel ends at the lines of the file, by every method") {
-    struct Case { const char *method, *scene; };
+    struct Case {
+      const char *method, *scene;
+    };
     for (const Case one : std::array<Case, 10>{{{"z-buffer", "pyramid.toml"},
                                                 {"scan-line", "pyramid.toml"},
                                                 {"painter", "pyramid.toml"},

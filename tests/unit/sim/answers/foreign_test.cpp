@@ -53,7 +53,7 @@ std::string history(const std::string& file, std::int32_t x, std::int32_t y) {
 
 TEST_SUITE("foreign traces") {
   TEST_CASE("what the depth buffer was cleared to is what a depth is held against") {
-    CHECK(history("far1", 1, 3) == 
+    CHECK(history("far1", 1, 3) ==
           "115 A 0.5 against 1: nearer\n243 B 0.5 against 0.5: a tie: the trace says not nearer\n");
     const Verdict seen = why_not(foreign("far1"), "A", 1, 3);
     CHECK(seen.sentence == "A is what is seen at pixel (1, 3): step 117 put it there, z = 0.5.");

@@ -40,8 +40,7 @@ std::vector<std::vector<std::int64_t>> fragments_of(const Trace& trace) {
     if (!at || pass == Pass::light) continue;
     // Stripes of an attribute belong to the write before them.
     const bool colors = holds<ColorWrite>(event) && !trace.has(kind_of<AttributeInterpolate>);
-    const bool decides =
-        holds<DepthCompare>(event) || holds<PixelPaint>(event) || holds<ColorBlend>(event) || colors;
+    const bool decides = holds<DepthCompare>(event) || holds<PixelPaint>(event) || holds<ColorBlend>(event) || colors;
     if (decides)
       all[static_cast<std::size_t>(at->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(at->x)]
           .push_back(step);
@@ -86,8 +85,7 @@ TEST_SUITE("pixel history") {
             tell(replay, visit);
             CHECK_FALSE(visit.sentence.empty());
             const auto& fragment = replay.state().machine.fragment;
-            if (fragment && fragment->x == x && fragment->y == y &&
-                holds<DepthCompare>(replay.current()->event)) {
+            if (fragment && fragment->x == x && fragment->y == y && holds<DepthCompare>(replay.current()->event)) {
               CHECK(visit.stored == fragment->stored);
               CHECK(visit.stored_polygon == fragment->stored_polygon);
               const auto write = trace.next(
@@ -311,9 +309,10 @@ TEST_SUITE("pixel history") {
   }
 
   TEST_CASE("glass takes no pixel from what shines through it") {
-    Scene scene = test::screen_scene(4, 4, {{{-1, -1, 2}, {5, -1, 2}, {5, 5, 2}, {-1, 5, 2}},
-                                            {{-1, -1, 1}, {5, -1, 1}, {5, 5, 1}, {-1, 5, 1}},
-                                            {{-1, -1, 3}, {5, -1, 3}, {5, 5, 3}, {-1, 5, 3}}});
+    Scene scene = test::screen_scene(4, 4,
+                                     {{{-1, -1, 2}, {5, -1, 2}, {5, 5, 2}, {-1, 5, 2}},
+                                      {{-1, -1, 1}, {5, -1, 1}, {5, 5, 1}, {-1, 5, 1}},
+                                      {{-1, -1, 3}, {5, -1, 3}, {5, 5, 3}, {-1, 5, 3}}});
     scene.polygons[1].material = Material{0.5};
     const std::vector<Visit> history = pixel_history(test::recorded_by("transparency", scene), {1, 1});
     // Polygon 0 wins and colours the pixel, polygon 2 is behind it, and polygon 1 wins and is mixed in.

@@ -32,7 +32,7 @@ bool in_page(const Trace& trace) {
 struct Brute {
   const Trace& trace;
   Picture picture;
-  compare::Truth all, front;         ///< whatever way they face; without those that face away
+  compare::Truth all, front;                  ///< whatever way they face; without those that face away
   std::vector<std::set<std::int32_t>> drawn;  ///< by pixel, the polygons whose line or curve wrote there
 
   explicit Brute(const Trace& of) : trace(of), all(of.scene(), false), front(of.scene(), true) {
@@ -189,7 +189,9 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
       CHECK(mine->step < verdict.step);
       break;
     }
-    case Why::taken: CHECK(here(at<PixelPaint>(trace, verdict.step))); break;
+    case Why::taken:
+      CHECK(here(at<PixelPaint>(trace, verdict.step)));
+      break;
     case Why::surrounded:
       REQUIRE(at<AreaDecide>(trace, verdict.step));
       CHECK(at<AreaDecide>(trace, verdict.step)->what == AreaCase::front_surrounder);
@@ -207,7 +209,9 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
       }
       break;
     }
-    case Why::apart: CHECK(at<AreaBin>(trace, verdict.step)->bin == Bin::disjoint); break;
+    case Why::apart:
+      CHECK(at<AreaBin>(trace, verdict.step)->bin == Bin::disjoint);
+      break;
     case Why::horizon:
       REQUIRE(at<HorizonTest>(trace, verdict.step));
       CHECK(at<HorizonTest>(trace, verdict.step)->verdict == Horizon::hidden);
@@ -223,11 +227,14 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
       REQUIRE(at<LinePiece>(trace, verdict.step));
       CHECK_FALSE(at<LinePiece>(trace, verdict.step)->visible);
       break;
-    case Why::mixed: CHECK((at<ColorBlend>(trace, verdict.step) || at<CoverageAdd>(trace, verdict.step))); break;
+    case Why::mixed:
+      CHECK((at<ColorBlend>(trace, verdict.step) || at<CoverageAdd>(trace, verdict.step)));
+      break;
     case Why::culled:
       CHECK((verdict.step == 0 || at<PolygonReject>(trace, verdict.step) || at<RayPlane>(trace, verdict.step)));
       break;
-    default: break;
+    default:
+      break;
   }
 }
 

@@ -18,11 +18,11 @@ namespace {
 
 struct Reason {
   Why kind;
-  const char* run;           ///< of tests/golden, or foreign/NAME of tests/data
-  std::int32_t x, y;         ///< −1 where it is asked of the whole picture
+  const char* run;    ///< of tests/golden, or foreign/NAME of tests/data
+  std::int32_t x, y;  ///< −1 where it is asked of the whole picture
   const char* polygon;
-  std::int64_t step;         ///< 0 where none decides it
-  const char* name;          ///< of that step, "" where there is none
+  std::int64_t step;                 ///< 0 where none decides it
+  const char* name;                  ///< of that step, "" where there is none
   std::vector<const char*> edits{};  ///< of the run, as test::with_edit takes them
 };
 
@@ -135,8 +135,8 @@ TEST_SUITE("why not") {
       const Trace trace = run_of(reason);
       const auto polygon = answers::polygon_called(trace.scene(), reason.polygon);
       REQUIRE(polygon);
-      const Verdict verdict = reason.x < 0 ? answers::why_not(trace, *polygon)
-                                           : answers::why_not(trace, *polygon, {reason.x, reason.y});
+      const Verdict verdict =
+          reason.x < 0 ? answers::why_not(trace, *polygon) : answers::why_not(trace, *polygon, {reason.x, reason.y});
       CAPTURE(verdict.sentence);
       CHECK(static_cast<int>(verdict.kind) == static_cast<int>(reason.kind));
       CHECK(verdict.step == reason.step);

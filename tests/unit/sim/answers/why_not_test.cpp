@@ -42,8 +42,8 @@ TEST_SUITE("why not") {
       test::add_polygon(scene, test::random_star(random, centre, 2.2, 5 + k % 3));
       if (k % 4 == 1) scene.polygons.back().material = Material{0.5};
     }
-    test::add_polygon(scene, {{0, 0, 9}, {1, 0, 9}, {0, 1, 9}});        // behind the eye
-    test::add_polygon(scene, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}});        // no area
+    test::add_polygon(scene, {{0, 0, 9}, {1, 0, 9}, {0, 1, 9}});  // behind the eye
+    test::add_polygon(scene, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}});  // no area
     scene.raster = {13, 9, false};
     scene.camera.window = 0.5;
     test::look(scene, Camera::Kind::perspective, 4, 30, 50, 2.6, 5.5);

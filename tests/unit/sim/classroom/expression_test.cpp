@@ -134,9 +134,7 @@ TEST_CASE("a word of an enumeration is known by the field it is compared with") 
 }
 
 TEST_CASE("an expression has an end") {
-  const auto error = [](const std::string& text) {
-    return complaint([&] { parse_expression(text, "t.md:1"); });
-  };
+  const auto error = [](const std::string& text) { return complaint([&] { parse_expression(text, "t.md:1"); }); };
   const auto many = [](const std::string& first, const std::string& more, int times) {
     std::string text = first;
     for (int i = 0; i < times; ++i) text += more;

@@ -272,7 +272,8 @@ TEST_CASE("slips in what is to be marked") {
                  ":13: a mark and a question at one stop"));
   CHECK(contains(run_error(mark + "pixels: compare where x > 90\n" + why + ":::\n"),
                  ":10: no step `compare` after this stop"));
-  CHECK(contains(run_error(mark + "scan line: y of compare\n" + why + ":::\n"), "7 scan lines are right; add a condition"));
+  CHECK(contains(run_error(mark + "scan line: y of compare\n" + why + ":::\n"),
+                 "7 scan lines are right; add a condition"));
   CHECK(contains(run_error(mark + "order: polygon of compare where polygon == \"A\"\n" + why + ":::\n"),
                  ":10: an order of 1 is asked for"));
 }
@@ -313,7 +314,8 @@ TEST_CASE("speaker's notes: beside a question, filled from the run, with their m
   CHECK(load_error(stop + "::: notes\nSay it.\n:::\n" + question) == "");
   CHECK(contains(load_error(stop + "::: notes\nSay it.\n"), ":9: the notes block is not closed"));
   CHECK(contains(load_error(stop + "::: notes\nminutes: 2\n:::\n"), ":9: the notes say nothing"));
-  CHECK(contains(load_error(stop + "::: notes\nSay it.\n:::\n::: notes\nMore.\n:::\n"), ":12: second notes at one stop"));
+  CHECK(
+      contains(load_error(stop + "::: notes\nSay it.\n:::\n::: notes\nMore.\n:::\n"), ":12: second notes at one stop"));
   for (const char* minutes : {"0", "-1", "two", "91", "1.5 min", "nan"})
     CHECK(contains(load_error(stop + "::: notes\nSay it.\nminutes: " + minutes + "\n:::\n"),
                    ":11: `" + std::string(minutes) + "` is not a number of minutes"));

@@ -28,8 +28,9 @@ Mode mode_of(NumberFormat format, Conventions::Depth depth = Conventions::Depth:
   return mode;
 }
 
-TEST_CASE("two polygons 0.02 apart fight where a unit of the depth buffer is as large as that, and not where it is "
-          "small") {
+TEST_CASE(
+    "two polygons 0.02 apart fight where a unit of the depth buffer is as large as that, and not where it is "
+    "small") {
   for (const NumberFormat format : {NumberFormat::fixed16, NumberFormat::fixed20, NumberFormat::fixed24}) {
     CAPTURE(bits_of(format));
     std::optional<double> begins;
@@ -44,7 +45,8 @@ TEST_CASE("two polygons 0.02 apart fight where a unit of the depth buffer is as 
   }
 }
 
-TEST_CASE("float32 with reversed depth keeps thousands of times more of z_v than with pseudodepth, fixed point does not") {
+TEST_CASE(
+    "float32 with reversed depth keeps thousands of times more of z_v than with pseudodepth, fixed point does not") {
   using Depth = Conventions::Depth;
   const Scene scene = poster(0.001);
   const double forward = errors_of_mode(scene, mode_of(NumberFormat::float32)).largest,
@@ -56,7 +58,8 @@ TEST_CASE("float32 with reversed depth keeps thousands of times more of z_v than
   CHECK(fixed_reversed < 2 * fixed_forward);
 }
 
-TEST_CASE("rounding turns only compares that go the other way in exact numbers, and z_v that is not linear bends others") {
+TEST_CASE(
+    "rounding turns only compares that go the other way in exact numbers, and z_v that is not linear bends others") {
   const Scene scene = look_at_scene(load_scene(test::in_checkout("tests/data/crossed-boxes.toml")).scene, {});
   const ModeErrors linear = errors_of_mode(scene, mode_of(NumberFormat::float64, Conventions::Depth::view));
   CHECK(linear.wrong_pixels > 0);
@@ -72,15 +75,16 @@ TEST_CASE("rounding turns only compares that go the other way in exact numbers, 
 TEST_CASE("modes are all combinations of their words, what cannot be drawn is named") {
   std::vector<std::string> left_out;
   Scene scene = load_scene("delhi").scene;
-  const auto modes = modes_of(scene, {}, {{"depth", {"pseudodepth", "foley"}}, {"number_format", {"float32", "fixed16"}}},
-                              left_out);
+  const auto modes =
+      modes_of(scene, {}, {{"depth", {"pseudodepth", "foley"}}, {"number_format", {"float32", "fixed16"}}}, left_out);
   REQUIRE(modes.size() == 2);
   CHECK(modes[1].text == "pseudodepth, fixed16");
   REQUIRE(left_out.size() == 2);
   CHECK(left_out[0].find("foley, float32: ") == 0);
 }
 
-TEST_CASE("operations: a direct depth takes 4 additions, a multiplication and a division, an added one a single addition") {
+TEST_CASE(
+    "operations: a direct depth takes 4 additions, a multiplication and a division, an added one a single addition") {
   // One rectangle, 20 x 10 pixels: 10 spans, 2 edges.
   const Scene scene = load_scene(test::in_checkout("tests/golden/plate.toml")).scene;
   const ModeErrors direct = errors_of_mode(scene, mode_of(NumberFormat::float64));

@@ -25,7 +25,9 @@ struct Case {
 };
 
 template <class E>
-const E* as(const Event& event) { return get_if<E>(&event); }
+const E* as(const Event& event) {
+  return get_if<E>(&event);
+}
 
 template <class Test>
 auto of_fields(const Event& event, Test&& test) {
@@ -59,14 +61,23 @@ const std::vector<Case>& cases() {
       {"first > last - 2 and y >= 5",
        [](const Event& e, std::int64_t, std::int32_t) {
          return of_fields(e, [](const auto& k) {
-           if constexpr (requires { k.first; k.last; k.y; }) return k.first > k.last - 2 && k.y >= 5;
+           if constexpr (requires {
+                           k.first;
+                           k.last;
+                           k.y;
+                         })
+             return k.first > k.last - 2 && k.y >= 5;
            else return false;
          });
        }},
       {"z < 0.5 and !(x < 4)",
        [](const Event& e, std::int64_t, std::int32_t) {
          return of_fields(e, [](const auto& k) {
-           if constexpr (requires { k.z; k.x; }) return k.z < 0.5 && k.x >= 4;
+           if constexpr (requires {
+                           k.z;
+                           k.x;
+                         })
+             return k.z < 0.5 && k.x >= 4;
            else return false;
          });
        }},

@@ -28,11 +28,12 @@ using Rows = std::vector<std::vector<Cell>>;
 
 Rows ask(Database& database, const std::string& sql) {
   Rows rows;
-  database.run(sql, {}, [](const std::vector<std::string>&) {},
-               [&](std::span<const Cell> values) {
-                 rows.emplace_back(values.begin(), values.end());
-                 return true;
-               });
+  database.run(
+      sql, {}, [](const std::vector<std::string>&) {},
+      [&](std::span<const Cell> values) {
+        rows.emplace_back(values.begin(), values.end());
+        return true;
+      });
   return rows;
 }
 
@@ -249,7 +250,8 @@ TEST_SUITE("query") {
     const std::string endless =
         "with recursive n(i) as (select 1 union all select i + 1 from n) select count(*) from n";
     const auto run = [&](const Limits& limits) {
-      database.run(endless, limits, [](const auto&) {}, [](auto) { return true; });
+      database.run(
+          endless, limits, [](const auto&) {}, [](auto) { return true; });
     };
     Limits limits;
     limits.seconds = 0.05;
