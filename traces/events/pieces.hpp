@@ -39,7 +39,9 @@ struct VertexSide { std::int32_t vertex, plane_of; double value; Side side; };
 struct SideTest { std::int32_t piece, plane_of; double least, greatest; Side side; };
 struct ExtentTest { std::int32_t piece, other; Axis axis; double low, high, other_low, other_high; bool overlap; };
 struct OverlapTest { std::int32_t piece, other; bool overlap; double x_at, y_at; };
-struct SplitVertex { std::int32_t vertex_0, vertex_1; double t; std::int32_t vertex; Space space; double x_cut, y_cut, z_cut; };
+struct SplitVertex {
+  std::int32_t vertex_0, vertex_1; double t; std::int32_t vertex; Space space; double x_cut, y_cut, z_cut;
+};
 struct PieceDraw { std::int32_t piece, polygon; };
 struct Saved { Coherence coherence; std::int32_t tests; };
 

@@ -28,7 +28,9 @@ struct FacingTest { double determinant, plane_at_eye, view_dot_normal, projected
 struct PolygonReject { std::int32_t polygon; Reject reason; };
 struct ClipTest { std::int32_t outside_some, outside_all; };
 struct ClipVertex { ClipPlane plane; std::int32_t vertex; double distance; bool inside; };
-struct ClipCross { ClipPlane plane; std::int32_t vertex_inside, vertex_outside; double t; std::int32_t vertex; double x_v, y_v, z_v; };
+struct ClipCross {
+  ClipPlane plane; std::int32_t vertex_inside, vertex_outside; double t; std::int32_t vertex; double x_v, y_v, z_v;
+};
 struct OutlineVertex { std::int32_t vertex; };
 
 // clang-format on

@@ -22,7 +22,9 @@ struct BoxMake { std::int32_t box, parent; double x_min, x_max, y_min, y_max, z_
 struct BoxHold { std::int32_t box, facet; };
 struct GridMake { std::int32_t cells_x, cells_y, cells_z; double x_min, x_max, y_min, y_max, z_min, z_max; };
 struct CellHold { std::int32_t cell_x, cell_y, cell_z, facet; };
-struct RayBegin { std::int32_t ray, parent; RayRole role; std::int32_t x, y; double x_0, y_0, z_0, dir_x, dir_y, dir_z; };
+struct RayBegin {
+  std::int32_t ray, parent; RayRole role; std::int32_t x, y; double x_0, y_0, z_0, dir_x, dir_y, dir_z;
+};
 struct CellVisit { std::int32_t cell_x, cell_y, cell_z; double t_enter, t_leave; };
 struct BoxTest { std::int32_t box; double t_enter, t_leave; bool hit; };
 struct RayPlane { std::int32_t facet; double numerator, denominator, t; };

@@ -21,7 +21,8 @@ EM_JS(void, page_hand_over, (const char* file), { Module.page.handOver(UTF8ToStr
 EM_JS(void, page_keep, (const char* text), { Module.page.keep(UTF8ToString(text)); })
 EM_JS(void, page_arrived, (const char* link, int at_stop), { Module.page.arrived(UTF8ToString(link), at_stop !== 0); })
 EM_JS(void, page_open_beside, (const char* link), { Module.page.openBeside(UTF8ToString(link)); })
-EM_JS(void, page_typing_at, (int left, int top, int right, int bottom), { Module.page.typingAt(left, top, right, bottom); })
+EM_JS(void, page_typing_at, (int left, int top, int right, int bottom),
+      { Module.page.typingAt(left, top, right, bottom); })
 EM_JS(void, page_say, (const char* text), { Module.page.say(UTF8ToString(text)); })
 EM_JS(void, page_show_tables, (const char* list), { Module.page.showTables(UTF8ToString(list)); })
 EM_JS(void, page_offer_commands, (const char* list), { Module.page.offerCommands(UTF8ToString(list)); })
