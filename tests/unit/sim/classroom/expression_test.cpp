@@ -1,5 +1,7 @@
 #include "sim/classroom/evaluate.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -102,6 +104,7 @@ TEST_CASE("slips are told with the line and the mend") {
   CHECK(contains(small.error(4, "neerer"), "this step has x, y, z, nearer"));
   CHECK(contains(small.error(4, "dept(1, 0) == 3"), "did you mean `depth`?"));
   CHECK(contains(small.error(4, "depth(1)"), "given 1 arguments; write depth(x, y)"));
+  CHECK(contains(small.error(4, "depth(1, 0, 0)"), "given 3 arguments; write depth(x, y)"));
   CHECK(contains(small.error(4, "depth(4, 0)"), "there is no column 4; they run from 0 to 3"));
   CHECK(contains(small.error(4, "depth(0.5, 0)"), "there is no column 0.5"));
   CHECK(contains(small.error(4, "x_s(3)"), "there is no vertex 3"));
@@ -118,6 +121,20 @@ TEST_CASE("slips are told with the line and the mend") {
   CHECK(contains(small.error(4, std::string(2000, '(')), "64 deep"));
   CHECK(contains(small.error(4, std::string(2000, '-')), "64 deep"));
   CHECK(contains(small.error(4, "12345678901234567890"), "cannot be read exactly"));
+}
+
+TEST_CASE("numbers are the same to nine digits, and to nine places below 1") {
+  for (const double size : {1.0, -4.0, 3e7, 2e-5}) {
+    const double off = 1e-9 * std::max(1.0, std::abs(size));
+    CHECK(same_number(size, size + 0.9 * off));
+    CHECK_FALSE(same_number(size, size + 1.2 * off));
+    CHECK_FALSE(same_number(size - 1.2 * off, size));
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(same_number(infinity, infinity));
+  CHECK_FALSE(same_number(infinity, -infinity));
+  CHECK_FALSE(same_number(infinity, 1e300));
+  CHECK_FALSE(same_number(std::nan(""), std::nan("")));
 }
 
 TEST_CASE("a word of an enumeration is known by the field it is compared with") {
