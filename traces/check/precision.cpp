@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -88,8 +90,10 @@ struct Grid {
 /// such units from 2^23 of them on.
 struct Multiples {
   std::size_t telling = 0, multiples = 0;
+  std::vector<double> told = {};  ///< those multiples, each once where the same come one after another
 
-  void add(const std::vector<double>& values, const Grid& grid) {
+  /// `ends`: numbers that the grid was made from, and that lie on it whatever the others do.
+  void add(const std::vector<double>& values, const Grid& grid, std::initializer_list<double> ends = {}) {
     for (const double value : values) {
       constexpr double near = 1e-5;
       constexpr std::int64_t coarse = 64;
@@ -98,10 +102,20 @@ struct Multiples {
       if (multiple && std::abs(whole) < 0x1p62 && std::gcd(static_cast<std::int64_t>(whole), grid.steps) >= coarse)
         continue;
       if (multiple && std::abs(whole) >= 0x1p23 && is_float32(value)) continue;
+      // Of numbers with so many units float64 has no parts of one.
+      if (std::abs(units) * std::numeric_limits<double>::epsilon() > near) continue;
+      if (std::find(ends.begin(), ends.end(), value) != ends.end()) continue;
       ++telling, multiples += multiple;
+      if (multiple) told.push_back(value);
     }
   }
-  bool tell() const { return telling > 0; }
+  /// One or two may lie on a grid by chance.
+  bool tell() const {
+    constexpr std::size_t enough = 3;
+    std::vector<double> different = told;
+    std::sort(different.begin(), different.end());
+    return std::unique(different.begin(), different.end()) - different.begin() >= static_cast<std::ptrdiff_t>(enough);
+  }
   bool nearly_all() const { return 10 * multiples >= 9 * telling; }
 };
 
@@ -161,8 +175,9 @@ std::optional<NumberFormat> format_of_depths(const Trace& trace, const HeldTo& h
   const double least = formulas::least_depth(trace.scene(), depth), range = depth_range(trace.scene(), depth);
   const auto counted_by = [&](const Grid& grid) {
     Multiples depths;
-    depths.add(numbers.depths, grid), depths.add(numbers.depth_slopes, {0, grid.unit, grid.steps});
-    return (depths.tell() || positions.tell()) && depths.nearly_all() && positions.nearly_all();
+    depths.add(numbers.depths, grid, {least, least + range});
+    depths.add(numbers.depth_slopes, {0, grid.unit, grid.steps});
+    return depths.tell() && depths.nearly_all() && positions.nearly_all();
   };
   const auto in_units = [&](NumberFormat format) {
     const auto most = static_cast<std::int64_t>(formulas::greatest_number(format));
