@@ -211,7 +211,7 @@ class Reader {
       document = parse_bounded(text);
       return true;
     } catch (const json::parse_error& error) {
-      if (passed_over_ && parse_span_of_no_width(text, document)) return true;
+      if (is_judged() && parse_span_of_no_width(text, document)) return true;
       const json_text::Fault fault = json_text::fault_at(text, error.byte > 0 ? error.byte - 1 : 0);
       const std::int64_t first = number_;
       if (fault.unfinished && gather(text)) return parse_gathered(first, text, document);
@@ -244,6 +244,8 @@ class Reader {
     }
     return false;
   }
+  /// Who judges a run takes what right programs may print otherwise.
+  bool is_judged() const { return passed_over_ != nullptr || impossible_ != nullptr; }
   const Page& page() const { return recorder_ == nullptr && given_ ? given_->header->page : header_.page; }
 
   /// Adds the lines on which an object goes on that ends at none; false where it does not go on.
@@ -326,7 +328,7 @@ class Reader {
     if (step == nullptr)
       throw MalformedJson(document, "step", fmt::format("there is no step \"{}\" in the header's list", name),
                           near_word_or_list(name, {step_names_.data(), step_names_.size()}, "its steps are"));
-    if (passed_over_) as_trace_has_it(document, header_.page);
+    if (is_judged()) as_trace_has_it(document, header_.page);
     Event event = event_from_json(step->kind, document);
     give_numbers_of_span(event);
     EventCheck of_one = *check_;  // how often buffers are cleared is held against a block, once it is read
