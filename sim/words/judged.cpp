@@ -1,7 +1,9 @@
 #include "sim/words/judged.hpp"
 
 #include <cmath>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,6 +36,19 @@ std::string value_text(const FieldOfKind& field, const Event& event) {
   return fmt::format("{}", field.read(event));
 }
 
+/// What the trace has and what is expected, where a field is not a number but a word, or true or false.
+std::optional<std::pair<std::string, std::string>> in_words(const Fault& fault) {
+  const FieldOfKind* field = field_of_kind(fault.kind, fault.field);
+  if (!field) return std::nullopt;
+  const auto word = [&](double value) {
+    if (field->type == FieldOfKind::Type::truth) return std::string(value != 0 ? "true" : "false");
+    const auto place = static_cast<std::size_t>(value);
+    return std::string(place < field->words.size() ? field->words[place] : "none of its words");
+  };
+  if (field->type != FieldOfKind::Type::truth && field->words.empty()) return std::nullopt;
+  return std::pair(word(fault.recorded), word(fault.expected));
+}
+
 /// "z = 0.5" of 0.5: a number that was taken over as it is.
 bool only_repeats(const std::string& formula, double value) {
   const std::size_t equals = formula.find(" = ");
@@ -56,6 +71,8 @@ std::string what_is_wrong(const Fault& fault, const FaultText& text) {
   if (fault.no_number())
     return fmt::format("{} is {}, where a finite number must be", fault.field,
                        std::isnan(fault.recorded) ? "NaN" : number(fault.recorded));
+  if (const auto words = text.compares ? std::nullopt : in_words(fault))
+    return fmt::format("{} = {}, but the trace has {}", fault.field, words->second, words->first);
   auto [is, ought] = tell_apart(fault.recorded, fault.expected);
   if (std::isnan(fault.recorded)) is = "NaN";
   if (text.formula.empty()) return fmt::format("{} = {}, but the trace has {}", fault.field, ought, is);
