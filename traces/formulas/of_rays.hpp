@@ -244,8 +244,11 @@ void derive(const BoxTest& e, const Situation& at, Out& out) {
   // A box behind the nearest point that was found so far may be passed over.
   const RayHit* kept = detail::kept_hit(at);
   const bool worth_it = e.t_enter <= e.t_leave && e.t_enter <= (kept ? kept->t : reach.most);
-  if (worth_it) out.is(&BoxTest::hit, true);
+  if (worth_it && (e.hit || at.records<RayHit>())) out.is(&BoxTest::hit, true);
 }
+
+/// As shares of Newell's sum; 0 for a normal of length 1.
+inline constexpr std::array<double, 3> usual_lengths{0, 1, 0.5};
 
 template <class Out>
 void derive(const RayPlane& e, const Situation& at, Out& out) {
@@ -263,12 +266,21 @@ void derive(const RayPlane& e, const Situation& at, Out& out) {
   const Vector<Rounded> from{ray->x_0, ray->y_0, ray->z_0}, way{ray->dir_x, ray->dir_y, ray->dir_z};
   const auto numerator = [&](const CornersPlane& p) { return -(dot(p.normal, from) + p.d); };
   const auto denominator = [&](const CornersPlane& p) { return dot(p.normal, way); };
-  // Of the two the one that says more tells how long the normal is.
+  // Of the two the one that says more tells how long the normal is, unless the other one alone has a length that
+  // programs give it: 1, that of Newell's sum, or half of that.
   const Rounded n = numerator(*plane), d = denominator(*plane);
   // It runs along the plane, within a tolerance of the program's own, or it does not.
   if (std::isnan(e.t) && std::abs(d.value) > rounding_of_float32 * d.spread) gives_t();
-  const bool by_d = std::abs(d.value) >= std::abs(n.value);
-  const double factor = by_d ? e.denominator / d.value : e.numerator / n.value;
+  const double of_n = e.numerator / n.value, of_d = e.denominator / d.value;
+  const auto is_usual = [&](double factor) {
+    constexpr double near = 1e-6;
+    return std::any_of(usual_lengths.begin(), usual_lengths.end(), [&](double share) {
+      const double length = share > 0 ? share * plane->length : 1;
+      return std::abs(std::abs(factor) - length) <= near * length;
+    });
+  };
+  const bool by_d = is_usual(of_d) != is_usual(of_n) ? is_usual(of_d) : std::abs(d.value) >= std::abs(n.value);
+  const double factor = by_d ? of_d : of_n;
   const CornersPlane as_it = std::isfinite(factor) ? plane->times(factor < 0 ? -1 : 1, std::abs(factor)) : *plane;
   out.near(&RayPlane::numerator, numerator(as_it));
   out.near(&RayPlane::denominator, denominator(as_it));
