@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <utility>
@@ -72,7 +73,12 @@ inline void suppose_closed(const Situation& at, Supposed& out) {
     if (piece.polygon == polygon && piece.parent < 0) look_at(piece.outline);
 }
 
-inline std::int32_t whole_of(double x) { return static_cast<std::int32_t>(std::clamp(x, -1e9, 1e9)); }
+/// What is no number is none of the whole numbers that a column or a row may be.
+inline std::int32_t whole_of(double x) {
+  constexpr double most = 1e9;
+  if (std::isnan(x)) return std::numeric_limits<std::int32_t>::min();
+  return static_cast<std::int32_t>(std::clamp(x, -most, most));
+}
 
 /// Edges in the list that have ended by so many scan lines, or more, when work on a line begins.
 inline bool any_ended(const Situation& at, std::int32_t y, std::int32_t lines) {
