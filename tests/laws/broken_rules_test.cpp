@@ -59,7 +59,7 @@ constexpr BrokenRun broken_runs[] = {
     {"ink_on_curve", "floating-horizon", "set draw 1 y=0", 157},
     {"kept_inside", "ray-casting-tree", "set hit 3 nearest=true", 70},
     {"line_is_next", "bsp", "repeat scan_line 14", 440},
-    {"list_in_order", "bsp-edges", "drop swap_edges 1", 175},
+    {"list_in_order", "scan-line-buffer", "drop swap_edges 1", 230},
     {"list_in_order", "scan-line", "drop step_edge 2", 51},
     {"list_is_whole", "painter-clipping", "swap insert 4", 203},
     {"list_is_whole", "depth-sort", "swap insert 8", 71},
@@ -96,6 +96,7 @@ constexpr BrokenRun broken_runs[] = {
     {"win_is_written", "clipping", "drop write_depth 1", 117},
     {"win_is_written", "foley", "drop write_depth 49", 244},  // the last one of a span, before another on its line
     {"winner_inside", "scan-line", "set winner 1 piece=-1", 53},
+    {"win_is_painted", "clipping", "drop write_pixel 1", 117},
     {"write_after_win", "clipping", "set compare 1 nearer=false", 116},
     {"write_after_win", "clipping", "set compare 1 nearer=false", 117},
     {"write_after_win", "with-attribute", "set compare 1 nearer=false", 40},

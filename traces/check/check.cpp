@@ -32,9 +32,9 @@ struct Checker {
   const Trace& trace;
   const Header& header;  ///< by which it is judged
   const OnCause& on_cause;
-  CheckReport report;
-  Inheritance inheritance;
-  std::map<std::tuple<int, std::uint8_t, std::size_t>, std::size_t> known;  ///< causes by what is wrong, kind, field
+  CheckReport report{};
+  Inheritance inheritance{};
+  std::map<std::tuple<int, std::uint8_t, std::size_t>, std::size_t> known{};  ///< causes by what is wrong, kind, field
   CheckMarks* marks = nullptr;  ///< for who wants them, until there are too many
 
   // Of the step at work.
@@ -42,7 +42,7 @@ struct Checker {
   std::uint8_t line = 0;
   bool any_judged = false, any_fault = false;
   std::uint32_t fields = 0;  ///< bit f: something says what its field f must be
-  Wins wins{};
+  Wins wins;
   std::int32_t inherited = Inheritance::clean;
   const Situation* at = nullptr;
   Event held{};  ///< what is wrong, for who wants to see it
@@ -66,7 +66,7 @@ struct Checker {
     any_fault = true;
     if (marks) marks->faults.push_back(fault);
     // A win that is not written is noticed at whatever comes next.
-    const bool of_any_kind = fault.rule == Rule::win_is_written;
+    const bool of_any_kind = fault.rule == Rule::win_is_written || fault.rule == Rule::win_is_painted;
     const auto [found, fresh] =
         known.try_emplace({what, of_any_kind ? std::uint8_t{0} : fault.kind, number}, report.causes.size());
     if (!fresh) {
@@ -146,6 +146,7 @@ struct Judge {
     if (!checker.within_rounding(number, recorded)) wrong(field, recorded, number.value);
   }
   void whole(Follows<E, std::int32_t> field, const Number& formula, std::int32_t within) {
+    if (std::isnan(formula.value)) return;  // of no number
     judges(field.number);
     const std::int32_t recorded = e.*field.member;
     if (recorded == within) return;
@@ -215,15 +216,39 @@ struct Judge {
   }
 };
 
+/// Does a run that never says that an edge leaves move one beyond its end? Then none does leave.
+bool moves_ended_edges(const Trace& trace) {
+  if (trace.has(kind_of<EdgeRetire>) || !trace.has(kind_of<EdgeStep>) || !trace.has(kind_of<EdgeTableInsert>))
+    return false;
+  std::vector<std::int32_t> ends;
+  std::optional<std::int32_t> line;
+  bool found = false;
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (holds<PolygonBegin>(recorded.event)) line.reset();
+    if (const auto* begin = get_if<ScanLineBegin>(&recorded.event)) line = begin->y;
+    if (const auto* insert = get_if<EdgeTableInsert>(&recorded.event)) {
+      if (insert->edge == 0) ends.clear();
+      ends.push_back(insert->end_row);
+    }
+    if (const auto* moved = get_if<EdgeStep>(&recorded.event); moved && line) {
+      const auto edge = static_cast<std::size_t>(moved->edge);
+      found = moved->edge >= 0 && edge < ends.size() && ends[edge] < *line;
+    }
+    return !found;
+  });
+  return found;
+}
+
 CheckReport check_by(const Header& header, const Precision& precision, const Trace& trace, const OnCause& on_cause,
                      const OnChecked& on_checked, CheckMarks* marks = nullptr) {
   const Beginning beginning(trace);
   State state = beginning.state();
-  Checker checker{trace, header, on_cause, {}, {}, {}};
+  Checker checker{.trace = trace, .header = header, .on_cause = on_cause, .wins = Wins(trace)};
   checker.marks = marks;
   checker.report.precision = precision;
   Situation at = formulas::situation_of(trace, state, header);
   checker.at = &at;
+  at.moves_ended = moves_ended_edges(trace);
 
   NoLog log;
   Filling filling(trace);
@@ -234,7 +259,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
     at.look();
     Judge<E> judge{checker, e};
     if constexpr (formulas::Derived<E, Judge<E>>) formulas::derive(e, at, judge);
-    checker.wins.look_at(e, at, judge);
+    checker.wins.look_at(e, position, at, judge);
     filling.look_at(e, at, judge);
     if constexpr (requires { e.polygon; })
       if (e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < has_steps.size())
@@ -263,10 +288,13 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
       apply_stores(e, state, trace.scene().points.size(), log);
       apply_method_state(e, state.machine, position);
     } catch (const Impossible& why) {
-      Fault fault;
-      fault.kind = kind_of<E>, fault.impossible = why.what();
-      checker.held = e;
-      checker.fault(2, 0, std::move(fault));
+      const bool not_told = why.needs && !trace.has(*why.needs);
+      if (!not_told) {
+        Fault fault;
+        fault.kind = kind_of<E>, fault.impossible = why.what();
+        checker.held = e;
+        checker.fault(2, 0, std::move(fault));
+      }
     }
     checker.mark_step();
     state.position = position;
@@ -275,7 +303,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
   });
   at.look();
   filling.end(at);
-  checker.report.coverage = filling.judges_all();
+  checker.report.coverage = filling.judges_all() && checker.wins.all_known();
   if (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceMake>))
     for (std::size_t polygon = 0; polygon < has_steps.size(); ++polygon)
       if (!has_steps[polygon]) checker.report.polygons_missing.push_back(static_cast<std::int32_t>(polygon));

@@ -12,6 +12,7 @@
 
 #include "traces/file/trace.hpp"
 #include "traces/formulas/coverage.hpp"
+#include "traces/formulas/of_edges.hpp"
 #include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/of_polygons.hpp"
 #include "traces/formulas/situation.hpp"
@@ -27,8 +28,9 @@ class Filling {
       : pixel_(trace.has(kind_of<DepthCompare>)       ? kind_of<DepthCompare>
                : trace.has(kind_of<DepthInterpolate>) ? kind_of<DepthInterpolate>
                                                       : kind_of<PixelPaint>),
-        judges_(trace.has(kind_of<EdgeTableInsert>) && trace.has(kind_of<EdgeEnter>) &&
-                trace.has(kind_of<ScanLineBegin>) && trace.has(kind_of<SpanBegin>) && trace.has(pixel_)),
+        judges_(trace.has(kind_of<EdgeTableInsert>) && trace.has(kind_of<EdgeEnter>) && trace.has(kind_of<EdgeStep>) &&
+                trace.has(kind_of<ScanLineBegin>) && trace.has(kind_of<SpanBegin>) && trace.has(pixel_) &&
+                (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceDraw>))),
         pieces_(trace.has(kind_of<PieceDraw>)) {}
 
   /// Nothing of the run was left open.
@@ -48,7 +50,7 @@ class Filling {
       line_ = e.y;
     }
     if constexpr (begins_span) {
-      if (active_.empty()) active_ = at.method().active;
+      if (active_.empty()) active_ = formulas::detail::active_on(at, e.y);
       spans_ += e.first <= e.last;
       in_span_ = true;
       visited_.assign(static_cast<std::size_t>(std::max(0, at.scene.raster.width)), false);

@@ -70,10 +70,11 @@ inline constexpr Description description_of<EdgeTableSkip>{
     .within = Within::polygon,
     .either_way = true};
 template <>
-inline constexpr auto fields_of<EdgeTableSkip> = Fields{
-    Field{"vertex_0", &EdgeTableSkip::vertex_0, Measure::vertex, "one end", As::subject, Guess::told},
-    Field{"vertex_1", &EdgeTableSkip::vertex_1, Measure::vertex, "the other end", As::subject, Guess::told},
-    Field{"why", &EdgeTableSkip::why, "1", "horizontal, or too short to meet a scan line", As::input, Guess::formula}};
+inline constexpr auto fields_of<EdgeTableSkip> =
+    Fields{Field{"vertex_0", &EdgeTableSkip::vertex_0, Measure::vertex, "one end", As::subject, Guess::told},
+           Field{"vertex_1", &EdgeTableSkip::vertex_1, Measure::vertex, "the other end", As::subject, Guess::told},
+           Field{"why", &EdgeTableSkip::why, "1", "horizontal, or too short to meet a scan line", As::formula,
+                 Guess::formula}};
 
 template <>
 inline constexpr Description description_of<ScanLineBegin>{.name = "scan_line_begin",

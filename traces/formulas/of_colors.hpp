@@ -146,7 +146,9 @@ namespace detail {
 
 /// One byte of a colour: rounded to the nearest one, or cut off.
 inline std::int32_t shade_of(std::int32_t recorded, double value) {
-  return std::abs(recorded - value) < 1 ? recorded : static_cast<std::int32_t>(std::lround(value));
+  if (std::abs(recorded - value) < 1) return recorded;
+  constexpr double most = 1e6;  // a program may bring back any light
+  return std::isnan(value) ? -1 : static_cast<std::int32_t>(std::lround(std::clamp(value, -most, most)));
 }
 
 }  // namespace detail
@@ -198,6 +200,7 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
   const auto& attribute = at.method().attribute;
   std::array<double, 3> shades{};
   if (at.method().horizon.here) {
+    if (!at.records<HorizonMove>()) return;  // what is visible goes by the horizons
     const detail::DrawnOfCurve drawn = detail::drawn_of_curve(at, e);
     if (!drawn.known) return;
     out.rule(Rule::ink_on_curve, drawn.part.has_value());
@@ -254,6 +257,8 @@ void derive(const ColorBlend& e, const Situation& at, Out& out) {
   out.is(&ColorBlend::opacity, polygon.material->opacity);
   const Color under = color_at(at.before.picture, at.scene, static_cast<std::size_t>(at.pixel(e.x, e.y)));
   out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
+  if (const Fragment* fragment = at.fragment(e.x, e.y); fragment && fragment->nearer)
+    out.rule(Rule::write_after_win, *fragment->nearer);
   const auto shade = [&](std::int32_t recorded, std::uint8_t top, std::uint8_t bottom) {
     return detail::shade_of(recorded, laid_over<double>(e.opacity, top, bottom));
   };

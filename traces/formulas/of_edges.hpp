@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
@@ -16,10 +19,12 @@ namespace zstep::formulas {
 
 namespace detail {
 
-/// The ends of an edge, the one with the smaller y first, by the names that formulas have for them.
+/// The ends of an edge, the one with the smaller y first, by the names that formulas have for them; their depths where
+/// the run has them.
 template <class T>
 struct Ends {
-  T x_0, y_0, z_0, x_1, y_1, z_1;
+  T x_0, y_0, x_1, y_1;
+  std::optional<T> z_0 = {}, z_1 = {};
 };
 template <class Out>
 auto ends_of(Out& out, const Situation& at, std::int32_t vertex_0, std::int32_t vertex_1)
@@ -27,9 +32,59 @@ auto ends_of(Out& out, const Situation& at, std::int32_t vertex_0, std::int32_t 
   const auto a = at.on_raster(vertex_0), b = at.on_raster(vertex_1);
   if (!a || !b) return std::nullopt;
   const Place from{Place::In::vertex, vertex_0}, to{Place::In::vertex, vertex_1};
-  return Ends<typename Out::Number>{out.number("x_0", a->x, from["x_s"]), out.number("y_0", a->y, from["y_s"]),
-                                    out.number("z_0", a->z, from["z"]),   out.number("x_1", b->x, to["x_s"]),
-                                    out.number("y_1", b->y, to["y_s"]),   out.number("z_1", b->z, to["z"])};
+  Ends<typename Out::Number> ends{out.number("x_0", a->x, from["x_s"]), out.number("y_0", a->y, from["y_s"]),
+                                  out.number("x_1", b->x, to["x_s"]), out.number("y_1", b->y, to["y_s"])};
+  if (!at.has_depth(vertex_0) || !at.has_depth(vertex_1)) return ends;
+  ends.z_0 = out.number("z_0", a->z, from["z"]), ends.z_1 = out.number("z_1", b->z, to["z"]);
+  return ends;
+}
+
+/// Has the outline at work its lowest point at this vertex, also where that is a horizontal edge? Nothing where the
+/// outline is not known, or rounding decides.
+inline std::optional<bool> is_lowest(const Situation& at, std::int32_t vertex) {
+  const MethodState& method = at.method();
+  std::span<const std::int32_t> outline = method.outline;
+  if (const Piece* piece = at.piece(method.piece)) outline = piece->outline;
+  if (outline.empty() && at.on_screen()) outline = corners_of(at, method.facet);
+  if (!method.polygons_told && !at.on_screen()) outline = {};
+  const auto here = std::find(outline.begin(), outline.end(), vertex);
+  if (here == outline.end() || std::find(here + 1, outline.end(), vertex) != outline.end()) return std::nullopt;
+  const auto y_of = [&](std::size_t place) { return at.on_raster(outline[place % outline.size()]); };
+  const auto from = static_cast<std::size_t>(here - outline.begin());
+  const auto y = y_of(from);
+  if (!y) return std::nullopt;
+  for (const std::size_t way : {std::size_t{1}, outline.size() - 1}) {
+    std::size_t beside = 1;
+    auto other = y_of(from + way);
+    while (other && other->y == y->y && ++beside < outline.size()) other = y_of(from + beside * way);
+    if (!other || std::abs(other->y - y->y) <= rounding_of_float32 * (std::abs(y->y) + 1)) return std::nullopt;
+    if (other->y > y->y) return false;
+  }
+  return true;
+}
+
+/// Has the list of active edges no others than the program's own? Where a run never says that an edge leaves, as long
+/// as none has ended.
+inline bool list_is_exact(const Situation& at) {
+  if (at.tells_leaving()) return true;
+  const auto& line = at.method().scan_line;
+  const auto& active = at.method().active;
+  return line && std::none_of(active.begin(), active.end(), [&](const ActiveEdge& one) {
+           const EdgeTableInsert* entry = at.edge(one.edge);
+           return entry && entry->end_row <= *line;
+         });
+}
+
+/// The active edges on a scan line. Where a run never says that an edge leaves, those that have ended are not among
+/// them.
+inline std::vector<ActiveEdge> active_on(const Situation& at, std::int32_t y) {
+  std::vector<ActiveEdge> active = at.method().active;
+  if (!at.tells_leaving())
+    std::erase_if(active, [&](const ActiveEdge& one) {
+      const EdgeTableInsert* entry = at.edge(one.edge);
+      return entry && entry->end_row <= y;
+    });
+  return active;
 }
 
 /// Is the list out of order between these two places?
@@ -69,14 +124,18 @@ void derive(const EdgeTableInsert& e, const Situation& at, Out& out) {
   const double upper = std::min(y_0, y_1), lower = std::max(y_0, y_1);
   out.whole(&EdgeTableInsert::first_row, first_row(above), row_from(upper, height));
   // With inclusive coverage an edge goes on through the scan line it ends on where its polygon has its lowest point.
-  const bool past_end = may_include_end(at.header) && e.end_row == row_from(end_row(lower, true), height);
+  const bool as_recorded = e.end_row == row_from(end_row(lower, true), height);
+  const auto lowest =
+      at.header.declares(Convention::coverage) ? detail::is_lowest(at, turned ? e.vertex_0 : e.vertex_1) : std::nullopt;
+  const bool past_end = may_include_end(at.header) && lowest.value_or(as_recorded);
   out.whole(&EdgeTableInsert::end_row, end_row(below, past_end), row_from(end_row(lower, past_end), height));
   if (y_0 == y_1) return;
   const auto row = out.number("y", e.first_row, Place{});
   out.gives(&EdgeTableInsert::dx_dy, slope(ends->x_0, ends->x_1, ends->y_0, ends->y_1));
   out.gives(&EdgeTableInsert::x_edge, on_line(ends->x_0, ends->x_1, row, ends->y_0, ends->y_1));
-  out.gives(&EdgeTableInsert::dz_dy, slope(ends->z_0, ends->z_1, ends->y_0, ends->y_1));
-  out.gives(&EdgeTableInsert::z_edge, on_line(ends->z_0, ends->z_1, row, ends->y_0, ends->y_1));
+  if (!ends->z_0) return;
+  out.gives(&EdgeTableInsert::dz_dy, slope(*ends->z_0, *ends->z_1, ends->y_0, ends->y_1));
+  out.gives(&EdgeTableInsert::z_edge, on_line(*ends->z_0, *ends->z_1, row, ends->y_0, ends->y_1));
 }
 
 template <class Out>
@@ -89,20 +148,24 @@ void derive(const EdgeTableSkip& e, const Situation& at, Out& out) {
   const std::int32_t height = at.scene.raster.height;
   out.reads(Place{Place::In::vertex, e.vertex_0});
   out.reads(Place{Place::In::vertex, e.vertex_1});
-  if (e.why == EdgeSkip::horizontal) return out.rule(Rule::skip_is_right, out.equal(a->y, b->y));
-  out.rule(Rule::skip_is_right, row_from(upper, height) >= row_from(lower, height));
+  const bool level = out.equal(a->y, b->y), meets_none = level || row_from(upper, height) >= row_from(lower, height);
+  out.rule(Rule::skip_is_right, meets_none);
+  if (!meets_none) return;
+  // Ends that rounding makes equal may be called either.
+  const EdgeSkip why = a->y == b->y ? EdgeSkip::horizontal : level ? e.why : EdgeSkip::between_rows;
+  out.is(&EdgeTableSkip::why, why);
 }
 
 template <class Out>
 void derive(const ScanLineBegin& e, const Situation& at, Out& out) {
   // While there are active edges no line is left out.
-  if (const auto& last = at.method().scan_line; last && !at.method().active.empty())
+  if (const auto& last = at.method().scan_line; last && !detail::active_on(at, e.y).empty())
     out.rule(Rule::line_is_next, e.y == *last + 1);
   // What ended before this line should have left by now, unless it leaves on it.
   bool all_left = true;
   for (const ActiveEdge& active : at.method().active)
     if (const EdgeTableInsert* entry = at.edge(active.edge)) all_left = all_left && entry->end_row >= e.y;
-  out.rule(Rule::edge_left_behind, all_left);
+  if (at.tells_leaving()) out.rule(Rule::edge_left_behind, all_left);
   // A table of all polygons is too long to be gone through at each line.
   if (at.method().keeps_all || !at.records<EdgeEnter>()) return;
   bool all_entered = true;
@@ -121,6 +184,8 @@ void derive(const EdgeEnter& e, const Situation& at, Out& out) {
   if (at.method().scan_line) out.rule(Rule::edge_in_bucket, *at.method().scan_line == entry->first_row);
   const auto& active = at.method().active;
   const auto place = static_cast<std::size_t>(e.place);
+  // A place is one of a list whose edges have moved and left as the run says.
+  if (!at.records<EdgeStep>() || !detail::list_is_exact(at)) return;
   if (e.place < 0 || place > active.size()) return;
   const bool left = place == 0 || active[place - 1].x <= entry->x_edge || out.equal(active[place - 1].x, entry->x_edge);
   const bool right =
@@ -158,14 +223,14 @@ void derive(const EdgeStep& e, const Situation& at, Out& out) {
   if (!ends) return;
   const auto row = out.number("y", *at.method().scan_line, Place{});
   out.gives(&EdgeStep::x_edge, on_line(ends->x_0, ends->x_1, row, ends->y_0, ends->y_1));
-  out.gives(&EdgeStep::z_edge, on_line(ends->z_0, ends->z_1, row, ends->y_0, ends->y_1));
+  if (ends->z_0) out.gives(&EdgeStep::z_edge, on_line(*ends->z_0, *ends->z_1, row, ends->y_0, ends->y_1));
 }
 
 template <class Out>
 void derive(const EdgeSwap& e, const Situation& at, Out& out) {
   const auto& active = at.method().active;
   const auto left = static_cast<std::size_t>(e.place);
-  if (e.place < 0 || left + 1 >= active.size()) return;
+  if (!at.records<EdgeStep>() || !detail::list_is_exact(at) || e.place < 0 || left + 1 >= active.size()) return;
   for (const std::size_t place : {left, left + 1}) out.reads(Place{Place::In::active_edge, active[place].edge});
   out.rule(Rule::swap_needed, active[left].x >= active[left + 1].x);
 }
@@ -193,6 +258,7 @@ template <class Out>
 void derive(const PlaneSlopes& e, const Situation& at, Out& out) {
   const auto from = at.on_raster(e.vertex_0), one = at.on_raster(e.vertex_1), other = at.on_raster(e.vertex_2);
   if (!from || !one || !other) return;
+  if (!at.has_depth(e.vertex_0) || !at.has_depth(e.vertex_1) || !at.has_depth(e.vertex_2)) return;
   // Seen edge-on they span no plane on the raster, to the digits of the number format.
   const double right = (one->x - from->x) * (other->y - from->y), left = (other->x - from->x) * (one->y - from->y);
   if (std::abs(right - left) <= rounding_of_float32 * (std::abs(right) + std::abs(left))) return;
@@ -211,25 +277,35 @@ template <class Out>
 void derive(const SpanBegin& e, const Situation& at, Out& out) {
   const ActiveEdge *left = at.active(e.left_edge), *right = at.active(e.right_edge);
   if (left && right) {
-    const auto& active = at.method().active;
+    const std::vector<ActiveEdge> active = detail::active_on(at, e.y);
     bool sorted = true;
     for (std::size_t i = 0; i + 1 < active.size(); ++i)
       sorted = sorted && (!detail::out_of_order(active, i) || out.equal(active[i].x, active[i + 1].x));
-    out.rule(Rule::list_in_order, sorted);
-    if (sorted)
+    // Where edges stand is known of a run that says how they move; and in which order, of one that says that, too.
+    const bool moves = at.records<EdgeStep>(), swaps = at.records<EdgeSwap>() && detail::list_is_exact(at);
+    if (moves && swaps) out.rule(Rule::list_in_order, sorted);
+    if (moves && (sorted || !swaps))
       out.rule(Rule::span_pairs,
                left != right && (at.method().keeps_all || detail::pair_of_list(active, *left, *right)));
+    const auto is_here = [&](const ActiveEdge& one) {
+      const EdgeTableInsert* entry = at.edge(one.edge);
+      return moves || (entry && entry->first_row == e.y);
+    };
     const Place l{Place::In::active_edge, e.left_edge}, r{Place::In::active_edge, e.right_edge};
     for (const ActiveEdge* one : {left, right}) {
       const EdgeTableInsert* entry = at.edge(one->edge);
-      if (entry && at.adds_slopes() && out.trusts(Place{Place::In::active_edge, one->edge}) &&
+      if (entry && moves && at.adds_slopes() && out.trusts(Place{Place::In::active_edge, one->edge}) &&
           out.trusts(Place{Place::In::edge_table, one->edge}))
         out.rule(Rule::edge_moves_once, detail::moved_once_a_line(out, *entry, *one, e.y));
     }
-    out.gives(&SpanBegin::x_left, out.number("x of the left edge", left->x, l["x_edge"]));
-    out.gives(&SpanBegin::z_left, out.number("z of the left edge", left->z, l["z_edge"]));
-    out.gives(&SpanBegin::x_right, out.number("x of the right edge", right->x, r["x_edge"]));
-    out.gives(&SpanBegin::z_right, out.number("z of the right edge", right->z, r["z_edge"]));
+    if (is_here(*left)) {
+      out.gives(&SpanBegin::x_left, out.number("x of the left edge", left->x, l["x_edge"]));
+      out.gives(&SpanBegin::z_left, out.number("z of the left edge", left->z, l["z_edge"]));
+    }
+    if (is_here(*right)) {
+      out.gives(&SpanBegin::x_right, out.number("x of the right edge", right->x, r["x_edge"]));
+      out.gives(&SpanBegin::z_right, out.number("z of the right edge", right->z, r["z_edge"]));
+    }
   }
   if (at.method().scan_line) out.rule(Rule::span_line, *at.method().scan_line == e.y);
   const auto ended = [&](std::int32_t edge) {
@@ -237,7 +313,7 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
     return entry && entry->end_row <= e.y;
   };
   bool none_ended = !ended(e.left_edge) && !ended(e.right_edge);
-  if (!at.method().keeps_all)
+  if (!at.method().keeps_all && at.tells_leaving())
     for (const ActiveEdge& active : at.method().active) none_ended = none_ended && !ended(active.edge);
   out.rule(Rule::edge_left_behind, none_ended);
   const std::int32_t width = at.scene.raster.width;

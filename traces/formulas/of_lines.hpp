@@ -84,8 +84,10 @@ inline void cross_piece(Crossings& crossings, const Situation& at, const Piece& 
 /// their polygons; in one that is another nothing is found.
 inline Crossings crossings_of(const Situation& at, const LineBegin& line, std::int32_t facet) {
   Crossings crossings;
+  if (!at.records<OutlineVertex>() || !at.records<PlaneEquation>()) return crossings;  // half of them says nothing
   const auto a = at.on_raster(line.vertex_0), b = at.on_raster(line.vertex_1);
   if (!a || !b || corners_of(at, facet).empty()) return crossings;
+  if (!at.has_depth(line.vertex_0) || !at.has_depth(line.vertex_1)) return crossings;
   const std::int32_t polygon = at.scene.facets[static_cast<std::size_t>(facet)].polygon;
   const auto& pieces = at.method().pieces;
   std::size_t first = 0;

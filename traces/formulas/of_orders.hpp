@@ -124,15 +124,16 @@ void derive(const PieceMake& e, const Situation& at, Out& out) {
 }
 template <class Out>
 void derive(const PairBegin& e, const Situation& at, Out& out) {
-  if (!at.records<ListInsert>()) return;
+  if (!at.records<ListInsert>() || !at.records<PieceMake>()) return;
   const MethodState& method = at.method();
   const bool first = !method.list.empty() && method.list.begin()->piece == e.piece;
-  out.rule(Rule::pair_in_list, first && e.other != e.piece && method.list.contains(e.other));
+  if (at.records<ListRemove>())
+    out.rule(Rule::pair_in_list, first && e.other != e.piece && method.list.contains(e.other));
   if (!method.pair && method.drawn.empty()) out.rule(Rule::list_is_whole, detail::all_in_list(method));
 }
 template <class Out>
 void derive(const PieceDraw& e, const Situation& at, Out& out) {
-  if (at.records<ListInsert>() && !at.method().pair && at.method().drawn.empty())
+  if (at.records<ListInsert>() && at.records<PieceMake>() && !at.method().pair && at.method().drawn.empty())
     out.rule(Rule::list_is_whole, detail::all_in_list(at.method()));
   if (const Piece* piece = at.piece(e.piece)) out.is(&PieceDraw::polygon, piece->polygon);
 }

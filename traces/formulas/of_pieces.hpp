@@ -16,10 +16,19 @@ namespace zstep::formulas {
 
 namespace detail {
 
-inline bool cuts_in_world(const Situation& at) { return zstep::cuts_in_world(at.scene, at.method()); }
+/// Also where a run with a tree does not say of what nodes it is made.
+inline bool cuts_in_world(const Situation& at) {
+  const bool tree_not_told = at.has_step<NodeMake>() && !at.records<NodeMake>() && !at.on_screen();
+  return tree_not_told || zstep::cuts_in_world(at.scene, at.method());
+}
 inline const Stage& cutting_stage(const Situation& at) { return cuts_in_world(at) ? world_stage : raster_stage; }
 inline std::optional<glm::dvec3> cutting_point(const Situation& at, std::int32_t vertex) {
-  return zstep::cutting_point(at.scene, at.before, vertex);
+  if (cuts_in_world(at)) {
+    if (at.is_point(vertex)) return at.scene.points[static_cast<std::size_t>(vertex)];
+    const VertexStages* made = at.vertex(vertex);
+    return made ? std::optional(made->world) : std::nullopt;
+  }
+  return at.has_depth(vertex) ? zstep::cutting_point(at.scene, at.before, vertex) : std::nullopt;
 }
 
 /// The plane A x + B y + C z + D of a piece.
@@ -46,16 +55,18 @@ void derive(const Extent& e, const Situation& at, Out& out) {
   if (!piece || piece->outline.empty()) return;
   constexpr double far = std::numeric_limits<double>::infinity();
   glm::dvec3 low(far), high(-far);
+  bool has_depths = true;
   for (const std::int32_t vertex : piece->outline) {
     const auto corner = at.on_raster(vertex);
     if (!corner) return;
     out.reads(Place{Place::In::vertex, vertex});
     low = {std::min(low.x, corner->x), std::min(low.y, corner->y), std::min(low.z, corner->z)};
     high = {std::max(high.x, corner->x), std::max(high.y, corner->y), std::max(high.z, corner->z)};
+    has_depths = has_depths && at.has_depth(vertex);
   }
   out.is(&Extent::x_min, low.x), out.is(&Extent::x_max, high.x);
   out.is(&Extent::y_min, low.y), out.is(&Extent::y_max, high.y);
-  out.is(&Extent::z_min, low.z), out.is(&Extent::z_max, high.z);
+  if (has_depths) out.is(&Extent::z_min, low.z), out.is(&Extent::z_max, high.z);
 }
 
 template <class Out>

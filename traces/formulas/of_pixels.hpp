@@ -38,7 +38,7 @@ void derive_depth_on_plane(const E& e, const Situation& at, Out& out) {
     return out.gives(&E::z, interpolated(at, z + dz_dx));
   }
   const auto vertex = at.on_raster(slopes->vertex_0);
-  if (!vertex) return;
+  if (!vertex || !at.has_depth(slopes->vertex_0)) return;
   const auto z =
       along_plane(out.number("z_0", vertex->z, from["z"]), dz_dx, out.number("x", e.x, Place{}),
                   out.number("x_0", vertex->x, from["x_s"]), out.number("dz/dy", slopes->dz_dy, plane["dz_dy"]),
@@ -51,9 +51,10 @@ template <class E, class Out>
 void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
   if (!at.records<SpanBegin>()) return derive_depth_on_plane(e, at, out);
   const auto& span = at.method().span;
-  if (!span || span->y != e.y) return;
+  if (!span) return;
   const Place place{Place::In::span, 0};
-  out.rule(Rule::pixel_in_span, e.x >= span->first && e.x <= span->last);
+  out.rule(Rule::pixel_in_span, e.y == span->y && e.x >= span->first && e.x <= span->last);
+  if (span->y != e.y) return;
   using enum Conventions::Interpolation;
   const auto how = at.header.conventions.interpolation;
   if (how == plane || how == plane_increments) return derive_depth_on_plane(e, at, out);
@@ -124,7 +125,8 @@ void derive_painted_by_plane(const PixelPaint& e, const Situation& at, Out& out)
                                         out.number("y", e.y, Place{})));
   if (!at.method().sweep.winners.empty()) {
     const SpanWinner& winner = at.method().sweep.winners.back();
-    out.rule(Rule::pixel_in_span, e.x >= winner.first && e.x <= winner.last && at.method().scan_line == e.y);
+    const bool on_line = at.method().scan_line.value_or(e.y) == e.y;
+    out.rule(Rule::pixel_in_span, e.x >= winner.first && e.x <= winner.last && on_line);
   } else if (at.method().area >= 0) {
     const AreaBegin& area = at.method().areas[static_cast<std::size_t>(at.method().area)].entry;
     out.rule(Rule::pixel_in_area,
@@ -180,10 +182,12 @@ void derive(const DepthCompare& e, const Situation& at, Out& out) {
   const Place buffer = at.depth_place(e.x, e.y);
   if (const Fragment* fragment = at.fragment(e.x, e.y); fragment && !fragment->nearer) {
     out.gives(&DepthCompare::z, out.number("z", fragment->z, Place{Place::In::fragment, 0, "z"}));
-  } else if (!at.records<DepthInterpolate>()) {
-    detail::derive_last_win(at, out);
+  } else {
+    if (!at.records<DepthInterpolate>()) detail::derive_last_win(at, out);
     detail::derive_depth_on_span(e, at, out);
   }
+  // Of glass a win writes no depth: which do is known of a run that says so.
+  if (at.has_step<ColorBlend>() && !at.records<DepthWrite>()) return;
   const auto z = out.number("z", e.z, Place{}), stored = out.number("zbuffer[x,y]", at.stored(e.x, e.y), buffer["z"]);
   out.verdict(&DepthCompare::nearer, z, stored);
 }
@@ -253,8 +257,9 @@ void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
   out.gives(&AttributeInterpolate::attribute,
             divides ? above / out.number("1/z", e.one_over_z, event["one_over_z"]) : above);
   const auto& span = at.method().span;
-  if (!span || span->y != e.y) return;
-  out.rule(Rule::pixel_in_span, e.x >= span->first && e.x <= span->last);
+  if (!span) return;
+  out.rule(Rule::pixel_in_span, e.y == span->y && e.x >= span->first && e.x <= span->last);
+  if (span->y != e.y) return;
   // Of points on the screen only the program knows z_v.
   if (divides && !attribute_over_depth(at.scene, at.header.conventions)) return;
   const auto left = detail::over_depth_on_edge(out, at, span->left_edge, e.y, "0", "1"),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/facet_planes.hpp"
@@ -16,21 +17,26 @@ void derive(const FlagFlip& e, const Situation& at, Out& out) {
   out.is(&FlagFlip::inside, std::find(inside.begin(), inside.end(), e.piece) == inside.end());
   const EdgeTableInsert* edge = at.edge(e.edge);
   const Piece* piece = at.piece(e.piece);
-  if (at.method().edges_told)
+  if (at.method().enters_told && at.records<PieceMake>())
     out.rule(Rule::flip_own_edge, edge && piece && edge->polygon == piece->polygon && at.active(e.edge));
 }
 
 template <class Out>
 void derive(const SpanFlags& e, const Situation& at, Out& out) {
-  out.is(&SpanFlags::flags, static_cast<std::int32_t>(at.method().sweep.inside.size()));
+  if (at.records<FlagFlip>()) out.is(&SpanFlags::flags, static_cast<std::int32_t>(at.method().sweep.inside.size()));
   if (at.method().scan_line) out.rule(Rule::span_line, *at.method().scan_line == e.y);
   // From the edge at which a flag flipped last to the next one, as far as the raster goes.
-  const auto& active = at.method().active;
+  const bool moves = at.records<EdgeStep>() && at.tells_leaving(), swaps = at.records<EdgeSwap>();
+  std::vector<ActiveEdge> active = moves ? at.method().active : std::vector<ActiveEdge>{};
+  if (!swaps)
+    std::stable_sort(active.begin(), active.end(),
+                     [](const ActiveEdge& one, const ActiveEdge& other) { return one.x < other.x; });
   const auto& flip = at.method().sweep.flip;
   const std::int32_t width = at.scene.raster.width;
   for (std::size_t i = 0; flip && i + 1 < active.size(); ++i) {
     if (active[i].edge != flip->edge) continue;
     const double left = active[i].x, right = active[i + 1].x;
+    if (!swaps && (left == right || (i > 0 && active[i - 1].x == left))) continue;  // either may stand first
     for (const std::size_t side : {i, i + 1}) out.reads(Place{Place::In::active_edge, active[side].edge});
     out.rule(Rule::list_in_order, left <= right || out.equal(left, right));
     out.near(&SpanFlags::x_left, nearest_of(e.x_left, {std::max(left, -0.5), left, std::max(left, 0.0)}));
@@ -46,7 +52,8 @@ template <class Out>
 void derive(const SpanWinner& e, const Situation& at, Out& out) {
   const Sweep& sweep = at.method().sweep;
   if (!sweep.interval) return;
-  out.rule(Rule::winner_inside, std::find(sweep.inside.begin(), sweep.inside.end(), e.piece) != sweep.inside.end());
+  if (at.records<FlagFlip>())
+    out.rule(Rule::winner_inside, std::find(sweep.inside.begin(), sweep.inside.end(), e.piece) != sweep.inside.end());
   const bool within = e.first >= sweep.interval->first && e.last <= sweep.interval->last;
   out.rule(Rule::pixel_in_span, e.first > e.last || within);
 }

@@ -71,8 +71,8 @@ void derive(const Projection& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const ViewportTransform& e, const Situation& at, Out& out) {
-  const VertexStages* vertex = at.viewed(e.vertex);
-  if (!at.camera || !vertex || vertex->stage < VertexStages::projected) return;
+  const VertexStages* vertex = at.vertex(e.vertex);
+  if (!at.camera || !vertex || !at.records<Projection>() || vertex->stage < VertexStages::projected) return;
   const Raster& raster = at.scene.raster;
   if (!(at.camera->window > 0) || raster.height <= 0) return;
   const Place place{Place::In::vertex, e.vertex};

@@ -72,6 +72,7 @@ enum class Rule : std::uint8_t {
   pixel_in_span,      ///< a pixel lies in the span at work
   write_after_win,    ///< a pixel is written only after its depth was nearer
   win_is_written,     ///< and after it was nearer, its depth is
+  win_is_painted,     ///< and its colour
   skip_is_right,      ///< an edge is left out only where it meets no scan line
   box_entered,        ///< a ray that meets a box enters it before it leaves it
   kept_inside,        ///< of the points where a ray meets planes only those inside their facets are kept
@@ -120,6 +121,7 @@ struct Situation {
   const Camera* camera = nullptr;                ///< by which the scene is being drawn; nullptr where that is not known
   std::uint8_t kinds_recorded[kind_count] = {};  ///< 1 for each kind of event that the trace has
   std::optional<Camera> lamp = {};               ///< the scene's light as a camera
+  bool moves_ended = false;  ///< the run never says that an edge leaves, and moves some that have ended
 
   /// Takes the camera that is at work now.
   void look() { camera = before.machine.pass != Pass::light ? &scene.camera : lamp ? &*lamp : nullptr; }
@@ -128,6 +130,8 @@ struct Situation {
   bool records() const {
     return kinds_recorded[kind_of<E>] != 0;
   }
+  /// Is an edge that has not left still in the list? Else the run only does not say that it leaves.
+  bool tells_leaving() const { return records<EdgeRetire>() || moves_ended; }
   /// Does its pseudo-code have a line for this kind?
   template <class E>
   bool has_step() const {
@@ -147,10 +151,19 @@ struct Situation {
     const auto at = static_cast<std::size_t>(number);
     return number >= 0 && at < before.vertices.size() ? &before.vertices[at] : nullptr;
   }
-  /// The same once it has view coordinates.
+  /// The same once it has view coordinates. A run that records a later stage alone does not have them, but of the
+  /// vertices that clipping made.
   const VertexStages* viewed(std::int32_t number) const {
     const VertexStages* found = vertex(number);
-    return found && found->stage >= VertexStages::viewed ? found : nullptr;
+    const bool clipped = found && records<ClipCross>() && !is_point(number) && found->world == glm::dvec3(0);
+    return found && (records<ViewTransform>() || clipped) && found->stage >= VertexStages::viewed ? found : nullptr;
+  }
+  /// Has the run the depth of a vertex that is on the raster?
+  bool has_depth(std::int32_t number) const {
+    if (records<Projection>()) return true;
+    const VertexStages* made = records<SplitVertex>() && !is_point(number) ? vertex(number) : nullptr;
+    const bool cut_on_raster = made && made->view == glm::dvec3(0) && (on_screen() || !has_step<NodeMake>());
+    return cut_on_raster || (on_screen() && is_point(number));
   }
   std::optional<OnRaster> on_raster(std::int32_t number) const { return zstep::on_raster(scene, before, number); }
   const EdgeTableInsert* edge(std::int32_t number) const {

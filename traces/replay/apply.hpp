@@ -65,6 +65,7 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     picture = Picture(picture.width, picture.height);
     if (ink) picture.use_ink();
     for (double& depth : picture.depth) depth = event.z;
+    set_fragment(std::nullopt);
   } else if constexpr (std::is_same_v<E, ViewTransform>) {
     VertexStages& way = vertex(event.vertex);
     way.view = {event.x_v, event.y_v, event.z_v};
@@ -78,6 +79,12 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     way.raster = {event.x_s, event.y_s};
     way.stage = VertexStages::on_raster;
   } else if constexpr (std::is_same_v<E, ClipCross> || std::is_same_v<E, SplitVertex>) {
+    // Where a run does not say that another polygon begins, the first vertex that is made for it does.
+    const auto number = static_cast<std::size_t>(event.vertex);
+    if (!state.machine.polygons_told && event.vertex >= 0 && number >= points && number < state.vertices.size()) {
+      log.vertices_dropped(state.vertices, number);
+      state.vertices.resize(number);
+    }
     detail::must_be_due("vertex", event.vertex, state.vertices.size());
     log.vertex_added();
     VertexStages way;

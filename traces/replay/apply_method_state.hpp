@@ -4,8 +4,11 @@
 // edge that is not active): apply_method_state then throws Impossible and has changed nothing.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,8 +17,11 @@
 
 namespace zstep {
 
+/// `needs`: the kind of step that alone makes what is missing. A run that never has that kind only does not say so.
 struct Impossible : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit Impossible(const std::string& what, std::optional<std::uint8_t> kind = {})
+      : std::runtime_error(what), needs(kind) {}
+  std::optional<std::uint8_t> needs;
 };
 
 namespace detail {
@@ -41,9 +47,11 @@ inline void set_stage(MethodState& machine, std::int32_t edge, EdgeStage stage) 
   machine.edge_stages.set(static_cast<std::size_t>(edge), stage);
 }
 
-inline void must_exist(const char* what, std::int32_t number, std::size_t count) {
+/// `Maker`: the event that makes such.
+template <class Maker>
+void must_exist(const char* what, std::int32_t number, std::size_t count) {
   if (number < 0 || static_cast<std::size_t>(number) >= count)
-    throw Impossible(fmt::format("there is no {} {}", what, number));
+    throw Impossible(fmt::format("there is no {} {}", what, number), kind_of<Maker>);
 }
 inline void must_be_due(const char* what, std::int32_t number, std::size_t count) {
   if (number < 0 || static_cast<std::size_t>(number) != count)
@@ -87,6 +95,13 @@ inline void apply_method_state(const OutlineVertex& event, MethodState& machine)
 }
 
 inline void apply_method_state(const EdgeTableInsert& event, MethodState& machine) {
+  // Where a run does not say that another polygon begins, its first edge does.
+  if (!machine.polygons_told && event.edge == 0 && machine.edge_table.size() > 0) {
+    detail::begin_polygon(machine, no_polygon);
+    machine.edge_table.clear();
+    machine.edge_stages.clear();
+    machine.active.clear();
+  }
   if (event.edge != static_cast<std::int32_t>(machine.edge_table.size())) {
     throw Impossible(
         fmt::format("edge {} enters the edge table where edge {} is due", event.edge, machine.edge_table.size()));
@@ -101,6 +116,7 @@ inline void apply_method_state(const ScanLineBegin& event, MethodState& machine)
   machine.sweep = {};
 }
 inline void apply_method_state(const EdgeEnter& event, MethodState& machine) {
+  if (!machine.edges_told) return;
   detail::must_be_in_table(machine, event.edge);
   if (machine.edge_stages[static_cast<std::size_t>(event.edge)] == EdgeStage::active)
     throw Impossible(fmt::format("edge {} enters the active edge list twice", event.edge));
@@ -111,16 +127,19 @@ inline void apply_method_state(const EdgeEnter& event, MethodState& machine) {
   machine.active.insert(machine.active.begin() + event.place, ActiveEdge{event.edge, entry.x_edge, entry.z_edge});
 }
 inline void apply_method_state(const EdgeRetire& event, MethodState& machine) {
+  if (!machine.enters_told) return;
   const std::size_t place = detail::place_of(machine, event.edge);
   detail::set_stage(machine, event.edge, EdgeStage::retired);
   machine.active.erase(machine.active.begin() + static_cast<std::ptrdiff_t>(place));
 }
 inline void apply_method_state(const EdgeStep& event, MethodState& machine) {
+  if (!machine.enters_told) return;
   ActiveEdge& active = machine.active[detail::place_of(machine, event.edge)];
   active.x = event.x_edge;
   active.z = event.z_edge;
 }
 inline void apply_method_state(const EdgeSwap& event, MethodState& machine) {
+  if (!machine.enters_told) return;
   if (event.place < 0 || static_cast<std::size_t>(event.place) + 1 >= machine.active.size())
     throw Impossible(fmt::format("the active edge list has no places {} and {}", event.place, event.place + 1));
   std::swap(machine.active[static_cast<std::size_t>(event.place)],

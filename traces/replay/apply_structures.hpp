@@ -14,7 +14,7 @@ namespace zstep {
 inline void apply_method_state(const TablesBegin&, MethodState& machine) { machine.keeps_all = true; }
 inline void apply_method_state(const PieceMake& event, MethodState& machine) {
   detail::must_be_due("piece", event.piece, machine.pieces.size());
-  if (event.parent != -1) detail::must_exist("piece", event.parent, machine.pieces.size());
+  if (event.parent != -1) detail::must_exist<PieceMake>("piece", event.parent, machine.pieces.size());
   if (event.parent != -1) machine.pieces.edit(static_cast<std::size_t>(event.parent)).cut = true;
   Piece piece;
   piece.polygon = event.polygon;
@@ -23,15 +23,15 @@ inline void apply_method_state(const PieceMake& event, MethodState& machine) {
   machine.pieces.push_back(std::move(piece));
 }
 inline void apply_method_state(const PlaneEquation& event, MethodState& machine) {
-  detail::must_exist("piece", event.piece, machine.pieces.size());
+  detail::must_exist<PieceMake>("piece", event.piece, machine.pieces.size());
   machine.pieces.edit(static_cast<std::size_t>(event.piece)).plane = event;
 }
 inline void apply_method_state(const Extent& event, MethodState& machine) {
-  detail::must_exist("piece", event.piece, machine.pieces.size());
+  detail::must_exist<PieceMake>("piece", event.piece, machine.pieces.size());
   machine.pieces.edit(static_cast<std::size_t>(event.piece)).extent = event;
 }
 inline void apply_method_state(const PieceDraw& event, MethodState& machine) {
-  detail::must_exist("piece", event.piece, machine.pieces.size());
+  detail::must_exist<PieceMake>("piece", event.piece, machine.pieces.size());
   detail::begin_polygon(machine, event.polygon);
   machine.edge_table.clear();
   machine.edge_stages.clear();
@@ -53,16 +53,18 @@ inline void leave_polygon(MethodState& machine) {
 }  // namespace detail
 
 inline void apply_method_state(const ListInsert& event, MethodState& machine) {
+  detail::must_exist<PieceMake>("piece", event.piece, machine.pieces.size());
   if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.list.size())
     throw Impossible(fmt::format("the list has no place {}", event.place));
-  detail::must_exist("piece", event.piece, machine.pieces.size());
-  if (machine.list.contains(event.piece)) throw Impossible(fmt::format("piece {} is in the list already", event.piece));
+  if (machine.list.contains(event.piece))
+    throw Impossible(fmt::format("piece {} is in the list already", event.piece), kind_of<ListRemove>);
   detail::leave_polygon(machine);
   machine.list.insert(static_cast<std::size_t>(event.place), ListEntry{event.piece, false});
 }
 namespace detail {
 inline std::size_t place_in_list(const MethodState& machine, std::int32_t piece) {
-  if (!machine.list.contains(piece)) throw Impossible(fmt::format("piece {} is not in the list", piece));
+  const std::uint8_t needs = machine.pieces.size() == 0 ? kind_of<PieceMake> : kind_of<ListInsert>;
+  if (!machine.list.contains(piece)) throw Impossible(fmt::format("piece {} is not in the list", piece), needs);
   return machine.list.place_of(piece);
 }
 }  // namespace detail
@@ -84,7 +86,7 @@ inline void apply_method_state(const PairBegin& event, MethodState& machine) {
 inline void apply_method_state(const NodeMake& event, MethodState& machine) {
   detail::must_be_due("node", event.node, machine.tree.size());
   detail::leave_polygon(machine);
-  if (event.parent != -1) detail::must_exist("node", event.parent, machine.tree.size());
+  if (event.parent != -1) detail::must_exist<NodeMake>("node", event.parent, machine.tree.size());
   if (event.parent != -1) {
     TreeNode& parent = machine.tree.edit(static_cast<std::size_t>(event.parent));
     (event.front ? parent.front_child : parent.back_child) = event.node;
@@ -96,16 +98,16 @@ inline void apply_method_state(const NodeMake& event, MethodState& machine) {
   machine.node = event.node;
 }
 inline void apply_method_state(const NodeAdd& event, MethodState& machine) {
-  detail::must_exist("node", event.node, machine.tree.size());
+  detail::must_exist<NodeMake>("node", event.node, machine.tree.size());
   machine.tree.edit(static_cast<std::size_t>(event.node)).pieces.push_back(event.piece);
 }
 inline void apply_method_state(const EyeSide& event, MethodState& machine) {
-  detail::must_exist("node", event.node, machine.tree.size());
+  detail::must_exist<NodeMake>("node", event.node, machine.tree.size());
   machine.tree.edit(static_cast<std::size_t>(event.node)).eye = event;
   machine.node = event.node;
 }
 inline void apply_method_state(const NodeSkip& event, MethodState& machine) {
-  detail::must_exist("node", event.node, machine.tree.size());
+  detail::must_exist<NodeMake>("node", event.node, machine.tree.size());
   TreeNode& node = machine.tree.edit(static_cast<std::size_t>(event.node));
   (event.front ? node.front_skipped : node.back_skipped) = true;
 }
@@ -142,7 +144,7 @@ inline void apply_method_state(const AreaBegin& event, MethodState& machine) {
 }
 inline void apply_method_state(const AreaBin& event, MethodState& machine) { machine.bins.push_back(event); }
 inline void apply_method_state(const AreaDecide& event, MethodState& machine) {
-  detail::must_exist("area", event.area, machine.areas.size());
+  detail::must_exist<AreaBegin>("area", event.area, machine.areas.size());
   machine.areas.edit(static_cast<std::size_t>(event.area)).decided = event;
 }
 
@@ -156,7 +158,7 @@ inline void apply_method_state(const BoxMake& event, MethodState& machine) {
   machine.boxes.push_back({event, {}});
 }
 inline void apply_method_state(const BoxHold& event, MethodState& machine) {
-  detail::must_exist("box", event.box, machine.boxes.size());
+  detail::must_exist<BoxMake>("box", event.box, machine.boxes.size());
   machine.boxes.edit(static_cast<std::size_t>(event.box)).facets.push_back(event.facet);
 }
 inline void apply_method_state(const GridMake& event, MethodState& machine) {
@@ -240,11 +242,11 @@ inline void apply_method_state(const LineBegin& event, MethodState& machine) {
 }
 inline void apply_method_state(const LineAgainst& event, MethodState& machine) { machine.against = event; }
 inline void apply_method_state(const LineHide& event, MethodState& machine) {
-  detail::must_exist("line", event.line, machine.lines.size());
+  detail::must_exist<LineBegin>("line", event.line, machine.lines.size());
   machine.lines.edit(static_cast<std::size_t>(event.line)).hidden.push_back(event);
 }
 inline void apply_method_state(const LinePiece& event, MethodState& machine) {
-  detail::must_exist("line", event.line, machine.lines.size());
+  detail::must_exist<LineBegin>("line", event.line, machine.lines.size());
   machine.lines.edit(static_cast<std::size_t>(event.line)).pieces.push_back(event);
 }
 

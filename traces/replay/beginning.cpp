@@ -54,6 +54,12 @@ Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()), empty_depth_(
   compares_write_ = trace.has(kind_of<DepthCompare>) && !trace.has(kind_of<DepthWrite>) &&
                     !records<ColorBlend>(header) && !forgets_depths(trace);
   edges_told_ = trace.has(kind_of<EdgeTableInsert>);
+  // Glass is drawn after what is opaque, and only then a table is made of all.
+  tables_not_told_ = records<TablesBegin>(header) && !trace.has(kind_of<TablesBegin>) && !records<ColorBlend>(header);
+  enters_told_ = edges_told_ && trace.has(kind_of<EdgeEnter>);
+  const bool begin = trace.has(kind_of<PolygonBegin>), draw = trace.has(kind_of<PieceDraw>);
+  const bool all_begin = begin || !records<PolygonBegin>(header), all_drawn = draw || !records<PieceDraw>(header);
+  polygons_told_ = (begin || draw) && (!draw || trace.has(kind_of<PieceMake>)) && all_begin && all_drawn;
   rays_told_ = trace.has(kind_of<RayBegin>);
 }
 
@@ -69,6 +75,9 @@ MethodState Beginning::machine() const {
   MethodState machine;
   machine.compares_write = compares_write_;
   machine.edges_told = edges_told_;
+  machine.keeps_all = tables_not_told_;
+  machine.enters_told = enters_told_;
+  machine.polygons_told = polygons_told_;
   machine.rays_told = rays_told_;
   return machine;
 }

@@ -100,6 +100,8 @@ struct MethodState {
   bool keeps_all = false;       ///< edges, vertices and pieces of all polygons are kept (tables_begin)
   bool compares_write = false;  ///< a compare that finds its depth nearer writes it, as the run has no steps for that
   bool edges_told = true;       ///< else the run has no edge table, and its spans and flags may speak of any edges
+  bool enters_told = true;      ///< else the run does not say which edges are active
+  bool polygons_told = true;    ///< else the run does not always say when work on a polygon or a piece begins
   bool rays_told = true;        ///< else the run does not say which rays it casts, and may end any
   Pass pass = Pass::eye;
   SharedChunks<Piece> pieces;
@@ -125,9 +127,9 @@ struct MethodState {
 
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,
-                    scan_line, slopes, span, fragment, attribute, keeps_all, compares_write, edges_told, rays_told,
-                    pass, pieces, drawn, list, pair, tree, node, sweep, areas, area, bins, boxes, grid, cells, rays,
-                    horizon, lines, line, against, shadow, saved);
+                    scan_line, slopes, span, fragment, attribute, keeps_all, compares_write, edges_told, enters_told,
+                    polygons_told, rays_told, pass, pieces, drawn, list, pair, tree, node, sweep, areas, area, bins,
+                    boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
   }
 };
 

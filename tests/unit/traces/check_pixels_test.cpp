@@ -1,0 +1,216 @@
+// zstep check: compares and writes that do not come as zstep has them. Right programs may do so; wrong ones show it
+// here and nowhere else.
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/golden/golden.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
+#include "tests/where.hpp"
+#include "traces/check/check.hpp"
+#include "traces/check/not_judged.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/record/trace_recorder.hpp"
+
+using namespace zstep;
+
+namespace {
+
+Trace golden(const char* name) { return open_jsonl(test::in_checkout(std::string("tests/golden/") + name + ".jsonl")); }
+
+std::vector<RecordedEvent> steps_of(const Trace& trace) {
+  std::vector<RecordedEvent> steps;
+  for (std::int64_t step = 1; step <= trace.size(); ++step) steps.push_back(trace.event(step));
+  return steps;
+}
+Trace with_steps(const Trace& trace, const std::vector<RecordedEvent>& steps) {
+  TraceRecorder recorder(trace.header(), trace.scene());
+  for (const RecordedEvent& step : steps) record_any(recorder, step.step, step.event);
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "changed");
+}
+template <class E>
+Trace without(const Trace& trace) {
+  return test::changed(trace, [](std::int64_t, const Event& event) { return !holds<E>(event); });
+}
+Trace without_step(const Trace& trace, std::int64_t step) {
+  return test::changed(trace, [&](std::int64_t number, const Event&) { return number != step; });
+}
+/// "RULE@STEP" of each cause, or its field.
+std::string causes_of(const Trace& trace) {
+  std::string names;
+  for (const Cause& cause : check(trace).causes)
+    names += (names.empty() ? "" : " ") +
+             (cause.first.rule ? std::string(rule_text(*cause.first.rule).name) : cause.first.field) + "@" +
+             std::to_string(cause.first.step);
+  return names;
+}
+
+/// Writes colours before the compares that they belong to; of compares that are lost as well where `always`.
+Trace written_first(const Trace& right, bool always) {
+  std::vector<RecordedEvent> steps;
+  std::optional<RecordedEvent> write;
+  std::int32_t polygon = 0;
+  for (const RecordedEvent& step : steps_of(right)) {
+    if (const auto* begin = get_if<PolygonBegin>(&step.event)) polygon = begin->polygon;
+    if (holds<PixelWrite>(step.event)) {
+      write = write ? write : step;
+      continue;
+    }
+    if (const auto* compare = get_if<DepthCompare>(&step.event); compare && (compare->nearer || always)) {
+      const auto any = right.next<PixelWrite>(0, [](const PixelWrite&) { return true; });
+      steps.push_back({right.event(*any).step, PixelWrite{compare->x, compare->y, polygon}});
+    }
+    steps.push_back(step);
+  }
+  return with_steps(right, steps);
+}
+
+TEST_CASE("check: a colour may be written before the compare of its pixel, but only where that is won") {
+  for (const char* name : {"delhi", "pyramid-view"}) {
+    CAPTURE(name);
+    const Trace right = golden(name);
+    std::int64_t lost = 0;
+    for (const RecordedEvent& step : steps_of(right))
+      if (const auto* compare = get_if<DepthCompare>(&step.event)) lost += !compare->nearer;
+    REQUIRE(lost > 1);
+    const auto may_be_left_out = [](const Event& event, int what) {
+      return what == 1 ? holds<DepthInterpolate>(event) : what == 2 && holds<DepthWrite>(event);
+    };
+    for (const int what : {0, 1, 2}) {
+      CAPTURE(what);
+      const Trace run =
+          test::changed(right, [&](std::int64_t, const Event& event) { return !may_be_left_out(event, what); });
+      CHECK(causes_of(written_first(run, false)) == "");
+      const Trace wrong = written_first(run, true);
+      const CheckReport report = check(wrong);
+      REQUIRE(report.causes.size() == 1);
+      CHECK(report.causes[0].first.rule == formulas::Rule::write_after_win);
+      CHECK(report.wrong_steps == lost);
+      CHECK(holds<PixelWrite>(wrong.event(report.causes[0].first.step).event));
+    }
+  }
+}
+
+TEST_CASE("check: each pixel that is won takes its colour, unless the run ends there or never says so") {
+  const Trace right = golden("delhi");
+  const auto ends_pixel = [](const RecordedEvent& step) {
+    return holds<DepthInterpolate>(step.event) || holds<DepthCompare>(step.event) || holds<ScanLineBegin>(step.event) ||
+           holds<PolygonBegin>(step.event);
+  };
+  int dropped = 0;
+  for (std::int64_t step = 1; step <= right.size(); ++step) {
+    if (!holds<PixelWrite>(right.event(step).event)) continue;
+    ++dropped;
+    // It is noticed where the pixel is done; after the last one, where an edge leaves.
+    const std::int64_t noticed = right.next(step, ends_pixel).value_or(step + 1) - 1;
+    CHECK(causes_of(without_step(right, step)) == "win_is_painted@" + std::to_string(noticed));
+    // The run is cut off before the write.
+    const Trace cut = test::changed(right, [&](std::int64_t number, const Event&) { return number < step; });
+    CHECK(causes_of(cut) == "");
+    CHECK(verdict_of(check(cut)) == Verdict::right_where_judged);
+  }
+  CHECK(dropped > 20);
+  CHECK(causes_of(without<PixelWrite>(right)) == "");
+}
+
+TEST_CASE("check: colours may be written once a polygon's compares are done, but not left out") {
+  const Trace right = golden("delhi");
+  const auto later = [&](int without) {  // the nth of the first polygon's writes is left out
+    std::vector<RecordedEvent> steps, writes;
+    const auto write_now = [&] {
+      if (without >= 0 && !writes.empty()) writes.erase(writes.begin() + std::exchange(without, -1));
+      steps.insert(steps.end(), writes.begin(), writes.end()), writes.clear();
+    };
+    for (const RecordedEvent& step : steps_of(right)) {
+      if (holds<PolygonBegin>(step.event)) write_now();
+      (holds<PixelWrite>(step.event) ? writes : steps).push_back(step);
+    }
+    write_now();
+    return with_steps(right, steps);
+  };
+  CHECK(causes_of(later(-1)) == "");
+  CHECK(causes_of(later(0)).find("win_is_painted@") == 0);
+  CHECK(causes_of(later(3)).find("win_is_painted@") == 0);
+}
+
+TEST_CASE("check: a pixel lies on its span's own scan line") {
+  const Trace right = golden("delhi");
+  const std::int32_t last = right.scene().raster.height - 1;
+  const auto moved = [&](auto&& change) {
+    return test::changed(right, [&](std::int64_t, Event& event) {
+      visit_event(
+          [&]<class E>(E& e) {
+            if constexpr (requires {
+                            e.x;
+                            e.y;
+                          })
+              change(e);
+          },
+          event);
+      return true;
+    });
+  };
+  CHECK(causes_of(moved([&](auto& e) { e.y = last - e.y; })).find("pixel_in_span@") == 0);
+  // The depths are interpolated where they belong, and only compared and written elsewhere.
+  const Trace exchanged = moved([&]<class E>(E& e) {
+    if constexpr (!std::is_same_v<E, DepthInterpolate>) std::swap(e.x, e.y);
+  });
+  const CheckReport report = check(exchanged);
+  REQUIRE(!report.causes.empty());
+  CHECK(holds<DepthCompare>(exchanged.event(report.causes[0].first.step).event));
+}
+
+TEST_CASE("check: glass is mixed into the pixel that was won") {
+  const Trace right = golden("transparency");
+  REQUIRE(causes_of(right) == "");
+  const auto blend = right.next<ColorBlend>(0, [](const ColorBlend&) { return true; });
+  const Trace wrong = test::changed(right, [&](std::int64_t step, Event& event) {
+    if (step == *blend) ++get_if<ColorBlend>(&event)->x;
+    return true;
+  });
+  CHECK(causes_of(wrong).find("write_after_win@" + std::to_string(*blend)) == 0);
+}
+
+TEST_CASE("check: what was written and then cleared counts as written") {
+  const Trace right = golden("delhi");
+  const auto first = right.next<BuffersClear>(0, [](const BuffersClear&) { return true; });
+  const auto second = right.next<PolygonBegin>(0, [](const PolygonBegin& e) { return e.polygon == 1; });
+  REQUIRE(first);
+  REQUIRE(second);
+  std::vector<RecordedEvent> steps = steps_of(right);
+  steps.insert(steps.begin() + *second - 1, steps[static_cast<std::size_t>(*first - 1)]);
+  const std::string causes = causes_of(with_steps(right, steps));
+  CHECK(causes.find("win_is_written") == causes.npos);
+  // The depth of the pixel before it is not written at all.
+  const auto last_write = [&] {
+    std::int64_t found = 0;
+    for (std::int64_t step = 1; step < *second; ++step)
+      if (holds<DepthWrite>(right.event(step).event)) found = step;
+    return found;
+  }();
+  steps.erase(steps.begin() + last_write - 1);
+  CHECK(causes_of(with_steps(right, steps)).find("win_is_written@" + std::to_string(*second - 1)) == 0);
+}
+
+TEST_CASE("check: of a span whose end is no number nothing is said of its pixels") {
+  const Trace right = golden("delhi");
+  const auto span = right.next<SpanBegin>(0, [](const SpanBegin&) { return true; });
+  const Trace wrong = test::changed(right, [&](std::int64_t step, Event& event) {
+    if (step == *span) get_if<SpanBegin>(&event)->x_right = std::numeric_limits<double>::quiet_NaN();
+    return true;
+  });
+  const CheckReport report = check(wrong);
+  CHECK(std::any_of(report.causes.begin(), report.causes.end(),
+                    [](const Cause& cause) { return cause.first.field == "x_right"; }));
+  CHECK(std::none_of(report.causes.begin(), report.causes.end(),
+                     [](const Cause& cause) { return cause.first.field == "last"; }));
+}
+
+}  // namespace
