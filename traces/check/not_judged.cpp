@@ -12,6 +12,9 @@ bool may_say_nothing(std::size_t kind, std::string_view field) {
   return (kind == kind_of<SpanBegin> && field == "dz_dx") || (kind == kind_of<FacingTest> && field == "facing");
 }
 
+/// Kinds without a field that a formula gives, in which something may be wrong all the same.
+bool is_decided(std::size_t kind) { return kind == kind_of<PolygonReject>; }
+
 }  // namespace
 
 std::vector<NotJudged> not_judged(const CheckReport& report) {
@@ -23,6 +26,8 @@ std::vector<NotJudged> not_judged(const CheckReport& report) {
       left.push_back({static_cast<std::uint8_t>(kind), of.steps, of.steps, {}});
       continue;
     }
+    if (is_decided(kind) && of.judged < of.steps)
+      left.push_back({static_cast<std::uint8_t>(kind), of.steps - of.judged, of.steps, {}});
     // Fields of which as much is known go together.
     std::size_t first = left.size();
     for (const FieldOfKind& field : fields_of_kind(kind)) {

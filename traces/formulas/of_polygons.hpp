@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "traces/formulas/lines.hpp"
 #include "traces/formulas/outlines.hpp"
@@ -45,6 +48,22 @@ auto distance_of_vertex(Out& out, const Situation& at, ClipPlane plane, std::int
       w_y};
   const auto view = vector_of(out, suffix, found->view, Place{Place::In::vertex, vertex}, view_stage);
   return distance_inside(volume, plane, view.x, view.y, view.z);
+}
+
+/// Does anything remain of an outline inside of all these? inside(i, p) is how far p is inside of the ith, linearly.
+template <class Inside>
+bool remains_inside(std::vector<glm::dvec3> outline, int count, const Inside& inside) {
+  for (int i = 0; i < count; ++i) {
+    std::vector<glm::dvec3> kept;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const glm::dvec3 &from = outline[k], &to = outline[k + 1 < outline.size() ? k + 1 : 0];
+      const double d_from = inside(i, from), d_to = inside(i, to);
+      if (d_from >= 0) kept.push_back(from);
+      if ((d_from >= 0) != (d_to >= 0)) kept.push_back(part_of_way(from, to, d_from / (d_from - d_to)));
+    }
+    outline = std::move(kept);
+  }
+  return outline.size() > 2;
 }
 
 /// Takes operands as they stand.
@@ -136,23 +155,127 @@ void derive(const PolygonBegin& e, const Situation& at, Out& out) {
   if (const auto& line = at.method().scan_line; line && !at.method().keeps_all)
     for (const ActiveEdge& active : at.method().active)
       if (const EdgeTableInsert* entry = at.edge(active.edge)) all_left = all_left && entry->end_row > *line;
-  out.rule(Rule::edge_left_behind, all_left);
+  if (at.tells_leaving()) out.rule(Rule::edge_left_behind, all_left);
   const auto facet = static_cast<std::size_t>(e.facet);
   if (e.facet < 0 || facet >= at.scene.facets.size()) return;
   out.rule(Rule::facet_of_polygon, at.scene.facets[facet].polygon == e.polygon);
 }
 
+namespace detail {
+
+/// The facet that is dropped: the one at work, or the polygon's only one; -1 where it has several.
+inline std::int32_t facet_dropped(const Situation& at, std::int32_t polygon) {
+  const MethodState& method = at.method();
+  if (method.facet >= 0 && method.polygon == polygon) return method.facet;
+  const auto& facets = at.scene.facets;
+  const auto first = std::lower_bound(facets.begin(), facets.end(), polygon,
+                                      [](const Facet& facet, std::int32_t number) { return facet.polygon < number; });
+  const bool only_one = first != facets.end() && first->polygon == polygon &&
+                        (first + 1 == facets.end() || (first + 1)->polygon != polygon);
+  return only_one ? static_cast<std::int32_t>(first - facets.begin()) : -1;
+}
+
+/// How clear a reason has to be: by what share of itself, or as a sine, a number that should be 0 may be off. What is
+/// seen edge-on, or has no area, is decided by a tolerance of the program's own.
+inline constexpr double clearly_off = 1e-3;
+
+/// Does a facet on the raster cover an area, beyond what a program may take for none?
+inline bool has_area_on_screen(const Situation& at, std::span<const std::int32_t> corners) {
+  constexpr double most = 1e9;  // pixels: no raster holds more
+  double twice = 0, size = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3 &a = at.scene.points[static_cast<std::size_t>(corners[i])],
+                     &b = at.scene.points[static_cast<std::size_t>(corners[(i + 1) % corners.size()])];
+    if (!(std::abs(a.x) < most && std::abs(a.y) < most)) return false;
+    twice += a.x * b.y - b.x * a.y;
+    size = std::max({size, std::abs(b.x - a.x), std::abs(b.y - a.y)});
+  }
+  return std::abs(twice) > clearly_off * size * size;
+}
+
+/// Is a facet turned away from the eye, in world coordinates? The cosine between the line of sight and the normal;
+/// nothing where it has no area.
+inline std::optional<double> turned_away(const Situation& at, std::span<const std::int32_t> corners) {
+  const auto point = [&](std::size_t i) { return at.scene.points[static_cast<std::size_t>(corners[i])]; };
+  const glm::dvec3 normal = newell_normal(glm::dvec3(0), corners.size(), point);
+  const glm::dvec3 sight = at.camera->kind == Camera::Kind::orthographic ? -at.camera->eye : point(0) - at.camera->eye;
+  double size = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) size = std::max(size, glm::length(point(i) - point(0)));
+  const double length = glm::length(normal), away = glm::length(sight);
+  if (!(length > clearly_off * size * size) || !(away > 0)) return std::nullopt;
+  return glm::dot(sight, normal) / (away * length);
+}
+
+/// Does a part of a facet surely lie in view?
+inline bool is_in_view(const Situation& at, std::span<const std::int32_t> corners) {
+  std::vector<glm::dvec3> outline;
+  for (const std::int32_t corner : corners) {
+    const glm::dvec3& world = at.scene.points[static_cast<std::size_t>(corner)];
+    const VertexStages* viewed = at.viewed(corner);
+    outline.push_back(at.on_screen() ? world
+                      : viewed       ? viewed->view
+                                     : glm::dvec3(at.camera->view * glm::dvec4(world, 1)));
+  }
+  const Raster& raster = at.scene.raster;
+  if (at.on_screen()) {
+    constexpr int sides = 4;
+    return remains_inside(std::move(outline), sides, [&](int side, const glm::dvec3& p) {
+      const double along = side < 2 ? p.x : p.y, last = (side < 2 ? raster.width : raster.height) - 1;
+      return side % 2 == 0 ? along : last - along;
+    });
+  }
+  const Camera& camera = *at.camera;
+  const ViewVolume<Rounded> volume{camera.kind == Camera::Kind::orthographic,
+                                   camera.near,
+                                   camera.far,
+                                   camera.d,
+                                   window_width<Rounded>(camera.window, raster.width, raster.height),
+                                   camera.window};
+  return remains_inside(std::move(outline), clip_planes, [&](int plane, const glm::dvec3& p) {
+    const Rounded distance = distance_inside<Rounded>(volume, static_cast<ClipPlane>(plane), p.x, p.y, p.z);
+    return distance.value - rounding_of_float32 * distance.spread;
+  });
+}
+
+/// Is a facet dropped for this reason rightly? Nothing where that is not known, or not clear. What the run's own tests
+/// say goes before what its vertices do: those tests are judged themselves.
+inline std::optional<bool> drops_rightly(const Situation& at, std::int32_t facet, Reject reason) {
+  const MethodState& method = at.method();
+  const std::span<const std::int32_t> corners = corners_of(at, facet);
+  const bool kept_back = at.header.declares(Convention::cull) && !at.header.conventions.cull;
+  if (reason == Reject::back_facing && kept_back) return false;
+  const bool by_facing = reason == Reject::back_facing || reason == Reject::edge_on;
+  if (by_facing && method.facing)
+    return method.facing->facing == (reason == Reject::edge_on ? Facing::edge_on : Facing::back);
+  if (reason == Reject::outside) {
+    if (method.facing && method.facing->facing == Facing::back && at.header.conventions.cull) return false;
+    if (method.clip_test && method.clip_test->outside_all != 0) return true;
+    if (method.clip_test && method.clip_test->outside_some == 0) return false;
+  }
+  if (corners.empty() || (!at.camera && !at.on_screen())) return std::nullopt;
+  // A piece of a facet may lie where the facet as a whole does not.
+  const bool whole = method.pieces.empty() && method.tree.empty();
+  if (reason == Reject::outside) return whole ? std::optional(!is_in_view(at, corners)) : std::nullopt;
+  if (at.on_screen())
+    return reason == Reject::back_facing ? std::nullopt : std::optional(!has_area_on_screen(at, corners));
+  const std::optional<double> away = turned_away(at, corners);
+  if (reason == Reject::edge_on) return !away || std::abs(*away) <= clearly_off;
+  if (reason == Reject::back_facing) return !away || *away > -rounding_of_float64;
+  // What clipping leaves may have none, or coordinates that no raster holds.
+  const bool may_be_cut = !whole || !method.clip_test || method.clip_test->outside_some != 0;
+  if (!away || std::abs(*away) <= clearly_off) return true;
+  return may_be_cut ? std::nullopt : std::optional(false);
+}
+
+}  // namespace detail
+
 template <class Out>
 void derive(const PolygonReject& e, const Situation& at, Out& out) {
   const MethodState& method = at.method();
-  bool right = true;
-  // A tree is gone through without one polygon at work; what has no area may be found in any way.
-  if (e.reason == Reject::back_facing && method.facing) right = method.facing->facing == Facing::back;
-  if (e.reason == Reject::edge_on && method.facing) right = method.facing->facing == Facing::edge_on;
-  if (e.reason == Reject::outside && method.facing)
-    right = method.facing->facing != Facing::back || !at.header.conventions.cull;
-  if (method.polygon != no_polygon && method.facet >= 0) right = right && e.polygon == method.polygon;
-  out.rule(Rule::reject_is_right, right);
+  // A tree is gone through without one polygon at work.
+  const bool is_another = method.polygon != no_polygon && method.facet >= 0 && e.polygon != method.polygon;
+  const auto rightly = detail::drops_rightly(at, detail::facet_dropped(at, e.polygon), e.reason);
+  if (is_another || rightly) out.rule(Rule::reject_is_right, !is_another && *rightly);
 }
 
 /// On the outside of which planes of the view volume some, and all, corners lie.
