@@ -31,6 +31,12 @@ TEST_CASE("check: what is wrong, what was expected and what was found, in one li
   Fault rule;
   rule.rule = formulas::Rule::hides_of_line;
   CHECK(what_is_wrong(rule, {}) == "The hidden or visible part does not lie between the ends of the line.");
+  // Words, and true and false, stand as such.
+  Fault word;
+  word.kind = kind_of<FacingTest>, word.field = "facing", word.recorded = 1, word.expected = 0;
+  CHECK(what_is_wrong(word, {}) == "facing = front, but the trace has back");
+  word.kind = kind_of<ClipVertex>, word.field = "inside";
+  CHECK(what_is_wrong(word, {}) == "inside = false, but the trace has true");
   Fault impossible;
   impossible.impossible = "edge 7 is not in the edge table";
   CHECK(what_is_wrong(impossible, {}) == "this step is impossible: edge 7 is not in the edge table");
