@@ -77,7 +77,7 @@ enum class Rule : std::uint8_t {
   box_entered,        ///< a ray that meets a box enters it before it leaves it
   kept_inside,        ///< of the points where a ray meets planes only those inside their facets are kept
   facet_of_polygon,   ///< a facet is one of its polygon's
-  reject_is_right,    ///< a polygon is dropped for a reason that its tests gave
+  reject_is_right,    ///< a polygon is dropped for a reason that its tests, or its vertices, give
   outline_of_facet,   ///< an outline has its facet's corners, and vertices that were made
   edge_of_outline,    ///< an edge joins two neighbours of its outline
   side_is_right,      ///< a side follows from the values of the plane
