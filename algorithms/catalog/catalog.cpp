@@ -131,9 +131,20 @@ const Method& method(std::string_view id) {
 
 void check_run(const Method& method, const Scene& scene, const Conventions& conventions, const std::string& who) {
   const std::string id(method.id);
+  // First what no option mends.
+  const std::string name = scene.source.empty() || scene.source == "built-in" ? scene.name : scene.source;
+  if (method.needs == Needs::surface && !scene.surface)
+    throw InputError(name, id + " draws a surface y = f(x, z), and this scene has none",
+                     "give a formula in its place: \"y = sin(x)*cos(z)\"");
+  if (method.needs == Needs::light && !scene.light)
+    throw InputError(name, id + " needs a light, and this scene has none", "add a [light] to the scene's file");
   check_options(method.options, method.id, conventions, who);
   if (method.check) method.check(conventions, who);
-  if (const std::string wanted = options_for_planes(conventions); !method.interpolates && !wanted.empty())
+  const std::string wanted = method.interpolates ? "" : options_for_planes(conventions);
+  if (!wanted.empty() && method.gives == Gives::lines)
+    throw InputError("--algorithm " + id, "draws lines: nothing is interpolated, and no pixel is covered",
+                     "give " + wanted);
+  if (!wanted.empty())
     throw InputError("--algorithm " + id,
                      "works with planes: its depths are pseudodepths, directly computed at pixel centres",
                      "give " + wanted + ", or use z-buffer or scan-line");
@@ -141,12 +152,6 @@ void check_run(const Method& method, const Scene& scene, const Conventions& conv
     throw InputError("--algorithm " + id, "interpolates z_v or pseudodepth, directly or by increments, in float64",
                      "leave out the other conventions, or use z-buffer");
   interpolation::check(scene, conventions);
-  const std::string name = scene.source.empty() || scene.source == "built-in" ? scene.name : scene.source;
-  if (method.needs == Needs::surface && !scene.surface)
-    throw InputError(name, id + " draws a surface y = f(x, z), and this scene has none",
-                     "give a formula in its place: \"y = sin(x)*cos(z)\"");
-  if (method.needs == Needs::light && !scene.light)
-    throw InputError(name, id + " needs a light, and this scene has none", "add a [light] to the scene's file");
 }
 
 bool can_draw(const Method& method, const Scene& scene, const Conventions& conventions) {

@@ -164,3 +164,17 @@ TEST_CASE("a centre beside an outline is not on it, and a polygon without a neig
            "A is not seen at pixel (10, 3): the pixel's centre lies on a right or last edge of it, and by the "
            "half-open rule such a centre is outside.");
 }
+
+TEST_CASE("a method that draws lines has no depths, and what no option mends comes first") {
+  const Folder folder;
+  const std::string lines = run(folder, "record delhi --algorithm wireframe -o run.ztrace").err;
+  CHECK(lines ==
+        "--algorithm wireframe: draws lines: nothing is interpolated, and no pixel is covered; give "
+        "--coverage top-left\n");
+  const std::string all = run(folder, "compare-methods delhi").err;
+  CAPTURE(all);
+  CHECK(has(all,
+            "without Floating horizon: delhi: floating-horizon draws a surface y = f(x, z), and this scene has "
+            "none"));
+  CHECK(must(folder, "record delhi --algorithm wireframe --coverage top-left -o run.ztrace") != "");
+}
