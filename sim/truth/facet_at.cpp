@@ -12,17 +12,29 @@ namespace zstep::compare {
 
 namespace {
 
-// Does an interval have a point with |x - place.x| <= 1/2 and |y - place.y| <= 1/2?
-bool enters_square(const Vec2& from, const Vec2& to, const Vec2& place) {
-  Real first = 0, last = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    const Real start = from[axis] - place[axis], along = to[axis] - from[axis];
-    if (along == 0 && std::fabs(start) > 0.5L) return false;
-    if (along == 0) continue;
-    const Real one = (-0.5L - start) / along, other = (0.5L - start) / along;
-    first = std::max(first, std::min(one, other)), last = std::min(last, std::max(one, other));
+/// What of an outline lies on one side of an upright or a level line: sign·p[axis] <= limit.
+std::vector<Vec2> cut_off(const std::vector<Vec2>& outline, int axis, Real sign, Real limit) {
+  std::vector<Vec2> kept;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
+    const Real one = limit - sign * from[axis], other = limit - sign * to[axis];
+    if (one >= 0) kept.push_back(from);
+    if ((one > 0 && other < 0) || (one < 0 && other > 0)) kept.push_back(from + one / (one - other) * (to - from));
   }
-  return first <= last;
+  return kept;
+}
+
+/// Of the pixel's square, how much an outline covers. Where it is not convex, parts of it hang together by lines, which
+/// have no area.
+Real area_in_square(std::vector<Vec2> outline, const Vec2& place) {
+  for (int axis = 0; axis < 2; ++axis)
+    for (const Real sign : {-1.0L, 1.0L}) outline = cut_off(outline, axis, sign, sign * place[axis] + 0.5L);
+  Real twice = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i] - place, b = outline[(i + 1) % outline.size()] - place;
+    twice += a.x * b.y - b.x * a.y;
+  }
+  return std::fabs(twice) / 2;
 }
 
 }  // namespace
@@ -37,10 +49,8 @@ std::optional<FacetAt> facet_at(const Scene& scene, std::int32_t facet, bool cul
   found.candidate.facet = facet, found.candidate.polygon = shape.polygon;
   locate(seen, place, found.candidate);
   measure_depth(seen, sight, place, found.candidate);
-  found.in_square = found.candidate.covers;
-  for (std::size_t i = 0; i < seen.outline.size(); ++i)
-    found.in_square =
-        found.in_square || enters_square(seen.outline[i], seen.outline[(i + 1) % seen.outline.size()], place);
+  constexpr Real nothing = 1e-12L;  // of a square whose side is 1: a point or a line that rounding moved
+  found.in_square = found.candidate.covers || area_in_square(seen.outline, place) > nothing;
   return found;
 }
 

@@ -11,7 +11,7 @@ namespace zstep::compare {
 /// One facet at one pixel's centre, whether it covers it or not.
 struct FacetAt {
   Candidate candidate;
-  bool in_square = false;  ///< a part of it lies in the pixel's square, |dx| <= 1/2 and |dy| <= 1/2
+  bool in_square = false;  ///< a part of it that has an area lies in the pixel's square, |dx| <= 1/2 and |dy| <= 1/2
 };
 /// nullopt if nothing of the facet may be drawn: facing away where `cull`, without area, wholly before near or beyond
 /// far. Looks at this facet only.
