@@ -93,20 +93,33 @@ void tell(Telling& t, const EdgeTableSkip& e) {
   // Half-open: an edge that ends on a scan line does not meet it.
   const double first = std::ceil(from), end = std::ceil(to), height = t.scene.raster.height;
   const double first_within = std::clamp(first, 0.0, height);
+  if (!a || !b)
+    return t.say(fmt::format("The trace leaves out the {} as {}.", edge,
+                             horizontal ? "horizontal" : "lying between two scan lines"));
   const bool beside = !horizontal && first < end && first_within >= std::min(end, height);
+  const bool on_line = to == std::floor(to);
   if (beside)
     t.say(fmt::format("The {} lies {} the raster and meets none of its scan lines: it is left out.", edge,
                       to <= 0 ? "above" : "below"));
-  else
-    t.say(horizontal ? fmt::format("The {} is horizontal: it meets no scan line in one point and is left out.", edge)
-                     : fmt::format("The {} lies between two scan lines and meets none: it is left out.", edge));
-  if (!a || !b) return;
+  else if (horizontal)
+    t.say(fmt::format("The {} is horizontal: it meets no scan line in one point and is left out.", edge));
+  else if (on_line)
+    t.say(
+        fmt::format("The {} ends on scan line {}, where by the half-open rule it is no longer met, and meets none "
+                    "before it: it is left out.",
+                    edge, number(to)));
+  else t.say(fmt::format("The {} lies between two scan lines and meets none: it is left out.", edge));
   if (horizontal && from != to)
     t.contradict(fmt::format("The trace leaves out the {} as horizontal, but it is not: {} \u2260 {}.", edge,
                              number(a->y), number(b->y)));
   if (!horizontal && first_within < std::min(end, height))
     t.contradict(fmt::format("The trace leaves out the {} as lying between two scan lines, but it meets scan line {}.",
                              edge, number(first_within)));
+  else if (!horizontal && from == to && on_line)
+    t.contradict(
+        fmt::format("The trace leaves out the {} as lying between two scan lines, but it is horizontal and "
+                    "lies on scan line {}.",
+                    edge, number(to)));
   t.formula(fmt::format("y_0 = {}, y_1 = {}", number(a->y), number(b->y)));
 }
 

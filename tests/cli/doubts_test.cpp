@@ -178,3 +178,15 @@ TEST_CASE("a method that draws lines has no depths, and what no option mends com
             "none"));
   CHECK(must(folder, "record delhi --algorithm wireframe --coverage top-left -o run.ztrace") != "");
 }
+
+TEST_CASE("an edge that is left out: the run's reason is held against its own numbers") {
+  const Folder folder;
+  must(folder, "record delhi -o run.ztrace");
+  must(folder, "dump run.ztrace --jsonl | sed '/skip_edge/s/horizontal/between_rows/' > wrong.jsonl");
+  HAS_LINE(must(folder, "find run.ztrace skip_edge"),
+           "6  skip_edge  The edge from vertex 0 to vertex 1 is horizontal: it meets no scan line in one point and is "
+           "left out.");
+  HAS_LINE(must(folder, "find wrong.jsonl skip_edge"),
+           "6  skip_edge  The trace leaves out the edge from vertex 0 to vertex 1 as lying between two scan lines, but "
+           "it is horizontal and lies on scan line 7.");
+}
