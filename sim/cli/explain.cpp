@@ -105,8 +105,8 @@ std::string text_of(const answers::Chain& chain, const Exactness& exactness) {
     for (std::size_t i = 0; i < link.values.size(); ++i) {
       const answers::ChainValue& value = link.values[i];
       const bool asked = at == 0 && i == 0;
-      const std::string hex =
-          asked && !value.condition && value.word.empty() ? "   (" + hex_text(value.value) + ")" : "";
+      const double printed = answers::holds(value) ? value.value : answers::computed_value(value);
+      const std::string hex = asked && !value.condition && value.word.empty() ? "   (" + hex_text(printed) + ")" : "";
       text += fmt::format("{:>{}}    {}{}{}\n", "", width, indent, answers::line_text(value), hex);
       if (const std::string doubt = answers::doubt_text(value); !doubt.empty())
         text += fmt::format("{:>{}}    {}{}\n", "", width, indent, doubt);

@@ -190,3 +190,14 @@ TEST_CASE("an edge that is left out: the run's reason is held against its own nu
            "6  skip_edge  The trace leaves out the edge from vertex 0 to vertex 1 as lying between two scan lines, but "
            "it is horizontal and lies on scan line 7.");
 }
+
+TEST_CASE("explain: the hexadecimal number is that of the number beside it, also where the trace records another") {
+  const Folder folder;
+  const std::string round = must(folder, "explain " + foreign("round") + " --at 8 end_row");
+  HAS_LINE(round, "end_row = ⌈y_1⌉ = ⌈6.6⌉ = 7   (0x1.cp+2)");
+  HAS_LINE(round, "The trace records 8, but this formula gives 7.");
+  const std::string last = must(folder, "explain " + foreign("span_end") + " --at 16 last");
+  CAPTURE(last);
+  CHECK(has(last, "(0x1.cp+2)"));
+  CHECK(!has(last, "(0x1p+3)"));
+}

@@ -92,12 +92,17 @@ std::string line_text(const ChainValue& value) {
     const bool taken_over = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
     if (!value.formula.empty() && value.formula != value.name) text += " = " + formula_text(value);
     if (!value.formula.empty() && !taken_over) text += " = " + numbers_text(value);
-    const double computed = value.formula.empty() || taken_over ? value.value : evaluate(value);
+    const double computed = computed_value(value);
     text += " = " +
             (holds(value) ? as_held(computed, value.value, result_text(value), value.rounds) : full_digits(computed));
   }
   if (!value.note.empty()) text += "   " + value.note;
   return text;
+}
+
+double computed_value(const ChainValue& value) {
+  const bool taken_over = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
+  return value.formula.empty() || taken_over ? value.value : evaluate(value);
 }
 
 double evaluate(const ChainValue& value) { return evaluated(value).value; }

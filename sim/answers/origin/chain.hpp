@@ -65,6 +65,8 @@ std::string result_text(const ChainValue& value);
 /// What the formula gives, in the order in which it is written: in the language of sim/classroom/expression.hpp, with
 /// sqrt, abs, round, min and max.
 double evaluate(const ChainValue& value);
+/// The number with which line_text ends: the same, or what was taken over or is given.
+double computed_value(const ChainValue& value);
 /// Is that what was recorded, but for rounding?
 bool holds(const ChainValue& value);
 /// What is to be said where it is not: "The trace records 0.35, but this formula gives 0.3."; else nothing.
