@@ -75,21 +75,42 @@ std::string in_buffer(double error, double unit) {
   return unit > 0 ? fmt::format(" or {} of the depth buffer's last bit", answers::roughly(error / unit)) : "";
 }
 
+/// The number of a chain that brings most of the error without being what its formula gives: that is no rounding.
+std::optional<answers::Exactness::Where> wrong_number(const answers::Chain& chain,
+                                                      const answers::Exactness& exactness) {
+  std::optional<answers::Exactness::Where> found;
+  double most = 0;
+  for (std::size_t at = 0; at < chain.links.size(); ++at)
+    for (std::size_t i = 0; i < chain.links[at].values.size(); ++i) {
+      const double brought = std::abs(exactness.of[at][i].brought);
+      if (brought > most && !answers::holds(chain.links[at].values[i])) most = brought, found = {at, i};
+    }
+  return found;
+}
+
 /// Where most of the error of the number that was asked for came in.
 std::string most_text(const answers::Chain& chain, const answers::Exactness& exactness) {
   const answers::ChainValue& asked = chain.links[0].values[0];
   const answers::Exact& whole = exactness.of[0][0];
   if (!whole.known || asked.condition || !asked.word.empty()) return "";
   if (whole.error == 0) return fmt::format("{} has no error.\n", asked.name);
+  const double unit = exactness.buffer_unit;
+  const std::string error =
+      fmt::format("The error of {}, {}{},", asked.name, answers::roughly(whole.error), in_buffer(whole.error, unit));
+  const auto part = [&](answers::Exactness::Where at) {
+    const double brought = exactness.of[at.link][at.value].brought;
+    return fmt::format("{}{}, comes from {} at step {} ({})", answers::roughly(brought), in_buffer(brought, unit),
+                       chain.links[at.link].values[at.value].name, grouped(chain.links[at.link].step),
+                       chain.links[at.link].what);
+  };
+  if (const auto wrong = wrong_number(chain, exactness))
+    return fmt::format(
+        "{} is more than rounding brings: {}, where the trace records another number than its formula "
+        "gives.\n",
+        error, part(*wrong));
   if (!exactness.most) return "";
-  const auto [at, value] = *exactness.most;
-  const double brought = exactness.of[at][value].brought, unit = exactness.buffer_unit;
-  return fmt::format(
-      "The error of {}, {}{}, is the sum of what each rounding brings. The largest part, {}{}, comes from "
-      "{} at step {} ({}).\n",
-      asked.name, answers::roughly(whole.error), in_buffer(whole.error, unit), answers::roughly(brought),
-      in_buffer(brought, unit), chain.links[at].values[value].name, grouped(chain.links[at].step),
-      chain.links[at].what);
+  return fmt::format("{} is the sum of what each rounding brings. The largest part, {}.\n", error,
+                     part(*exactness.most));
 }
 
 std::string text_of(const answers::Chain& chain, const Exactness& exactness) {

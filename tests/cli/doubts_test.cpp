@@ -201,3 +201,21 @@ TEST_CASE("explain: the hexadecimal number is that of the number beside it, also
   CHECK(has(last, "(0x1.cp+2)"));
   CHECK(!has(last, "(0x1p+3)"));
 }
+
+TEST_CASE("explain: a number that its formula does not give is no rounding, and a run without spans has none") {
+  const Folder folder;
+  must(folder, "record pyramid-behind --size 20x15 --interpolation plane -o run.ztrace");
+  must(folder,
+       "dump run.ztrace --jsonl | grep -v '\"step\":\"span\"' | "
+       "sed '/interpolate_z/s/\"x\":9,\"y\":8,\"z\":[-0-9.e]*/\"x\":9,\"y\":8,\"z\":0.125/' > wrong.jsonl");
+  const std::string right = must(folder, "explain run.ztrace 9 8 --exact"),
+                    wrong = must(folder, "explain wrong.jsonl 9 8 --exact");
+  CHECK(has(right, "is the sum of what each rounding brings. The largest part, "));
+  CHECK(has(right, "depth at x = 9 on the span"));
+  CAPTURE(wrong);
+  CHECK(!has(wrong, "is the sum of what each rounding brings"));
+  CHECK(has(wrong, "is more than rounding brings: "));
+  CHECK(has(wrong, ", where the trace records another number than its formula gives."));
+  CHECK(!has(wrong, "on the span"));
+  CHECK(has(wrong, "depth at pixel (9, 8)"));
+}

@@ -27,7 +27,8 @@ std::string named(const Work& work, const Event& event, std::string_view field) 
 
 std::string what_happens(const Work& work, const Event& event) {
   const Description& description = description_of_kind(event.index());
-  const std::string_view pattern = description.called.empty() ? description.meaning : description.called;
+  std::string_view pattern = description.called.empty() ? description.meaning : description.called;
+  if (holds<DepthInterpolate>(event) && !work.machine().span) pattern = "depth at pixel ({x}, {y})";
   std::string text;
   std::size_t from = 0;
   for (std::size_t open = pattern.find('{'); open != pattern.npos; open = pattern.find('{', from)) {
