@@ -369,9 +369,10 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
   if (visit.wiped) return fmt::format("{}; cleared at step {}", text, grouped(*visit.wiped));
   if (!visit.over) return text;
   const Visit& other = history[*visit.over];
+  const std::int64_t taken = other.written == 0 ? other.step : std::min(other.step, other.written);
   if (other.shows == visit.shows) return fmt::format("{}; written once more after step {}", text, grouped(other.step));
   return fmt::format("{}; {} comes over it at step {}", text, polygon_label(trace.scene(), other.shows),
-                     grouped(other.step));
+                     grouped(taken));
 }
 
 }  // namespace zstep::answers

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "traces/replay/beginning.hpp"
+
 namespace zstep::answers {
 namespace {
 
@@ -42,7 +44,9 @@ class Reading {
       : trace_(trace),
         depth_(trace.header().empty_depth()),
         known_(trace.header().initial_depth.has_value()),
-        shades_(trace.has(kind_of<AttributeInterpolate>)) {}
+        shades_(trace.has(kind_of<AttributeInterpolate>)),
+        owners_(records_owners(trace)),
+        compares_write_(Beginning(trace).machine().compares_write) {}
 
   void clear(double z) {
     depth_ = z, polygon_ = no_polygon;
@@ -63,6 +67,14 @@ class Reading {
       visit.step = step, visit.z = compare->z;
       if (known_) visit.stored = depth_;
       visit.outcome = compare->nearer ? Outcome::won : visit.z == visit.stored ? Outcome::tie : Outcome::lost;
+      if (compare->nearer && compares_write_) {
+        visit.kept = depth_ = compare->z, visit.kept_at = step;
+        only_cleared_ = false, known_ = true;
+      }
+      if (compare->nearer && !owners_ && work.polygon != no_polygon) {
+        visit.written = step;
+        take_pixel(visit, work.polygon);
+      }
     } else if (const auto* depth = get_if<DepthWrite>(&event)) {
       const AtWork work = at_work(trace_, step);
       Visit& visit = goes_on(work) && all.back().kept_at == 0 ? all.back() : add(step, work, Outcome::written);
@@ -125,13 +137,18 @@ class Reading {
   const Trace& trace_;
   double depth_;
   std::int32_t polygon_ = no_polygon;
-  bool known_, shades_, only_cleared_ = true;
+  bool known_, shades_, owners_, compares_write_, only_cleared_ = true;
   AtWork work_;        ///< of the last visit
   bool open_ = false;  ///< steps that follow may belong to it
   std::optional<Interpolated> interpolated_;
 };
 
 }  // namespace
+
+bool records_owners(const Trace& trace) {
+  return trace.has(kind_of<PixelWrite>) || trace.has(kind_of<PixelPaint>) || trace.has(kind_of<ColorBlend>);
+}
+bool records_depths(const Trace& trace) { return trace.has(kind_of<DepthWrite>) || trace.has(kind_of<PixelPaint>); }
 
 std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel) {
   return visits_of(trace, pixel, begin_of_picture(trace));

@@ -64,6 +64,12 @@ struct Visit {
 std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after);
 std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel);
 
+/// Does a run have steps that say whose a pixel is? Where it has none, and compares depths, the last that is found to
+/// be nearer takes the pixel.
+bool records_owners(const Trace& trace);
+/// Does it have steps that say what is written into the depth buffer?
+bool records_depths(const Trace& trace);
+
 /// The last that took the pixel before a step; nullptr while it shows the background.
 const Visit* holder(const std::vector<Visit>& visits, std::int64_t before);
 

@@ -77,6 +77,9 @@ void add_remarks(const Asked& q, Verdict& verdict, const Visit& visit) {
 std::string lost_text(const Asked& q, const Visit& mine) {
   const std::string step = step_text(mine.step), other = q.label(mine.stored_polygon);
   if (!follows(q.trace, mine)) return fmt::format("at {} {}, and nothing was written", step, contradiction_of(q, mine));
+  if (mine.nearer() && mine.kept)
+    return fmt::format("at {} it was found to be nearer, but its depth alone was written, at {}", step,
+                       step_text(mine.kept_at));
   if (mine.nearer())
     return fmt::format("at {} it was found to be nearer, but the trace does not say that it was written", step);
   if (!mine.stored) return fmt::format("at {} the trace says that it is not nearer, and does not say than what", step);
@@ -134,6 +137,9 @@ Verdict why_miswritten(Asked& q, const std::vector<Visit>& visits, const Visit& 
   return verdict;
 }
 
+/// Was the pixel written before its compare?
+bool written_first(const Visit& visit) { return visit.takes && was_compared(visit) && visit.written < visit.step; }
+
 /// How another polygon took the pixel from it.
 std::string gone_text(const Asked& q, const Visit& mine, const Visit& next) {
   const std::string other = q.label(whose(next)), since = step_text(mine.written);
@@ -146,6 +152,10 @@ std::string gone_text(const Asked& q, const Visit& mine, const Visit& next) {
   if (next.outcome == Outcome::written)
     return fmt::format("it was there from {} on, until {} wrote {} there without a compare", since,
                        step_text(next.written), other);
+  if (written_first(next))
+    return fmt::format("it was there from {} on, until {} wrote {}; only then, at {}, {} was compared, and found {}",
+                       since, step_text(next.written), other, step_text(next.step), q.label(next.polygon),
+                       next.nearer() ? "to be nearer" : "not to be nearer");
   if (next.compared() && !next.nearer())
     return fmt::format("it was there from {} on; {} lost the compare at {}, and {} wrote {} all the same", since,
                        q.label(next.polygon), step_text(next.step), step_text(next.written), other);
@@ -163,7 +173,8 @@ Verdict why_gone(Asked& q, const std::vector<Visit>& visits, const Visit& mine, 
   const bool painted = next.outcome == Outcome::painted, compared = was_compared(next);
   const std::string other = q.label(whose(next));
   const Why kind = !compared ? Why::painted_over : next.nearer() ? Why::overwritten : Why::contradicted;
-  Verdict verdict = q.verdict(kind, compared ? next.step : next.written, gone_text(q, mine, next));
+  const std::int64_t taken = compared && !written_first(next) ? next.step : next.written;
+  Verdict verdict = q.verdict(kind, taken, gone_text(q, mine, next));
   verdict.other = whose(next);
   if (compared) q.add_formulas(verdict, next);
   if (next.compared() && !follows(q.trace, next))
@@ -274,6 +285,8 @@ Verdict why_seen(Asked& q, const std::vector<Visit>& visits, const Visit& last) 
       : compared && !last.nearer()
           ? fmt::format("{} wrote it there, though {} lost the compare at {}", step,
                         last.polygon == q.polygon ? "it" : q.label(last.polygon), step_text(last.step))
+      : !records_owners(q.trace)
+          ? fmt::format("at {} it was found to be nearer{}, and nothing was after it", step, z_text(q, last))
           : fmt::format("{} put it there{}", step, z_text(q, last));
   Verdict verdict = seen(q, last.written, how, fmt::format("the pixel becomes {}", q.name));
   if (was_compared(last)) verdict.chain.push_back({last.step, last.polygon, compare_link(q, last)});
@@ -303,11 +316,7 @@ double behind(const Asked& q, const Visit& visit) {
   return q.trace.header().comparison.behind(visit.z.value_or(0), std::isfinite(stored) ? stored : 0);
 }
 
-}  // namespace
-
-Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
-  std::vector<Visit> visits = visits_of(q.trace, q.pixel);
-  std::erase_if(visits, [](const Visit& visit) { return visit.outcome == Outcome::colored; });
+Verdict by_visits(Asked& q, const std::vector<FacetThere>& facets, const std::vector<Visit>& visits) {
   const Visit *last = holder(visits, q.trace.size() + 1), *mine = nullptr, *least = nullptr, *miswritten = nullptr;
   for (const Visit& visit : visits) {
     const bool its_own = visit.polygon == q.polygon;
@@ -338,6 +347,18 @@ Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
     return why_taken(q, visits.front());
   if (const std::string text = unnamed_text(visits); !text.empty()) return q.verdict(Why::not_recorded, 0, text);
   return not_recorded(q);
+}
+
+}  // namespace
+
+Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
+  std::vector<Visit> visits = visits_of(q.trace, q.pixel);
+  std::erase_if(visits, [](const Visit& visit) { return visit.outcome == Outcome::colored; });
+  Verdict verdict = by_visits(q, facets, visits);
+  const bool by_compares = std::any_of(visits.begin(), visits.end(), [](const Visit& visit) { return visit.takes; });
+  if (by_compares && !records_owners(q.trace))
+    verdict.sentence += " The run does not record what is written to pixels; this follows from its compares.";
+  return verdict;
 }
 
 }  // namespace zstep::answers

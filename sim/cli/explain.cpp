@@ -192,14 +192,27 @@ nlohmann::ordered_json json_of(const answers::Chain& chain, const Exactness& exa
   return all;
 }
 
-/// Why a pixel has no depth: nothing came there, or its colour alone was written.
+/// Why a pixel has no depth: nothing came there, its colour alone was written, or the run does not record what is.
 std::string no_depth_text(const Trace& trace, Trace::Pixel pixel, std::int64_t at) {
-  const std::string where = fmt::format("pixel ({}, {}) has no depth", pixel.x, pixel.y);
   const std::vector<answers::Visit> visits = answers::visits_of(trace, pixel);
   const answers::Visit* last = answers::holder(visits, at + 1);
-  if (last == nullptr) return fmt::format("{}: nothing was drawn there up to step {}", where, grouped(at));
-  return fmt::format("{}: step {} colours it {}, but no step up to {} writes its depth", where, grouped(last->written),
-                     polygon_label(trace.scene(), last->shows), grouped(at));
+  const std::string where = fmt::format("pixel ({}, {})", pixel.x, pixel.y),
+                    who = last ? polygon_label(trace.scene(), last->shows) : "";
+  if (!answers::records_depths(trace))
+    return fmt::format("{}: the run does not record what is written into the depth buffer{}", where,
+                       last && last->z && last->compared()
+                           ? fmt::format("; the last that was found to be nearer there is {}, at step {} (give --at {} "
+                                         "z)",
+                                         who, grouped(last->step), last->step)
+                           : "");
+  if (last == nullptr && answers::records_owners(trace))
+    return fmt::format("{} has no depth: nothing was drawn there up to step {}", where, grouped(at));
+  if (last == nullptr) return fmt::format("{} has no depth: no step up to {} writes one", where, grouped(at));
+  return fmt::format("{} has no depth: {}, but no step up to {} writes its depth", where,
+                     answers::records_owners(trace)
+                         ? fmt::format("step {} colours it {}", grouped(last->written), who)
+                         : fmt::format("at step {} {} was found to be nearer there", grouped(last->step), who),
+                     grouped(at));
 }
 
 int explain(const ExplainOptions& options) {

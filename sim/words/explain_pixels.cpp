@@ -71,6 +71,11 @@ std::optional<double> cleared_to(const Telling& t) {
   return get<BuffersClear>(t.trace.event(*std::prev(after)).event).z;
 }
 
+/// Does the run have steps that say whose a pixel is?
+bool records_owners(const Telling& t) {
+  return t.trace.has(kind_of<PixelWrite>) || t.trace.has(kind_of<PixelPaint>) || t.trace.has(kind_of<ColorBlend>);
+}
+
 /// What is stored where a depth is compared, as far as it can be named.
 struct Stored {
   double z = no_depth;
@@ -82,8 +87,9 @@ Stored stored_of(const Telling& t, const Fragment& f) {
   Stored is{f.stored, f.stored_polygon == no_polygon, false, t.label(f.stored_polygon)};
   is.cleared = cleared_to(t).value_or(t.trace.header().empty_depth()) == f.stored;
   if (is.empty)
-    is.who = is.cleared ? fmt::format("what the {} was cleared to", buffer_name(t))
-                        : "the depth that was written here without a colour";
+    is.who = is.cleared          ? fmt::format("what the {} was cleared to", buffer_name(t))
+             : records_owners(t) ? "the depth that was written here without a colour"
+                                 : "the depth that is stored here";
   return is;
 }
 
@@ -100,7 +106,8 @@ std::string nearer_text(const Stored& is, double z, const std::string& buffer) {
 struct Written {
   std::int64_t step = 0;
   std::int32_t polygon = no_polygon;
-  bool unknown = false;  ///< the trace ends before
+  bool unknown = false;  ///< the trace ends before, or has no steps that say so
+  bool depth = false;    ///< the depth is written
 };
 template <class E>
 bool is_at(const Event& event, std::int32_t x, std::int32_t y) {
@@ -110,20 +117,22 @@ bool is_at(const Event& event, std::int32_t x, std::int32_t y) {
 Written write_of(const Telling& t, const DepthCompare& e) {
   const auto colour = [&](std::int64_t step) -> std::optional<Written> {
     const Event& event = t.trace.event(step).event;
-    if (is_at<PixelWrite>(event, e.x, e.y)) return Written{step, get<PixelWrite>(event).polygon, false};
-    if (is_at<ColorBlend>(event, e.x, e.y)) return Written{step, get<ColorBlend>(event).polygon, false};
+    if (is_at<PixelWrite>(event, e.x, e.y)) return Written{step, get<PixelWrite>(event).polygon};
+    if (is_at<ColorBlend>(event, e.x, e.y)) return Written{step, get<ColorBlend>(event).polygon};
     return std::nullopt;
   };
+  bool depth = false;
   for (std::int64_t step = t.after.position + 1; step <= t.trace.size(); ++step) {
     if (const auto written = colour(step)) return *written;
     if (!is_at<DepthWrite>(t.trace.event(step).event, e.x, e.y)) break;
-    if (step == t.trace.size()) return {0, no_polygon, true};
+    depth = true;
+    if (step == t.trace.size()) return {0, no_polygon, true, depth};
   }
-  if (t.after.position == t.trace.size()) return {0, no_polygon, true};
+  if (t.after.position == t.trace.size() || !records_owners(t)) return {0, no_polygon, true, depth};
   // Some programs write first and compare then.
   if (t.after.position > 1)
     if (const auto written = colour(t.after.position - 1)) return *written;
-  return {};
+  return {0, no_polygon, false, depth};
 }
 
 /// "so pixel (1, 3) becomes A", as far as the trace has it.
@@ -135,7 +144,8 @@ std::string becomes_text(const Telling& t, const DepthCompare& e, const Written&
                        t.label(written.polygon));
   if (written.step != 0 || (written.unknown && named))
     return fmt::format("so pixel {} becomes {}", where, written.step != 0 ? t.label(written.polygon) : t.here());
-  return named ? fmt::format("so pixel {} should become {}, but nothing is written", where, t.here())
+  return named ? fmt::format("so pixel {} should become {}, but {} is written", where, t.here(),
+                             written.depth ? "its depth alone" : "nothing")
                : fmt::format("so pixel {} should be written, but the trace neither names a polygon nor writes one",
                              where);
 }

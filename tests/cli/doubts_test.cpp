@@ -219,3 +219,18 @@ TEST_CASE("explain: a number that its formula does not give is no rounding, and 
   CHECK(!has(wrong, "on the span"));
   CHECK(has(wrong, "depth at pixel (9, 8)"));
 }
+
+TEST_CASE("explain: of a run that records no writes it is not said that nothing was drawn") {
+  const Folder folder;
+  must(folder, "record foley -o run.ztrace");
+  must(folder, "dump run.ztrace --jsonl | grep -v '\"step\":\"write_' > compares.jsonl");
+  must(folder, "dump run.ztrace --jsonl | grep -v '\"step\":\"write_depth' > pixels.jsonl");
+  for (const char* file : {"compares", "pixels"}) {
+    const std::string said = must(folder, std::string("explain ") + file + ".jsonl 3 4");
+    CAPTURE(said);
+    CHECK(has(said,
+              "pixel (3, 4): the run does not record what is written into the depth buffer; the last that was "
+              "found to be nearer there is "));
+    CHECK(!has(said, "nothing was drawn"));
+  }
+}

@@ -138,9 +138,10 @@ TEST_SUITE("foreign traces") {
 
   TEST_CASE("a colour that is written before its compare belongs to it") {
     CHECK(history("writefirst", 1, 1) ==
-          "56 A 0.5 against \u221e: nearer; B comes over it at step 204\n204 B 0.3 against 0.5: nearer\n");
+          "56 A 0.5 against \u221e: nearer; B comes over it at step 203\n204 B 0.3 against 0.5: nearer\n");
     CHECK(sentence("writefirst", "A", 1, 1) ==
-          "A is not seen at pixel (1, 1): it was there from step 55 on, until B was found to be nearer at step 204.");
+          "A is not seen at pixel (1, 1): it was there from step 55 on, until step 203 wrote B; only then, at step "
+          "204, B was compared, and found to be nearer.");
   }
 
   TEST_CASE("a trace that ends before work on a polygon begins says nothing of it") {

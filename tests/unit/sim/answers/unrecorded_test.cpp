@@ -1,0 +1,119 @@
+// What is said of runs that record no writes, or write before they compare.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "sim/answers/pixel_history.hpp"
+#include "sim/answers/why_not.hpp"
+#include "sim/words/explain.hpp"
+#include "tests/golden/golden.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
+#include "tests/where.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/replay/replay.hpp"
+
+using namespace zstep;
+using answers::Verdict, answers::Why;
+
+namespace {
+
+/// A run without steps of these kinds.
+template <class... E>
+Trace without(const Trace& trace) {
+  return test::changed(trace, [](std::int64_t, const Event& event) { return !(holds<E>(event) || ...); });
+}
+Trace delhi() {
+  Conventions conventions;
+  conventions.coverage = Conventions::Coverage::inclusive;
+  return test::recorded_by("z-buffer", load_scene("delhi").scene, conventions);
+}
+
+Verdict why_not(const Trace& trace, const std::string& polygon, std::int32_t x, std::int32_t y) {
+  return answers::why_not(trace, *answers::polygon_called(trace.scene(), polygon), {x, y});
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+constexpr const char* unrecorded = "The run does not record what is written to pixels; this follows from its compares.";
+
+/// A step at pixel (1, 1) of a polygon that finds it nearer.
+std::int64_t compare_at(const Trace& trace, std::int32_t x, std::int32_t y, int nth) {
+  std::int64_t found = 0;
+  trace.each(0, trace.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+    const auto* compare = get_if<DepthCompare>(&recorded.event);
+    if (compare && compare->x == x && compare->y == y && nth-- == 0) found = step;
+    return found == 0;
+  });
+  REQUIRE(found > 0);
+  return found;
+}
+std::string said_of(const Trace& trace, std::int64_t step) {
+  Replay replay(trace);
+  replay.go_to(step);
+  return explain(trace, replay.state(), *replay.current()).sentence;
+}
+
+TEST_CASE("unrecorded: where a run records no writes, compares say whose a pixel is, and that is said") {
+  const Trace compares = without<DepthWrite, PixelWrite>(delhi()), depths = without<PixelWrite>(delhi());
+  for (const Trace* trace : {&compares, &depths}) {
+    const Verdict seen = why_not(*trace, "B", 1, 2), gone = why_not(*trace, "A", 1, 2),
+                  lost = why_not(*trace, "B", 1, 4);
+    CHECK(seen.kind == Why::seen);
+    CHECK(gone.kind == Why::overwritten);
+    CHECK(lost.kind == Why::lost);
+    for (const Verdict* one : {&seen, &gone, &lost}) {
+      CAPTURE(one->sentence);
+      CHECK(has(one->sentence, unrecorded));
+      CHECK(!has(one->sentence, "never written"));
+      CHECK(!has(one->sentence, "not say that it was written"));
+      for (const std::string& formula : one->formulas) CHECK(!has(formula, "nothing is written"));
+    }
+    for (const auto& visit : answers::pixel_history(*trace, {1, 2})) CHECK(visit.remark == "");
+    const std::string said = said_of(*trace, compare_at(*trace, 1, 2, 0));
+    CAPTURE(said);
+    CHECK(has(said, "so pixel (1, 2) becomes A."));
+  }
+  CHECK(!has(why_not(delhi(), "A", 1, 2).sentence, "does not record"));
+}
+
+TEST_CASE("unrecorded: a compare whose depth alone is written is not one of which nothing is") {
+  const Trace run = delhi();
+  const std::int64_t compare = compare_at(run, 2, 3, 0);
+  const Trace trace = test::changed(run, [&](std::int64_t step, const Event&) { return step != compare + 2; });
+  REQUIRE(holds<PixelWrite>(run.event(compare + 2).event));
+  CAPTURE(said_of(trace, compare));
+  CAPTURE(why_not(trace, "A", 2, 3).sentence);
+  CHECK(has(said_of(trace, compare), "so pixel (2, 3) should become A, but its depth alone is written"));
+  CHECK(has(why_not(trace, "A", 2, 3).sentence,
+            "it was found to be nearer, but its depth alone was written, at step " + std::to_string(compare + 1)));
+}
+
+TEST_CASE("unrecorded: of a compare with a depth that the run does not record there are no numbers") {
+  // Neither is the buffer cleared, nor does the header say what it holds; the second compare is against the first.
+  const Trace trace = without<BuffersClear, DepthWrite>(delhi());
+  const Verdict gone = why_not(trace, "A", 1, 2), seen = why_not(trace, "B", 1, 2);
+  for (const Verdict* one : {&gone, &seen})
+    for (const std::string& formula : one->formulas) {
+      CAPTURE(formula);
+      CHECK(!has(formula, "\u221e"));
+      CHECK(has(formula, "5"));
+    }
+  CHECK(!gone.formulas.empty());
+  const Trace first = without<BuffersClear, DepthWrite, PixelWrite>(delhi());
+  const Verdict alone = why_not(first, "A", 2, 6);
+  CHECK(alone.kind == Why::seen);
+  CHECK(alone.formulas.empty());
+  CHECK(has(alone.chain.back().text, "nearer than a depth that the trace does not record"));
+}
+
+TEST_CASE("unrecorded: who writes first and compares then takes the pixel where it writes") {
+  const Trace trace = open_jsonl(test::in_checkout("tests/data/foreign/writefirst.jsonl"));
+  const Verdict gone = why_not(trace, "A", 1, 1);
+  CHECK(gone.sentence ==
+        "A is not seen at pixel (1, 1): it was there from step 55 on, until step 203 wrote B; only then, at step 204, "
+        "B was compared, and found to be nearer.");
+  CHECK(gone.step == 203);
+  const auto history = answers::pixel_history(trace, {1, 1});
+  REQUIRE(history.size() == 2);
+  CHECK(answers::outcome_text(trace, history, history[0]) == "nearer; B comes over it at step 203");
+}
+
+}  // namespace
