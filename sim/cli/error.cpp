@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/answers/origin/chain.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/cli/chart_file.hpp"
 #include "sim/cli/commands.hpp"
@@ -46,7 +47,8 @@ constexpr std::size_t most_polygons = 10;
 /// What rounding may do, by theory, under the conventions that the header declares.
 struct Allowed {
   double largest = 0;       ///< of all pixels, in units of depth
-  std::int64_t beyond = 0;  ///< pixels whose stored depth is farther off than its own bound
+  std::int64_t held = 0;    ///< pixels whose stored depth has a bound
+  std::int64_t beyond = 0;  ///< of these, whose stored depth is farther off than its own bound
 };
 /// Nothing where no Z-buffer draws the scene so, or the header does not say in which numbers, or where nothing that it
 /// draws is at the pixels of the run.
@@ -54,16 +56,33 @@ std::optional<Allowed> allowed_in(const Trace& trace, const Errors& errors) {
   const auto bounds = compare::bounds_in(trace);
   if (!bounds) return std::nullopt;
   Allowed allowed;
-  bool any = false;
   for (std::size_t pixel = 0; pixel < bounds->of_pixel.size(); ++pixel) {
     const double off = std::abs(errors.depth_error_of_pixel[pixel]);
     if (std::isnan(off) || errors.polygon_of_pixel[pixel] != bounds->picture.polygon[pixel]) continue;
-    any = true;
-    allowed.largest = std::max(allowed.largest, bounds->of_pixel[pixel]);
-    allowed.beyond += off > bounds->of_pixel[pixel];
+    const double bound = bounds->of_pixel[pixel];
+    ++allowed.held;
+    allowed.largest = std::max(allowed.largest, bound);
+    allowed.beyond += off > bound;
   }
-  if (!any) return std::nullopt;
+  if (allowed.held == 0) return std::nullopt;
   return allowed;
+}
+/// Are the depths that a run stores within their bounds?
+std::string allowed_text(const Allowed& allowed, const Errors& errors) {
+  const std::int64_t stored = std::ssize(errors.polygon_of_pixel) -
+                              std::count(errors.polygon_of_pixel.begin(), errors.polygon_of_pixel.end(), no_polygon);
+  if (allowed.beyond == 1) return "1 stored depth is beyond its bound, which rounding alone does not explain";
+  if (allowed.beyond > 1)
+    return fmt::format("{} stored depths are beyond their bounds, which rounding alone does not explain",
+                       grouped(allowed.beyond));
+  if (allowed.held == stored) return "every stored depth is within its own bound";
+  return fmt::format("of {} {} a bound, and {} within it", counted(stored, "stored depth", "stored depths"),
+                     counted(allowed.held, "has", "have"), allowed.held == 1 ? "is" : "are");
+}
+
+/// What the header would have to declare for the compares that are left open.
+const char* undeclared_comparison(const Header& header) {
+  return header.declares(Convention::nearer) ? "which of equal depths wins" : "which depth is nearer";
 }
 
 /// "0.5", "12", "3.4e6": errors in last digits range from less than one to many.
@@ -89,54 +108,71 @@ InputError nothing_exact(const std::string& path, const Trace& trace) {
 }
 
 /// What the last bit of the depth buffer is worth: in fixed point always the same, else a last digit at the depth.
-std::string buffer_text(const Trace& trace) {
-  const Conventions& conventions = trace.header().conventions;
-  const double unit = depth_unit(trace.scene(), conventions);
-  if (unit == 0) return "one ulp is the last bit of the depth buffer at that depth";
-  return fmt::format("one ulp is the last bit of the depth buffer: {:.3g}, 1/(2^{} - 1) of its range", unit,
-                     bits_of(conventions.number_format));
+std::string buffer_text(const Errors& errors) {
+  if (errors.unit == 0) return "one ulp is the last bit of the depth buffer at that depth";
+  return fmt::format("one ulp is the last bit of the depth buffer: {:.3g}, 1/(2^{} - 1) of its range", errors.unit,
+                     bits_of(errors.format));
+}
+
+/// Attributes, held against those of the polygons.
+void print_attributes(const Trace& trace) {
+  const oracle::AttributeErrors attribute = oracle::attribute_errors_of(trace);
+  if (attribute.attributes > 0)
+    fmt::print("{} compared with the polygons' own: largest error {}{}, root mean square {}; by rounding alone {}\n",
+               counted(attribute.attributes, "attribute", "attributes"), in_depth(attribute.largest),
+               attribute.largest == 0 ? "" : fmt::format(", at step {}", attribute.largest_step),
+               in_depth(attribute.root_mean_square()), in_depth(attribute.rounding));
+  if (attribute.not_judged > 0)
+    fmt::print("{} exactly\n",
+               counted(attribute.not_judged, "attribute is left out: nothing in the run says what it is",
+                       "attributes are left out: nothing in the run says what they are"));
+  fmt::print("\n");
 }
 
 void print_text(const Trace& trace, const ErrorOptions& options, const Errors& errors,
                 const std::optional<Allowed>& allowed) {
   const Header& header = trace.header();
-  const std::string format = std::string(word_of(header.conventions.number_format)) +
-                             (header.declares(Convention::number_format) ? "" : ", which its header does not declare");
+  const std::string format =
+      header.declares(Convention::number_format)
+          ? std::string(word_of(errors.format))
+          : fmt::format("{}, which its header does not declare ({})", word_of(errors.format), errors.format_text);
   fmt::print("{}: {} compared with the exact ones, in ulps (units in the last place) of {}\n", printable(trace.name()),
              counted(errors.all.depths, "depth", "depths"), format);
   if (errors.by_polygon > 0)
     fmt::print("{} of them with the plane of the polygon: the run has no span with its two edges there\n",
                grouped(errors.by_polygon));
   if (errors.not_judged > 0)
-    fmt::print("{} left out: nothing in the run says what they are exactly\n",
-               counted(errors.not_judged, "depth is", "depths are"));
+    fmt::print("{} exactly\n", counted(errors.not_judged, "depth is left out: nothing in the run says what it is",
+                                       "depths are left out: nothing in the run says what they are"));
   if (errors.not_finite > 0)
     fmt::print("{} no finite number, the first at step {}\n", counted(errors.not_finite, "depth is", "depths are"),
                errors.not_finite_step);
-  fmt::print("largest error {}, root mean square {}; at most {} in depth, at step {}\n", digits(errors.all.largest),
-             digits(errors.all.root_mean_square()), in_depth(errors.all.largest_depth), errors.steepest_step);
-  fmt::print("{}\n", buffer_text(trace));
+  if (errors.stored_not_finite > 0)
+    fmt::print("{} no finite number, the first at step {}\n",
+               counted(errors.stored_not_finite, "depth that is written is", "depths that are written are"),
+               errors.stored_not_finite_step);
+  fmt::print(
+      "largest error {}, root mean square {}; {}\n", digits(errors.all.largest), digits(errors.all.root_mean_square()),
+      errors.all.largest == 0
+          ? "every depth is exact"
+          : fmt::format("at most {} in depth, at step {}", in_depth(errors.all.largest_depth), errors.steepest_step));
+  fmt::print("{}\n", buffer_text(errors));
   if (allowed)
-    fmt::print("rounding can change a depth by at most {:.3g}; {}\n", allowed->largest,
-               allowed->beyond == 0 ? "every stored depth is within its own bound"
-                                    : fmt::format("{} beyond its bound, which rounding alone does not explain",
-                                                  counted(allowed->beyond, "stored depth is", "stored depths are")));
-  fmt::print("with exact depths {} go the other way, and {} show another polygon\n\n",
-             counted(errors.all.decided_wrong, "compare would", "compares would"),
-             counted(errors.wrong_pixels, "pixel would", "pixels would"));
-  if (trace.has(kind_of<AttributeInterpolate>)) {
-    const oracle::AttributeErrors attribute = oracle::attribute_errors_of(trace);
-    fmt::print(
-        "{} compared with the polygons' own: largest error {}, at step {}, root mean square {}; by "
-        "rounding alone {}\n\n",
-        counted(attribute.attributes, "attribute", "attributes"), in_depth(attribute.largest), attribute.largest_step,
-        in_depth(attribute.root_mean_square()), in_depth(attribute.rounding));
-  }
+    fmt::print("rounding can change a depth by at most {:.3g}; {}\n", allowed->largest, allowed_text(*allowed, errors));
+  fmt::print("with exact depths {} go the other way",
+             counted(errors.all.decided_wrong, "compare would", "compares would"));
+  if (header.declares(Convention::nearer))
+    fmt::print(", and {} show another polygon", counted(errors.wrong_pixels, "pixel would", "pixels would"));
+  if (errors.left_open > 0) fmt::print("; of {} more it cannot be told", grouped(errors.left_open));
+  if (errors.left_open > 0 || !header.declares(Convention::nearer))
+    fmt::print("{} the header does not declare {}", errors.left_open > 0 ? ", as" : ";", undeclared_comparison(header));
+  fmt::print("\n\n");
+  if (trace.has(kind_of<AttributeInterpolate>)) print_attributes(trace);
   for (const oracle::WrongDecision& wrong : errors.decisions) {
     if (&wrong - errors.decisions.data() >= 3 && !options.all) break;
     fmt::print("pixel ({}, {}), {}: {} against {}; exactly {} against {}\n  zstep view {} --at {}\n", wrong.x, wrong.y,
-               polygon_label(trace.scene(), wrong.polygon), fmt::format("{}", wrong.z), fmt::format("{}", wrong.stored),
-               fmt::format("{}", wrong.z_exact), fmt::format("{}", wrong.stored_exact),
+               polygon_label(trace.scene(), wrong.polygon), answers::full_digits(wrong.z),
+               answers::full_digits(wrong.stored), wrong.z_digits, wrong.stored_digits,
                printable(shell_word(options.trace)), wrong.step);
   }
   if (!errors.decisions.empty()) fmt::print("\n");
@@ -156,6 +192,9 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
 /// What is not finite becomes a word.
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value)); }
 
+/// Steps begin at 1: 0 is none.
+Json step_or_null(std::int64_t step) { return step > 0 ? Json(step) : Json(nullptr); }
+
 Json json_of(const ErrorOf& of) {
   return Json{{"depths", of.depths},
               {"largest_digits", json_number(of.largest)},
@@ -168,23 +207,29 @@ Json json_of(const ErrorOf& of) {
 
 void print_json(const Trace& trace, const Errors& errors, const std::optional<Allowed>& allowed) {
   Json all = json_of(errors.all);
-  if (allowed) all["bound"] = allowed->largest, all["beyond_bound"] = allowed->beyond;
+  if (allowed) {
+    all["bound"] = allowed->largest;
+    all["held_to_bound"] = allowed->held, all["beyond_bound"] = allowed->beyond;
+  }
   all["trace"] = trace.name();
-  const double unit = depth_unit(trace.scene(), trace.header().conventions);
-  all["buffer_unit"] = unit > 0 ? Json(unit) : Json(nullptr);  // null: a last digit at each depth
+  all["number_format"] = word_of(errors.format);
+  all["buffer_unit"] = errors.unit > 0 ? Json(errors.unit) : Json(nullptr);  // null: a last digit at each depth
   all["not_judged"] = errors.not_judged;
   all["by_polygon"] = errors.by_polygon;
   all["not_finite"] = errors.not_finite;
+  all["stored_not_finite"] = errors.stored_not_finite;
   if (trace.has(kind_of<AttributeInterpolate>)) {
     const oracle::AttributeErrors attribute = oracle::attribute_errors_of(trace);
     all["attribute"] = Json{{"values", attribute.attributes},
                             {"largest", json_number(attribute.largest)},
                             {"rms", json_number(attribute.root_mean_square())},
                             {"rounding", json_number(attribute.rounding)},
-                            {"largest_at_step", attribute.largest_step}};
+                            {"not_judged", attribute.not_judged},
+                            {"largest_at_step", step_or_null(attribute.largest_step)}};
   }
-  all["largest_at_step"] = errors.steepest_step;
-  all["wrong_pixels"] = errors.wrong_pixels;
+  all["largest_at_step"] = step_or_null(errors.steepest_step);
+  all["decided_open"] = errors.left_open;  // by conventions that the header does not declare
+  all["wrong_pixels"] = trace.header().declares(Convention::nearer) ? Json(errors.wrong_pixels) : Json(nullptr);
   Json polygons = Json::array(), decisions = Json::array();
   for (const ErrorOf& of : errors.polygons) {
     Json one = json_of(of);
@@ -199,7 +244,9 @@ void print_json(const Trace& trace, const Errors& errors, const std::optional<Al
                              {"z", json_number(wrong.z)},
                              {"stored", json_number(wrong.stored)},
                              {"z_exact", wrong.z_exact},
-                             {"stored_exact", wrong.stored_exact}});
+                             {"stored_exact", wrong.stored_exact},
+                             {"z_exact_digits", wrong.z_digits},
+                             {"stored_exact_digits", wrong.stored_digits}});
   all["polygons"] = polygons;
   all["decisions"] = decisions;
   fmt::print("{}\n", all.dump(2));
@@ -228,7 +275,7 @@ Drawing drift_of(const Trace& trace, const Errors& errors) {
   chart.title = fmt::format("{}: how errors of depth add up", printable(trace.name()));
   chart.subtitle =
       fmt::format("Errors along the longest span, and of the first pixels along the longest edge, in ulps of {}.",
-                  word_of(trace.header().conventions.number_format));
+                  word_of(errors.format));
   chart.x_title = "1 + pixels from the first of the span, or lines from the first of the edge";
   chart.y_title = "ulps";
   const auto add = [&](const char* name, int look, const std::vector<double>& all) {
@@ -283,7 +330,8 @@ int run(const ErrorOptions& options) {
     const std::string said = write_chart(options.plot, drift_of(trace, errors));
     if (!options.json) say_written(options.plot, said);
   }
-  const std::int64_t found = errors.all.decided_wrong + errors.wrong_pixels + errors.not_finite;
+  const std::int64_t found = errors.all.decided_wrong + errors.wrong_pixels + errors.not_finite +
+                             errors.stored_not_finite + (allowed ? allowed->beyond : 0);
   return found == 0 ? exit_code::done : exit_code::finding;
 }
 
@@ -305,8 +353,8 @@ void add_error(CLI::App& app, Action& action) {
       "Computes the depths of spans again, without rounding, from the vertices that the trace has on the raster;\n"
       "so too the vertices of pieces and the t of rays. Where the trace has no spans, it takes the planes of the\n"
       "polygons. It compares every depth and every decision with these.\n"
-      "Exit code 1: with exact depths a compare would go the other way, a pixel would show another polygon, or a\n"
-      "depth is no finite number.\n"
+      "Exit code 1: with exact depths a compare would go the other way, a pixel would show another polygon, a depth\n"
+      "is no finite number, or a stored depth is farther off than rounding explains.\n"
       "\n"
       "Examples:\n"
       "  zstep error run.ztrace\n"

@@ -57,3 +57,66 @@ TEST_CASE("error: depths that are no finite numbers are found, and not exact") {
     CHECK(has(run(folder, "error wrong.jsonl --json").out, "\"not_finite\": 66"));
   }
 }
+
+TEST_CASE("error: what is stored is held to the bound, and not what was computed before it") {
+  const Folder folder;
+  REQUIRE(run(folder, "record foley -o run.ztrace").code == 0);
+  const Outcome right = run(folder, "error run.ztrace");
+  CHECK(right.code == 0);
+  CHECK(has(right.out, "every stored depth is within its own bound"));
+  for (const char* word : {"\"nan\"", "0.5"}) {
+    CAPTURE(std::string(word));
+    REQUIRE(run(folder, std::string("dump run.ztrace --jsonl | sed '/write_depth/s/\"z\":[-0-9.e]*/\"z\":") + word +
+                            "/' > wrong.jsonl")
+                .code == 0);
+    const Outcome wrong = run(folder, "error wrong.jsonl");
+    CHECK(wrong.code == 1);
+    CHECK(!has(wrong.out, "within"));
+    CHECK(has(wrong.out, " stored depths are beyond their bounds, which rounding alone does not explain"));
+    CHECK(has(wrong.out, "depths that are written are no finite number, the first at step ") == (word[0] == '"'));
+  }
+}
+
+TEST_CASE("error: without an error there is no step of the largest one, and without attributes no error of theirs") {
+  const Folder folder;
+  REQUIRE(run(folder, "record delhi --attribute linear -o run.ztrace").code == 0);
+  const Outcome exact = run(folder, "error run.ztrace");
+  CAPTURE(exact.out);
+  CHECK(!has(exact.out, "at step 0"));
+  CHECK(has(exact.out, "largest error 0, root mean square 0; every depth is exact"));
+  CHECK(has(run(folder, "error run.ztrace --json").out, "\"largest_at_step\": null"));
+  REQUIRE(run(folder, "dump run.ztrace --jsonl | grep -v '\"step\":\"span\"' > few.jsonl").code == 0);
+  const Outcome few = run(folder, "error few.jsonl");
+  CAPTURE(few.out);
+  CHECK(!has(few.out, "attributes compared"));
+  CHECK(has(few.out, " attributes are left out: nothing in the run says what they are exactly"));
+}
+
+TEST_CASE("error: where no number format is declared, ulps are those of the numbers as they look") {
+  const Folder folder;
+  REQUIRE(run(folder, "record pyramid-behind --size 24x18 --number-format float32 -o run.ztrace").code == 0);
+  REQUIRE(run(folder, "dump run.ztrace --jsonl | sed 's/\"number_format\":\"float32\",//' > open.jsonl").code == 0);
+  const Outcome declared = run(folder, "error run.ztrace"), open = run(folder, "error open.jsonl");
+  CAPTURE(open.out);
+  CHECK(has(open.out, "of float32, which its header does not declare (float32, as the numbers look)"));
+  const auto largest = [](const Outcome& of) {
+    const std::size_t at = of.out.find("largest error");
+    return of.out.substr(at, of.out.find(',', at) - at);
+  };
+  CHECK(largest(declared) == largest(open));
+}
+
+TEST_CASE("error: of a header that does not declare what is nearer no compare is said to go the other way") {
+  const Folder folder;
+  REQUIRE(run(folder, "record delhi -o run.ztrace").code == 0);
+  REQUIRE(run(folder,
+              "dump run.ztrace --jsonl | sed 's/,\"nearer\":\"smaller\",\"ties\":\"first\"//' | "
+              "sed '/compare/s/\"nearer\":false/\"nearer\":true/' > open.jsonl")
+              .code == 0);
+  const Outcome open = run(folder, "error open.jsonl");
+  CAPTURE(open.out);
+  CHECK(open.code == 0);
+  CHECK(has(open.out, "0 compares would go the other way; the header does not declare which depth is nearer"));
+  CHECK(!has(open.out, "another polygon"));
+  CHECK(has(run(folder, "error open.jsonl --json").out, "\"wrong_pixels\": null"));
+}

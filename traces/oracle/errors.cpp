@@ -7,7 +7,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 
+#include "traces/check/precision.hpp"
 #include "traces/oracle/exact_depth.hpp"
 #include "traces/oracle/exact_rays.hpp"
 #include "traces/oracle/exact_vertices.hpp"
@@ -29,6 +32,50 @@ struct Known {
   std::int32_t facet = -1;  ///< of rays
 };
 
+/// The comparisons that a header leaves open; one where it declares all.
+std::vector<Comparison> open_comparisons(const Header& header) {
+  std::vector<Comparison> open;
+  for (const Comparison::Nearer nearer : {Comparison::Nearer::smaller, Comparison::Nearer::greater})
+    for (const Comparison::Ties ties : {Comparison::Ties::first, Comparison::Ties::last})
+      if ((!header.declares(Convention::nearer) || nearer == header.comparison.nearer) &&
+          (!header.declares(Convention::ties) || ties == header.comparison.ties))
+        open.push_back({nearer, ties});
+  return open;
+}
+
+/// Is a decision that a run made by its own numbers another one with the exact ones, whose difference has this sign?
+/// Only what its own numbers decide as it did can have been turned by them: the rest are mistakes.
+enum class Turned : std::uint8_t { no, yes, open };
+Turned turned(bool decided, double z, double stored, int exactly, const std::vector<Comparison>& open) {
+  bool some = false, all = true;
+  for (const Comparison& comparison : open) {
+    if (comparison.wins(z, stored) != decided) continue;
+    const bool other = comparison.wins(exactly, 0) != decided;
+    some = some || other, all = all && other;
+  }
+  return !some ? Turned::no : all ? Turned::yes : Turned::open;
+}
+
+/// Two depths in decimals: as many as float64 has, and more where these are the same. What float64 holds is written as
+/// short as that can be.
+std::pair<std::string, std::string> told_apart(const ExactDepth& a, const ExactDepth& b, std::int32_t x) {
+  const auto one = a.exactly(x), other = b.exactly(x);
+  constexpr int most = 1024;
+  int count = std::numeric_limits<double>::max_digits10;
+  const auto alike = [&] { return *one != *other && decimals_of(*one, count) == decimals_of(*other, count); };
+  while (count < most && one && other && alike()) count *= 2;
+  const auto digits = [&](const std::optional<Rational>& exact) -> std::string {
+    if (!exact) return "\u221e";
+    std::string text = decimals_of(*exact, count);
+    if (const double near = rounded(*exact); !std::isfinite(near) || *exact != Rational(near)) return text;
+    if (text.find('e') != std::string::npos || text.find('.') == std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text;
+  };
+  return {digits(one), digits(other)};
+}
+
 class DepthJudge {
  public:
   DepthJudge(const Trace& trace, Truth truth, const std::function<void(const DepthError&)>& on_depth)
@@ -36,15 +83,20 @@ class DepthJudge {
         on_depth_(on_depth),
         truth_(truth),
         along_(along_of(trace, truth)),
-        format_(trace.header().conventions.number_format),
-        unit_(depth_unit(trace.scene(), trace.header().conventions)),
         cuts_(trace.has(kind_of<SplitVertex>) || formulas::run_cuts_in_world(trace.header(), trace.scene())),
         vertices_(formulas::run_cuts_in_world(trace.header(), trace.scene()) ? ExactVertices::From::world
                                                                              : ExactVertices::From::vertices),
-        rays_(trace.scene(), trace.header().conventions.depth) {
+        rays_(trace.scene(), trace.header().conventions.depth),
+        open_(open_comparisons(trace.header())) {
+    const Precision precision = precision_of(trace);
+    Conventions conventions = trace.header().conventions;
+    conventions.number_format = precision.format;
+    found_.format = precision.format, found_.format_text = precision.text;
+    found_.unit = depth_unit(trace.scene(), conventions);
     const Raster& raster = trace.scene().raster;
     const std::size_t pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
-    stored_.resize(pixels), nearest_.resize(pixels), fighting_.resize(pixels);
+    stored_.resize(pixels), fighting_.resize(pixels);
+    if (trace.header().declares(Convention::nearer)) nearest_.resize(pixels * open_.size());
     found_.of_pixel.assign(pixels, std::numeric_limits<double>::quiet_NaN());
     found_.depth_error_of_pixel = found_.of_pixel;
   }
@@ -57,21 +109,28 @@ class DepthJudge {
     if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PlaneSlopes>) rows_.clear();
     if constexpr (std::is_same_v<E, BuffersClear>) clear();
     if constexpr (std::is_same_v<E, RayBegin>)
-      if (e.role == RayRole::eye) ray_ = e, ray_kept_ = ray_nearest_ = {};
+      if (e.role == RayRole::eye) ray_ = e, ray_kept_ = {}, ray_nearest_ = {};
     if constexpr (std::is_same_v<E, RayHit>) hit(position, e, at);
     if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, PixelPaint>) compute(position, e, at);
     if constexpr (std::is_same_v<E, DepthCompare>) {
-      if (!at.records<DepthInterpolate>()) compute(position, e, at);
+      if (!at.records<DepthInterpolate>() || !is_fragment_at(e.x, e.y)) compute(position, e, at);
       compare(position, e, at);
     }
     if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>)
-      store(static_cast<std::size_t>(at.pixel(e.x, e.y)), e.x);
+      store(position, static_cast<std::size_t>(at.pixel(e.x, e.y)), e.x, e.y, e.z);
     if (cuts_) vertices_.step(e, at);
   }
 
   Errors finish() {
-    for (std::size_t pixel = 0; pixel < stored_.size(); ++pixel)
-      found_.wrong_pixels += stored_[pixel].polygon != nearest_[pixel].polygon && stored_[pixel].exact != nullptr;
+    for (std::size_t pixel = 0; pixel < stored_.size(); ++pixel) {
+      const auto is_wrong = [&](const Nearest& nearest) {
+        const std::int32_t seen = nearest.exactly.polygon;
+        return nearest.exactly.exact && stored_[pixel].polygon != seen && nearest.by_run.polygon != seen;
+      };
+      const std::span<const Nearest> nearest = nearest_at(pixel);
+      found_.wrong_pixels +=
+          stored_[pixel].exact && !nearest.empty() && std::all_of(nearest.begin(), nearest.end(), is_wrong);
+    }
     for (const Known& stored : stored_) found_.polygon_of_pixel.push_back(stored.polygon);
     found_.fighting_pixels = std::count(fighting_.begin(), fighting_.end(), true);
     found_.fighting = std::move(fighting_);
@@ -82,9 +141,24 @@ class DepthJudge {
   }
 
  private:
+  /// What is nearest of all that came to a pixel: by the exact depths, and by the run's own numbers.
+  struct Nearest {
+    Known exactly, by_run;
+    void meet(const Known& here, std::int32_t x, const Comparison& comparison) {
+      const bool known = here.exact && exactly.exact;
+      if (!known || comparison.wins(here.exact->compare(*exactly.exact, x), 0)) exactly = here;
+      if (!known || comparison.wins(here.z, by_run.z)) by_run = here;
+    }
+  };
+  /// By open_; empty where it is not declared which depth is nearer.
+  std::span<Nearest> nearest_at(std::size_t pixel) {
+    const std::size_t count = nearest_.size() / stored_.size();
+    return std::span(nearest_).subspan(pixel * count, count);
+  }
+
   void clear() {
     std::fill(stored_.begin(), stored_.end(), Known{});
-    std::fill(nearest_.begin(), nearest_.end(), Known{});
+    std::fill(nearest_.begin(), nearest_.end(), Nearest{});
     std::fill(found_.of_pixel.begin(), found_.of_pixel.end(), std::numeric_limits<double>::quiet_NaN());
     found_.depth_error_of_pixel = found_.of_pixel;
   }
@@ -210,14 +284,29 @@ class DepthJudge {
     const auto facet = static_cast<std::size_t>(e.facet);
     if (!t || facet >= trace_.scene().facets.size()) return;
     const Known here{constant(*t), e.t, trace_.scene().facets[facet].polygon, e.facet};
-    const auto nearer = [&](const Known& than) {
-      const int sign = than.exact ? here.exact->compare(*than.exact, ray_.x) : -1;
-      return sign < 0 || (sign == 0 && here.facet < than.facet);
+    // Of equal t the facet that comes first in the scene is kept.
+    const auto sign = [&](const Known& than) { return here.exact->compare(*than.exact, ray_.x); };
+    const auto keeps = [&](double near, const Known& than, double other) {
+      return !than.exact || near < other || (near == other && here.facet < than.facet);
     };
-    found_.compares += ray_kept_.exact != nullptr;
-    if (ray_kept_.exact && e.nearest != nearer(ray_kept_)) decided_wrong(position, ray_.x, ray_.y, here, ray_kept_);
+    if (ray_kept_.exact) {
+      std::vector<Comparison> open{{Comparison::Nearer::smaller, Comparison::Ties::first},
+                                   {Comparison::Nearer::smaller, Comparison::Ties::last}};
+      if (trace_.header().declares(Convention::ties)) open.erase(open.begin() + (here.facet < ray_kept_.facet ? 0 : 1));
+      judge(position, ray_.x, ray_.y, e.nearest, here, ray_kept_, open);
+    }
     if (e.nearest) ray_kept_ = here;
-    if (nearer(ray_nearest_)) ray_nearest_ = here;
+    Known &exactly = ray_nearest_.exactly, &by_run = ray_nearest_.by_run;
+    if (keeps(exactly.exact ? sign(exactly) : 0, exactly, 0)) exactly = here;
+    if (keeps(here.z, by_run, by_run.z)) by_run = here;
+  }
+  /// A decision about a depth and what is stored, held against the exact ones.
+  void judge(std::int64_t position, std::int32_t x, std::int32_t y, bool decided, const Known& z, const Known& stored,
+             const std::vector<Comparison>& open) {
+    ++found_.compares;
+    const Turned is_turned = turned(decided, z.z, stored.z, z.exact->compare(*stored.exact, x), open);
+    found_.left_open += is_turned == Turned::open;
+    if (is_turned == Turned::yes) decided_wrong(position, x, y, z, stored);
   }
   void decided_wrong(std::int64_t position, std::int32_t x, std::int32_t y, const Known& z, const Known& stored) {
     ++found_.all.decided_wrong;
@@ -225,8 +314,10 @@ class DepthJudge {
               static_cast<std::size_t>(x)] = true;
     ++polygons_.try_emplace(z.polygon, ErrorOf{z.polygon}).first->second.decided_wrong;
     constexpr std::size_t most = 100;
-    if (found_.decisions.size() < most)
-      found_.decisions.push_back({position, x, y, z.polygon, z.z, stored.z, z.exact->at(x), stored.exact->at(x)});
+    if (found_.decisions.size() >= most) return;
+    const auto [z_digits, stored_digits] = told_apart(*z.exact, *stored.exact, x);
+    found_.decisions.push_back(
+        {position, x, y, z.polygon, z.z, stored.z, z.exact->at(x), stored.exact->at(x), z_digits, stored_digits});
   }
 
   template <class E>
@@ -243,7 +334,7 @@ class DepthJudge {
       exact = exact_span(at, e.y);
     }
     if (!exact && !trace_.has(kind_of<RayEnd>)) exact = exact_polygon(at, e.x, e.y, polygon);
-    fragment_ = {exact, e.z, polygon, -1};
+    fragment_ = {exact, e.z, polygon, -1}, fragment_x_ = e.x, fragment_y_ = e.y;
     if (!exact) {
       ++found_.not_judged;
       return;
@@ -252,10 +343,10 @@ class DepthJudge {
     if (!finite && ++found_.not_finite == 1) found_.not_finite_step = position;
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const double off = finite ? exact->error_of(e.z, e.x) : infinite;
-    const double unit = finite ? formulas::last_digit(e.z, format_, unit_) : 1;
+    const double unit = finite ? formulas::last_digit(e.z, found_.format, found_.unit) : 1;
     const double off_view =
         finite ? view_depth_error(trace_.scene().camera, trace_.header().conventions, e.z, off) : infinite;
-    error_ = off / unit, off_ = off;
+    error_ = off / unit;
     for (ErrorOf* of : {&found_.all, &polygons_.try_emplace(polygon, ErrorOf{polygon}).first->second}) {
       ++of->depths;
       of->sum_of_squares += error_ * error_;
@@ -304,17 +395,18 @@ class DepthJudge {
     return entry ? entry->polygon : at.method().polygon;
   }
 
+  bool is_fragment_at(std::int32_t x, std::int32_t y) const { return fragment_x_ == x && fragment_y_ == y; }
   void compare(std::int64_t position, const DepthCompare& e, const Situation& at) {
     if (!fragment_.exact) return;
+    fragment_.z = e.z;
     const auto pixel = static_cast<std::size_t>(at.pixel(e.x, e.y));
-    const Comparison& comparison = trace_.header().comparison;
-    const Known& stored = stored_[pixel];
+    Known stored = stored_[pixel];
+    stored.z = at.stored(e.x, e.y);
     if (stored.exact && stored.polygon != fragment_.polygon) note_gap(stored, e.x);
-    found_.compares += stored.exact != nullptr;
-    if (stored.exact && e.nearer != wins(comparison, fragment_, stored, e.x))
-      decided_wrong(position, e.x, e.y, fragment_, stored);
-    Known& nearest = nearest_[pixel];
-    if (!nearest.exact || wins(comparison, fragment_, nearest, e.x)) nearest = fragment_;
+    if (stored.exact) judge(position, e.x, e.y, e.nearer, fragment_, stored, open_);
+    const std::span<Nearest> nearest = nearest_at(pixel);
+    for (std::size_t i = 0; i < nearest.size(); ++i) nearest[i].meet(fragment_, e.x, open_[i]);
+    if (e.nearer && at.method().compares_write) stored_[pixel] = fragment_;
   }
   void note_gap(const Known& stored, std::int32_t x) {
     const auto view = [&](const Known& of) {
@@ -324,39 +416,44 @@ class DepthJudge {
     if (gap > 0 && (!found_.least_gap || gap < *found_.least_gap))
       found_.least_gap = gap, found_.gap_at = std::min(z, other);
   }
-  static bool wins(const Comparison& comparison, const Known& one, const Known& other, std::int32_t x) {
-    return comparison.wins(one.exact->compare(*other.exact, x), 0);
-  }
 
-  void store(std::size_t pixel, std::int32_t x) {
-    stored_[pixel] = fragment_;
-    Known& nearest = nearest_[pixel];
-    if (ray_nearest_.exact) {
-      nearest = ray_nearest_;
-    } else if (!trace_.has(kind_of<DepthCompare>)) {  // painted over each other; of equal depths the last is seen
-      if (!nearest.exact || !fragment_.exact || nearest.exact->compare(*fragment_.exact, x) >= 0) nearest = fragment_;
+  void store(std::int64_t position, std::size_t pixel, std::int32_t x, std::int32_t y, double z) {
+    const bool finite = std::isfinite(z);
+    if (!finite && ++found_.stored_not_finite == 1) found_.stored_not_finite_step = position;
+    stored_[pixel] = is_fragment_at(x, y) ? fragment_ : Known{};
+    const Known& stored = stored_[pixel];
+    const std::span<Nearest> nearest = nearest_at(pixel);
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      if (ray_nearest_.exactly.exact) nearest[i] = ray_nearest_;
+      else if (!trace_.has(kind_of<DepthCompare>))  // painted over each other; of equal depths the last is seen
+        nearest[i].meet(stored, x, {open_[i].nearer, Comparison::Ties::last});
     }
-    found_.of_pixel[pixel] = fragment_.exact ? error_ : std::numeric_limits<double>::quiet_NaN();
-    found_.depth_error_of_pixel[pixel] = fragment_.exact ? off_ : std::numeric_limits<double>::quiet_NaN();
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const double off = !stored.exact ? none : finite ? stored.exact->error_of(z, x) : infinite;
+    found_.of_pixel[pixel] = finite ? off / formulas::last_digit(z, found_.format, found_.unit) : off;
+    found_.depth_error_of_pixel[pixel] = off;
   }
 
   const Trace& trace_;
   const std::function<void(const DepthError&)>& on_depth_;
   Truth truth_;
   Along along_;
-  NumberFormat format_;
-  double unit_;  ///< of fixed-point depths, else 0
-  bool cuts_;    ///< vertices are not all as the trace has them on the raster
+  bool cuts_;  ///< vertices are not all as the trace has them on the raster
   ExactVertices vertices_;
   ExactRays rays_;
+  std::vector<Comparison> open_;  ///< what the header leaves open
   RayBegin ray_{};                ///< the last one from the eye
-  Known ray_kept_, ray_nearest_;  ///< by the run and by the exact t
+  Known ray_kept_;                ///< what the run keeps
+  Nearest ray_nearest_;
   Errors found_;
   std::map<std::int32_t, ErrorOf> polygons_;
   std::vector<bool> fighting_;
-  std::vector<Known> stored_, nearest_;  ///< by pixel: what the run keeps, and what is nearest of all that came
-  Known fragment_;                       ///< the pixel at work
-  double error_ = 0, off_ = 0;
+  std::vector<Known> stored_;     ///< by pixel: what the run keeps
+  std::vector<Nearest> nearest_;  ///< by pixel, and of each by open_
+  Known fragment_;                ///< the pixel at work
+  std::int32_t fragment_x_ = -1, fragment_y_ = -1;
+  double error_ = 0;
   std::shared_ptr<const ExactDepth> span_;
   const std::shared_ptr<const ExactDepth> none_;
   std::vector<double> along_span_;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "traces/file/trace.hpp"
@@ -19,39 +20,49 @@ struct ErrorOf {
   double sum_of_squares = 0;  ///< of the errors in last digits
   double largest_view = 0;    ///< in units of z_v
   double sum_of_squares_view = 0;
-  std::int64_t decided_wrong = 0;  ///< compares that the exact depths decide otherwise
+  std::int64_t decided_wrong = 0;  ///< compares that the exact depths decide otherwise than the run and its own numbers
   double root_mean_square() const;
   double root_mean_square_view() const;
 };
 
-/// A compare that the exact depths decide otherwise.
+/// A compare that the run decided as its own numbers do, and the exact depths decide otherwise.
 struct WrongDecision {
   std::int64_t step = 0;
   std::int32_t x = 0, y = 0, polygon = no_polygon;
   double z = 0, stored = 0;              ///< as they were compared
   double z_exact = 0, stored_exact = 0;  ///< rounded once
+  std::string z_digits, stored_digits;   ///< the exact ones, with as many digits as tell them apart
 };
 
 struct Errors {
+  NumberFormat format{};    ///< whose digits are counted: as the header declares, else as the numbers look
+  std::string format_text;  ///< "float64, as the header declares"
+  double unit = 0;          ///< of fixed-point depths, else 0
   ErrorOf all;
-  std::vector<ErrorOf> polygons;         ///< by their number; those without depths are left out
-  std::int64_t not_judged = 0;           ///< depths of which nothing says what they are exactly
-  std::int64_t by_polygon = 0;           ///< held against the polygon itself, as the trace has no span with its edges
-  std::int64_t not_finite = 0;           ///< NaN and infinities, whose error is infinite
-  std::int64_t not_finite_step = 0;      ///< the first of them
-  std::int64_t steepest_step = 0;        ///< with the largest error
-  std::vector<WrongDecision> decisions;  ///< the first ones, at most 100
-  std::int64_t compares = 0;             ///< of which the exact outcome is known
-  std::int64_t wrong_pixels = 0;         ///< that show another polygon than the one that is exactly the nearest
-  std::int64_t fighting_pixels = 0;      ///< in which a compare was decided otherwise
-  std::vector<bool> fighting;            ///< [height*width], which these are
-  std::optional<double> least_gap;       ///< the smallest z_v by which two polygons that met in a pixel differ
-  double gap_at = 0;                     ///< and the z_v of the nearer of them
+  std::vector<ErrorOf> polygons;       ///< by their number; those without depths are left out
+  std::int64_t not_judged = 0;         ///< depths of which nothing says what they are exactly
+  std::int64_t by_polygon = 0;         ///< held against the polygon itself, as the trace has no span with its edges
+  std::int64_t not_finite = 0;         ///< NaN and infinities, whose error is infinite
+  std::int64_t not_finite_step = 0;    ///< the first of them
+  std::int64_t stored_not_finite = 0;  ///< the same of what is written into the depth buffer
+  std::int64_t stored_not_finite_step = 0;  ///< the first of them
+  std::int64_t steepest_step = 0;           ///< with the largest error
+  std::vector<WrongDecision> decisions;     ///< the first ones, at most 100
+  std::int64_t compares = 0;                ///< of which the exact outcome is known
+  std::int64_t left_open = 0;               ///< of these, what conventions decide that the header does not declare
+  std::int64_t wrong_pixels = 0;     ///< that show another polygon than the one that is exactly the nearest, and not
+                                     ///< by a mistake: the run's own numbers say that it is not
+  std::int64_t fighting_pixels = 0;  ///< in which a compare was decided otherwise
+  std::vector<bool> fighting;        ///< [height*width], which these are
+  std::optional<double> least_gap;   ///< the smallest z_v by which two polygons that met in a pixel differ
+  double gap_at = 0;                 ///< and the z_v of the nearer of them
   /// Errors in last digits of the pixels of the longest span, and of the first pixels of spans on the lines of the
   /// longest left edge: what increments add up.
   std::vector<double> along_span, along_edge;
   std::vector<std::int32_t> polygon_of_pixel;  ///< [height*width], whose depth is stored at the end
-  std::vector<double> depth_error_of_pixel;    ///< and its error in units of depth; NaN: none
+  /// And its error in units of depth, infinite of what is not finite; NaN: nothing is stored, or nothing says what it
+  /// is exactly.
+  std::vector<double> depth_error_of_pixel;
   std::vector<double> of_pixel;  ///< [height*width], Picture::at: error of the stored depth in last digits; NaN: none
 };
 

@@ -53,7 +53,12 @@ class ExactDepth {
   /// The same in every column.
   static ExactDepth of(const Rational& depth) { return linear(depth, 0, Along::depth); }
 
-  /// The exact depth at column x, rounded once.
+  /// The exact depth at column x; nothing where it is infinite.
+  std::optional<Rational> exactly(std::int32_t x) const {
+    const Whole under = below(x);
+    return under == 0 ? std::nullopt : std::optional(Rational(above(x)) / Rational(under));
+  }
+  /// The same, rounded once.
   double at(std::int32_t x) const;
   /// By how much z is off there: z − exact, of which all digits of a double are right.
   double error_of(double z, std::int32_t x) const;

@@ -26,6 +26,28 @@ Point exactly(const glm::dvec3& point) { return {exactly(point.x), exactly(point
 
 double rounded(const Rational& exact) { return quotient(Whole(numerator(exact)), Whole(denominator(exact))); }
 
+std::string decimals_of(const Rational& exact, int count) {
+  if (exact == 0) return "0";
+  const Whole over = abs(Whole(numerator(exact))), under = denominator(exact);
+  constexpr double tenfold = 0.30102999566398120;  // log10 2
+  int exponent = static_cast<int>((static_cast<double>(msb(over)) - static_cast<double>(msb(under))) * tenfold);
+  std::string digits;
+  for (bool fits = false; !fits;) {
+    Whole above = over, below = under;
+    const int places = count - 1 - exponent;
+    (places > 0 ? above : below) *= pow(Whole(10), static_cast<unsigned>(std::abs(places)));
+    digits = Whole((2 * above + below) / (2 * below)).str();
+    fits = static_cast<int>(digits.size()) == count;
+    if (!fits) exponent += static_cast<int>(digits.size()) > count ? 1 : -1;
+  }
+  const std::string sign = exact < 0 ? "\u2212" : "";
+  if (exponent < -6 || exponent >= count - 1)
+    return sign + digits.substr(0, 1) + "." + digits.substr(1) + "e" + std::to_string(exponent);
+  if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+  const auto whole = static_cast<std::size_t>(exponent + 1);
+  return sign + digits.substr(0, whole) + "." + digits.substr(whole);
+}
+
 Rational floor(const Rational& exact) {
   const Rational towards_zero(Whole(Whole(numerator(exact)) / Whole(denominator(exact))));
   return exact < towards_zero ? Rational(towards_zero - 1) : towards_zero;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -23,6 +24,8 @@ Rational exactly(double value);
 Point exactly(const glm::dvec3& point);
 /// Rounded once to the nearest double.
 double rounded(const Rational& exact);
+/// So many digits, rounded: "0.3333", "\u22123.333e-12".
+std::string decimals_of(const Rational& exact, int count);
 /// The largest whole number that is not above it, and the least that is not below.
 Rational floor(const Rational& exact);
 Rational ceil(const Rational& exact);

@@ -11,7 +11,6 @@
 #include "sim/answers/origin/enclosed.hpp"
 #include "traces/file/records.hpp"
 #include "traces/formulas/rounding.hpp"
-#include "traces/math/portable_math.hpp"
 
 namespace zstep::answers {
 
@@ -54,26 +53,8 @@ struct Functions<Slope> {
 
 namespace {
 
-/// 25 digits, rounded: more than float64 has, so that its error shows.
-std::string decimals_of(const Rational& exact) {
-  constexpr int count = 25;
-  if (exact == 0) return "0";
-  int exponent = static_cast<int>(std::floor(portable::log10(std::abs(rounded(exact)))));
-  const auto scaled = [&] {
-    Whole above = abs(numerator(exact)), below = denominator(exact);
-    const int places = count - 1 - exponent;
-    (places > 0 ? above : below) *= pow(Whole(10), static_cast<unsigned>(std::abs(places)));
-    return Whole((2 * above + below) / (2 * below)).str();
-  };
-  std::string digits = scaled();
-  if (digits.size() != count) exponent += digits.size() > count ? 1 : -1, digits = scaled();
-  const std::string sign = exact < 0 ? "\u2212" : "";
-  if (exponent < -6 || exponent >= count - 1)
-    return fmt::format("{}{}.{}e{}", sign, digits.substr(0, 1), digits.substr(1), exponent);
-  if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
-  const auto whole = static_cast<std::size_t>(exponent + 1);
-  return sign + digits.substr(0, whole) + "." + digits.substr(whole);
-}
+/// More digits than float64 has, so that its error shows.
+std::string decimals_of(const Rational& exact) { return oracle::decimals_of(exact, 25); }
 
 /// A short fraction as it is, and digits; of a number that float64 holds, its own.
 std::string digits_of(const Rational& exact) {
