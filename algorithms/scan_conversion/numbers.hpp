@@ -143,7 +143,8 @@ struct Bounded {
   template <std::same_as<std::int32_t> Whole>
   Bounded(Whole whole) : value(static_cast<T>(whole)) {}  // NOLINT: exact
   Bounded(T known, double off) : value(known), error(off) {}
-  operator double() const { return static_cast<double>(value); }  // NOLINT: events hold doubles
+  explicit Bounded(double known) : value(static_cast<T>(known)) {}  ///< of a formula, which T holds as it is
+  operator double() const { return static_cast<double>(value); }    // NOLINT: events hold doubles
   Bounded& operator+=(const Bounded& other) { return *this = *this + other; }
 };
 
@@ -167,6 +168,10 @@ template <class A>
 auto operator-(const Bounded<A>& a, const Bounded<A>& b) {
   const auto value = a.value - b.value;
   return Bounded<std::remove_cv_t<decltype(value)>>{value, a.error + b.error + rounding_of_result(value).sum};
+}
+template <class A>
+Bounded<A> operator-(const Bounded<A>& a) {
+  return {-a.value, a.error};
 }
 template <class A>
 auto operator*(const Bounded<A>& a, const Bounded<A>& b) {

@@ -1,6 +1,7 @@
 // zstep error: how far the depths of a run are from the exact ones.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -16,6 +17,7 @@
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/cost/depth_bounds.hpp"
+#include "sim/cost/viewing_bounds.hpp"
 #include "sim/image/npy.hpp"
 #include "sim/image/png.hpp"
 #include "sim/pages/rows.hpp"
@@ -56,10 +58,17 @@ std::optional<Allowed> allowed_in(const Trace& trace, const Errors& errors) {
   const auto bounds = compare::bounds_in(trace);
   if (!bounds) return std::nullopt;
   Allowed allowed;
+  std::map<std::int32_t, std::optional<double>> viewing;  // by facet
   for (std::size_t pixel = 0; pixel < bounds->of_pixel.size(); ++pixel) {
     const double off = std::abs(errors.depth_error_of_pixel[pixel]);
     if (std::isnan(off) || errors.polygon_of_pixel[pixel] != bounds->picture.polygon[pixel]) continue;
-    const double bound = bounds->of_pixel[pixel];
+    double bound = bounds->of_pixel[pixel];
+    if (const std::int32_t facet = errors.scene_facet_of_pixel[pixel]; facet >= 0) {
+      const auto [known, is_new] = viewing.try_emplace(facet);
+      if (is_new) known->second = compare::viewing_bound(trace, facet);
+      if (!known->second) continue;
+      bound += *known->second;
+    }
     ++allowed.held;
     allowed.largest = std::max(allowed.largest, bound);
     allowed.beyond += off > bound;

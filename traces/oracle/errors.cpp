@@ -29,7 +29,8 @@ struct Known {
   std::shared_ptr<const ExactDepth> exact;  ///< null where it is not known
   double z = 0;
   std::int32_t polygon = no_polygon;
-  std::int32_t facet = -1;  ///< of rays
+  std::int32_t facet = -1;        ///< of rays
+  std::int32_t scene_facet = -1;  ///< whose plane in the scene says what it is exactly
 };
 
 /// The comparisons that a header leaves open; one where it declares all.
@@ -86,7 +87,7 @@ class DepthJudge {
         cuts_(trace.has(kind_of<SplitVertex>) || formulas::run_cuts_in_world(trace.header(), trace.scene())),
         vertices_(formulas::run_cuts_in_world(trace.header(), trace.scene()) ? ExactVertices::From::world
                                                                              : ExactVertices::From::vertices),
-        rays_(trace.scene(), trace.header().conventions.depth),
+        rays_(trace.scene(), stored_depth(trace.header().conventions.depth)),
         open_(open_comparisons(trace.header())) {
     const Precision precision = precision_of(trace);
     Conventions conventions = trace.header().conventions;
@@ -99,6 +100,7 @@ class DepthJudge {
     if (trace.header().declares(Convention::nearer)) nearest_.resize(pixels * open_.size());
     found_.of_pixel.assign(pixels, std::numeric_limits<double>::quiet_NaN());
     found_.depth_error_of_pixel = found_.of_pixel;
+    found_.scene_facet_of_pixel.assign(pixels, -1);
   }
 
   template <class E>
@@ -175,12 +177,21 @@ class DepthJudge {
     }
     return span_;
   }
+  /// `corrected` interpolates 1/z_v, and what is stored is z_v.
+  static Conventions::Depth stored_depth(Conventions::Depth depth) {
+    return depth == Conventions::Depth::corrected ? Conventions::Depth::view : depth;
+  }
   static Along along_of(const Trace& trace, Truth truth) {
     const Conventions::Depth depth = trace.header().conventions.depth;
     if (trace.scene().camera.kind != Camera::Kind::perspective) return Along::depth;
     if (depth == Conventions::Depth::corrected) return Along::reciprocal;
     const bool bent = depth == Conventions::Depth::view && truth == Truth::surface;
     return bent ? Along::through_inverses : Along::depth;
+  }
+  /// A vertex with its depth, which a run that leaves out projection does not record.
+  std::optional<OnRaster> vertex(const Situation& at, std::int32_t number) const {
+    const bool known = at.on_screen() || at.records<Projection>() || !at.records<ViewportTransform>();
+    return known ? at.on_raster(number) : std::nullopt;
   }
   std::optional<ExactDepth> between_edges(const Situation& at, const SpanBegin& span) const {
     if (cuts_) return between_parts(at, span);
@@ -197,7 +208,7 @@ class DepthJudge {
   /// Where depths go by the plane of three vertices, that is what they are without rounding: the others need not lie in
   /// it to the last digit.
   std::optional<ExactDepth> on_plane(const Situation& at, const PlaneSlopes& slopes, std::int32_t y) const {
-    const auto a = at.on_raster(slopes.vertex_0), b = at.on_raster(slopes.vertex_1), c = at.on_raster(slopes.vertex_2);
+    const auto a = vertex(at, slopes.vertex_0), b = vertex(at, slopes.vertex_1), c = vertex(at, slopes.vertex_2);
     if (!a || !b || !c) return std::nullopt;
     return ExactDepth::on_plane({a->x, a->y, a->z}, {b->x, b->y, b->z}, {c->x, c->y, c->z}, y, along_);
   }
@@ -217,6 +228,7 @@ class DepthJudge {
         if (auto exact = on_plane(at, through, y)) row->second = std::make_shared<const ExactDepth>(*std::move(exact));
       if (row->second) return row->second;
     } else if (const auto t = rays_.meet(facet, x, y)) {
+      scene_facet_ = facet;
       return constant(rays_.depth(*t));
     }
     --found_.by_polygon;
@@ -240,18 +252,18 @@ class DepthJudge {
     const auto corner = [&](std::int32_t i) { return scene.corners[static_cast<std::size_t>(of.first_corner + i)]; };
     return {corner(0), corner(1), corner(2)};
   }
-  static bool is_on_raster(const Situation& at, const std::array<std::int32_t, 3>& corners) {
-    return std::all_of(corners.begin(), corners.end(), [&](std::int32_t one) { return at.on_raster(one).has_value(); });
+  bool is_on_raster(const Situation& at, const std::array<std::int32_t, 3>& corners) const {
+    return std::all_of(corners.begin(), corners.end(), [&](std::int32_t one) { return vertex(at, one).has_value(); });
   }
   /// Is z_v not linear on the picture?
   bool is_bent() const {
     return trace_.scene().camera.kind == Camera::Kind::perspective &&
            trace_.header().conventions.depth == Conventions::Depth::view;
   }
-  static std::optional<Edge> edge(const Situation& at, std::int32_t number) {
+  std::optional<Edge> edge(const Situation& at, std::int32_t number) const {
     const EdgeTableInsert* entry = at.edge(number);
     if (!entry) return std::nullopt;
-    const auto from = at.on_raster(entry->vertex_0), to = at.on_raster(entry->vertex_1);
+    const auto from = vertex(at, entry->vertex_0), to = vertex(at, entry->vertex_1);
     if (!from || !to) return std::nullopt;
     return Edge{{from->x, from->y, from->z}, {to->x, to->y, to->z}};
   }
@@ -283,7 +295,7 @@ class DepthJudge {
     const auto t = rays_.meet(e.facet, ray_.x, ray_.y);
     const auto facet = static_cast<std::size_t>(e.facet);
     if (!t || facet >= trace_.scene().facets.size()) return;
-    const Known here{constant(*t), e.t, trace_.scene().facets[facet].polygon, e.facet};
+    const Known here{constant(*t), e.t, trace_.scene().facets[facet].polygon, e.facet, -1};
     // Of equal t the facet that comes first in the scene is kept.
     const auto sign = [&](const Known& than) { return here.exact->compare(*than.exact, ray_.x); };
     const auto keeps = [&](double near, const Known& than, double other) {
@@ -323,6 +335,7 @@ class DepthJudge {
   template <class E>
   void compute(std::int64_t position, const E& e, const Situation& at) {
     std::shared_ptr<const ExactDepth> exact;
+    scene_facet_ = -1;
     std::int32_t polygon = polygon_of(at);
     if constexpr (std::is_same_v<E, PixelPaint>) {
       polygon = e.polygon;
@@ -334,7 +347,7 @@ class DepthJudge {
       exact = exact_span(at, e.y);
     }
     if (!exact && !trace_.has(kind_of<RayEnd>)) exact = exact_polygon(at, e.x, e.y, polygon);
-    fragment_ = {exact, e.z, polygon, -1}, fragment_x_ = e.x, fragment_y_ = e.y;
+    fragment_ = {exact, e.z, polygon, -1, scene_facet_}, fragment_x_ = e.x, fragment_y_ = e.y;
     if (!exact) {
       ++found_.not_judged;
       return;
@@ -433,6 +446,7 @@ class DepthJudge {
     const double off = !stored.exact ? none : finite ? stored.exact->error_of(z, x) : infinite;
     found_.of_pixel[pixel] = finite ? off / formulas::last_digit(z, found_.format, found_.unit) : off;
     found_.depth_error_of_pixel[pixel] = off;
+    found_.scene_facet_of_pixel[pixel] = stored.scene_facet;
   }
 
   const Trace& trace_;
@@ -453,6 +467,7 @@ class DepthJudge {
   std::vector<Nearest> nearest_;  ///< by pixel, and of each by open_
   Known fragment_;                ///< the pixel at work
   std::int32_t fragment_x_ = -1, fragment_y_ = -1;
+  std::int32_t scene_facet_ = -1;  ///< of the pixel at work
   double error_ = 0;
   std::shared_ptr<const ExactDepth> span_;
   const std::shared_ptr<const ExactDepth> none_;

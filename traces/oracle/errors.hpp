@@ -60,6 +60,8 @@ struct Errors {
   /// longest left edge: what increments add up.
   std::vector<double> along_span, along_edge;
   std::vector<std::int32_t> polygon_of_pixel;  ///< [height*width], whose depth is stored at the end
+  /// The facet whose plane in the scene its depth is held against; -1: the run has what it follows from on the raster.
+  std::vector<std::int32_t> scene_facet_of_pixel;
   /// And its error in units of depth, infinite of what is not finite; NaN: nothing is stored, or nothing says what it
   /// is exactly.
   std::vector<double> depth_error_of_pixel;
