@@ -320,6 +320,25 @@ std::int64_t shows_at(const Judgement& found, const diff::Cause& cause) {
   return cause.first.only_a() ? found.difference.alignment.before_in_b(cause.first.a) + 1 : cause.first.b;
 }
 
+/// What parts where a step is at fault, too: what is said of the fault is said of that step. Where another step is
+/// missing before it, the run's own one is what to look at if it is not what the reference goes on with; if it is, it
+/// is wrong for what is missing.
+void put_together(const Judgement& found, Divergence& first, const Fault& fault) {
+  if (first.parts && first.parts->only_a()) {
+    const diff::Alignment& alignment = found.difference.alignment;
+    const auto own = std::find_if(alignment.differences.begin(), alignment.differences.end(),
+                                  [&](const diff::Difference& one) { return one.b == fault.step; });
+    const std::int64_t partner = alignment.in_a(fault.step);
+    bool goes_on = own == alignment.differences.end() && partner > first.parts->a;
+    for (std::int64_t step = first.parts->a + 1; step < partner && goes_on; ++step)
+      goes_on = alignment.in_b(step) <= fault.step;
+    if (goes_on) return;
+    first.parts =
+        own != alignment.differences.end() ? *own : diff::Difference{partner, fault.step, 0, fault.kind, fault.line, 0};
+  }
+  first.fault = fault;
+}
+
 /// The first of what parts and what is computed wrongly, in the order of the run.
 std::optional<Divergence> first_divergence(const Judgement& found, const std::set<std::uint8_t>& aside) {
   std::optional<Divergence> first;
@@ -333,7 +352,7 @@ std::optional<Divergence> first_divergence(const Judgement& found, const std::se
   if (cause != found.checked.causes.end()) {
     const Fault& fault = cause->first;
     if (!first || fault.step < first->step) first = Divergence{std::nullopt, fault, std::nullopt, fault.step};
-    else if (fault.step == first->step) first->fault = fault;
+    else if (fault.step == first->step) put_together(found, *first, fault);
   }
   return first;
 }
