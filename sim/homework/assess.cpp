@@ -9,6 +9,7 @@
 #include "sim/homework/run_programs.hpp"
 #include "sim/words/derived.hpp"
 #include "sim/words/file_lines.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/output.hpp"
@@ -54,6 +55,34 @@ std::string_view text_of(grade::Numbering numbering) {
   return "";
 }
 
+/// Does the run begin polygon 0, or name vertex 0?
+bool names_number_0(const Trace& run, grade::Numbering numbering) {
+  const bool of_polygons = numbering == grade::Numbering::polygons_from_1;
+  bool found = false;
+  run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (of_polygons && !holds<PolygonBegin>(recorded.event)) return true;
+    for (const FieldOfKind& field : fields_of_kind(recorded.event.index()))
+      found = found || (field.name.starts_with(of_polygons ? "polygon" : "vertex") && field.read(recorded.event) == 0);
+    return !found;
+  });
+  return found;
+}
+
+/// How the run numbers things: by what was read of it, or by what lets it be read to its end where its numbers do not.
+grade::Numbering numbering_of(const Runs& runs, const Task& task, const fs::path& file, GivenRun given) {
+  const grade::Numbering told = grade::numbering_of(runs.submission);
+  if (told != grade::Numbering::as_scene || runs.impossible.empty()) return told;
+  for (const grade::Numbering numbering : {grade::Numbering::polygons_from_1, grade::Numbering::vertices_from_1}) {
+    const Scene scene = grade::numbered_from_1(task.scene, numbering);
+    given.scene = &scene;
+    std::string impossible;
+    PassedOver passed_over;
+    const Trace run = open_given_run(file, impossible, given, passed_over);
+    if (impossible.empty() && !names_number_0(run, numbering)) return numbering;
+  }
+  return told;
+}
+
 FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std::string& file) {
   FirstWrong words;
   words.at = std::min(first.step, runs.submission.size());
@@ -90,7 +119,7 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
     for (FieldText& field : words.found) field.formula.clear();
     if (!words.what.ends_with('.')) words.what += '.';
   }
-  if (const std::string_view numbers = text_of(grade::numbering_of(runs.submission)); !numbers.empty())
+  if (const std::string_view numbers = text_of(runs.numbering); !numbers.empty())
     words.what += " " + std::string(numbers);
   if (!first.parts || !first.parts->only_a()) {
     FileLines lines(file, runs.had_header, runs.passed_over.lines);
@@ -186,12 +215,25 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
     if (task.made)
       graded.own = {task.name, sketch_of(runs.submission, homework.parts), sketch_of(*runs.reference, homework.parts)};
     graded.counts = found.parts;
-    if (!runs.impossible.empty()) graded.why = "the run is judged up to a step that cannot be: " + runs.impossible;
-    else if (!runs.submission.warnings().empty()) graded.why = runs.submission.warnings().front();
+    // What was not read may be there.
+    if (!runs.impossible.empty() || runs.passed_over.any())
+      for (grade::PartCount& count : graded.counts)
+        for (grade::Loss& loss : count.lost)
+          if (loss.why == grade::Loss::Why::never || loss.why == grade::Loss::Why::missing)
+            loss.why = grade::Loss::Why::not_reached;
+    if (!runs.impossible.empty()) {
+      graded.why = "the run is judged up to a step that cannot be: " + runs.impossible;
+      if (const std::string_view numbers = text_of(runs.numbering); !numbers.empty())
+        graded.why += ". " + std::string(numbers);
+    }
+    if (runs.impossible.empty() && !runs.submission.warnings().empty()) graded.why = runs.submission.warnings().front();
     if (const Precision& written = found.checked.precision;
         graded.why.empty() && found.first && written.held && !precision_of(*runs.reference, held).held)
       graded.why = fmt::format("the numbers are {}: print more of their digits, as %.17g does", written.text);
-    if (found.first) {
+    if (found.first && !runs.impossible.empty() && found.first->step > runs.submission.size()) {
+      // Nothing is wrong before the step that cannot be.
+      graded.ends = std::move(found.ends);
+    } else if (found.first) {
       graded.first = in_words(runs, *found.first, graded.file);
       graded.first->mistake = grade::mistake_in(*runs.reference, runs.submission, found, &graded.first->either);
       graded.ends = std::move(found.ends);
@@ -301,7 +343,9 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, L
   check_run(*homework.method, task.scene, conventions, file.string());
   std::shared_ptr<const Trace> reference = known ? known->find(task, conventions) : nullptr;
   if (!reference) reference = std::make_shared<const Trace>(reference_run(*homework.method, task.scene, conventions));
-  return {std::move(reference), std::move(submission), !given.without_header, impossible, left_out, passed_over};
+  Runs runs{std::move(reference), std::move(submission), !given.without_header, impossible, left_out, passed_over};
+  runs.numbering = numbering_of(runs, task, file, given);
+  return runs;
 }
 
 std::string Graded::shown() const {

@@ -13,6 +13,7 @@
 #include "sim/homework/homework.hpp"
 #include "sim/words/judged.hpp"
 #include "traces/file/lenient.hpp"
+#include "traces/grade/numbering.hpp"
 
 namespace zstep::homework {
 
@@ -100,6 +101,7 @@ struct Runs {
   std::string impossible;             ///< why the run's next step cannot be
   std::vector<std::string> left_out;  ///< the parts that are not looked at, as the submission has no step of them
   PassedOver passed_over;             ///< lines of the submission
+  grade::Numbering numbering = grade::Numbering::as_scene;  ///< of the submission
 };
 /// The right run of a task.
 Trace reference_of(const Homework& homework, const Task& task);

@@ -9,9 +9,9 @@ namespace zstep::homework {
 using Why = grade::Loss::Why;
 
 std::string_view word_of(Why why) {
-  static constexpr std::array<std::string_view, 12> words{"never",       "missing",   "additional",    "numbers",
-                                                          "computation", "order",     "unknown_edges", "colors",
-                                                          "depths",      "no_colors", "no_depths",     "beyond"};
+  static constexpr std::array<std::string_view, 13> words{
+      "never",       "missing", "additional", "numbers",   "computation", "order", "unknown_edges",
+      "not_reached", "colors",  "depths",     "no_colors", "no_depths",   "beyond"};
   return words[static_cast<std::size_t>(why)];
 }
 
@@ -41,6 +41,8 @@ std::string loss_text(const Homework& homework, const grade::Loss& loss, bool hi
       return fmt::format("{} in another order than the right one", count);
     case Why::unknown_edges:
       return fmt::format("{}: {} about edges of which no edge table says which they are", names, count);
+    case Why::not_reached:
+      return fmt::format("{}: {} not among the steps that could be read", names, count);
     case Why::colors:
       return fmt::format("{} of another colour", pixels);
     case Why::depths:

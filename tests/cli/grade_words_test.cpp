@@ -117,3 +117,45 @@ TEST_CASE("grade: a sentence about a step of the run names that step, its own nu
   CHECK(has(missing["subject"], "scan line 3"));
   CHECK(missing["what"] == "This step is missing.");
 }
+
+TEST_CASE("grade: of polygons that are numbered from 1 that is said, and no step that is there is called missing") {
+  const Folder folder;
+  set_up_runs(folder);
+  for (const char* scene : {"triangle", "crossing", "neighbours"}) {
+    CAPTURE(std::string(scene));
+    const json found = graded(folder, scene, changed_run(folder, scene, [](json& step) {
+                                for (const char* number : {"polygon", "facet"})
+                                  if (step.contains(number)) step[number] = step[number].get<int>() + 1;
+                                return true;
+                              }));
+    CHECK(has(found.value("why", ""), "Polygons are numbered from 0"));
+    CHECK((scene != std::string("triangle") || !found.contains("first")));  // nothing is wrong before what cannot be
+    for (const json& part : found["parts"])
+      for (const json& lost : part["lost"]) {
+        CHECK(lost["why"] != "missing");
+        CHECK(lost["why"] != "never");
+        CHECK_FALSE(has(lost["text"], "missing"));
+        CHECK_FALSE(has(lost["text"], "not printed"));
+      }
+  }
+  // A program may number only what it begins so.
+  const json begun = graded(folder, "triangle", changed_run(folder, "triangle", [](json& step) {
+                              if (is(step, "polygon")) step["polygon"] = step["facet"] = 1;
+                              return true;
+                            }));
+  CHECK(has(begun.value("why", ""), "Polygons are numbered from 0"));
+  // A vertex that no point is could be one that clipping made: then the edges tell.
+  const json triangle = graded(folder, "triangle", changed_run(folder, "triangle", [](json& step) {
+                                 for (const char* end : {"vertex_0", "vertex_1"})
+                                   if (step.contains(end)) step[end] = step[end].get<int>() + 1;
+                                 return true;
+                               }));
+  CHECK(has(triangle["first"]["what"], "Vertices are numbered from 0"));
+  // One polygon too many is no numbering.
+  const json beyond = graded(folder, "triangle", changed_run(folder, "triangle", [](json& step) {
+                               if (is(step, "write_pixel") && step["y"] == 5) step["polygon"] = 1;
+                               return true;
+                             }));
+  CHECK(has(beyond.value("why", ""), "polygon 1 does not exist"));
+  CHECK_FALSE(has(beyond.value("why", ""), "numbered from 0, in"));
+}

@@ -41,6 +41,7 @@ struct Loss {
     computation,    ///< steps that do not follow from the run's own operands
     order,          ///< steps that come in another order; of the part, not of a kind
     unknown_edges,  ///< steps that speak of edges of which the run does not say which these are
+    not_reached,    ///< steps that it lacks as far as it could be read
     colors,         ///< pixels of another colour
     depths,         ///< pixels of another depth
     no_colors,      ///< pixels of a submission without a picture

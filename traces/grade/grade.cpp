@@ -213,6 +213,23 @@ Numbering numbering_of(const Trace& run) {
   return meanings.vertices_of_polygon ? Numbering::vertices_of_polygon : Numbering::as_scene;
 }
 
+Scene numbered_from_1(Scene scene, Numbering numbering) {
+  if (numbering == Numbering::polygons_from_1 && !scene.facets.empty()) {
+    scene.polygons.insert(scene.polygons.begin(), Polygon{});
+    for (Facet& facet : scene.facets) ++facet.polygon;
+    Facet none = scene.facets.front();
+    none.polygon = 0;
+    scene.facets.insert(scene.facets.begin(), none);
+  }
+  if (numbering == Numbering::vertices_from_1 && !scene.points.empty()) {
+    scene.points.insert(scene.points.begin(), scene.points.front());
+    if (!scene.point_lines.empty()) scene.point_lines.insert(scene.point_lines.begin(), 0);
+    if (!scene.file_points.empty()) scene.file_points.insert(scene.file_points.begin(), scene.file_points.front());
+    for (std::int32_t& corner : scene.corners) ++corner;
+  }
+  return scene;
+}
+
 namespace {
 
 using formulas::Follows, formulas::Place, formulas::Situation;

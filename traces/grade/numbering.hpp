@@ -18,4 +18,7 @@ enum class Numbering : std::uint8_t {
 /// By the edges that a run names: how its numbers would have to be meant for them to be edges of the scene.
 Numbering numbering_of(const Trace& run);
 
+/// The scene as it is for a program that numbers so from 1: what is numbered 0 there is something that no run names.
+Scene numbered_from_1(Scene scene, Numbering numbering);
+
 }  // namespace zstep::grade
