@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -42,6 +43,19 @@ struct BothRuns {
         },
         diff::Way::fast, compare::held_to_bounds(a, b));
     watch.clear_line();
+    leave_out_unread();
+  }
+
+ private:
+  /// Of a run that is read up to a step that cannot be nobody knows what it does later: it lacks nothing there.
+  void leave_out_unread() {
+    const std::vector<diff::Match>&by_a = report.alignment.by_a, &by_b = report.alignment.by_b;
+    std::erase_if(report.causes, [&](const diff::Cause& cause) {
+      const bool beyond_b = by_a.empty() || cause.first.a >= by_a.back().a + by_a.back().count;
+      const bool beyond_a = by_b.empty() || cause.first.b >= by_b.back().b + by_b.back().count;
+      return (cause.first.only_a() && !impossible_b.empty() && beyond_b) ||
+             (cause.first.only_b() && !impossible_a.empty() && beyond_a);
+    });
   }
 };
 

@@ -159,6 +159,10 @@ TEST_CASE("check and diff go up to a step that cannot be, and name it") {
   const Outcome diff = run(folder, "diff a.ztrace b.jsonl");
   CHECK(diff.code == 1);
   CHECK(has(diff.out, "compared up to a step that is impossible: b.jsonl:40:"));
+  CHECK(times(diff.out, "has this step") == 0);  // what comes after it may be there
+  const Outcome turned = run(folder, "diff b.jsonl a.ztrace");
+  CHECK(turned.code == 1);
+  CHECK(times(turned.out, "has this step") == 0);
   CHECK(run(folder, "info b.jsonl").code == 2);
 }
 
