@@ -86,6 +86,11 @@ std::vector<std::string> notes_of(const Trace& a, const Trace& b, const DiffRepo
   parts(Convention::coverage, h.conventions.coverage != k.conventions.coverage, "which pixels a span covers");
   parts(Convention::cull, h.conventions.cull != k.conventions.cull, "whether back faces are culled");
   parts(Convention::number_format, h.conventions.number_format != k.conventions.number_format, "the number format");
+  parts(Convention::number_format, h.conventions.rounding != k.conventions.rounding, "how quotients are rounded");
+  parts(Convention::number_format, h.conventions.positions != k.conventions.positions,
+        "where vertices are on the raster");
+  parts(Convention::number_format, h.conventions.attribute != k.conventions.attribute,
+        "how an attribute is interpolated");
   parts(Convention::nearer, h.comparison.nearer != k.comparison.nearer, nearer_text(h.comparison, k.comparison));
   parts(Convention::ties, h.comparison.ties != k.comparison.ties, ties_text(h.comparison, k.comparison));
   return notes;

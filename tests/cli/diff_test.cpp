@@ -128,6 +128,26 @@ TEST_CASE("diff: between two methods what each did at the pixels that differ is 
   CHECK(has(text_of(folder / "page.html"), "10 pixels show polygon B in run A"));
 }
 
+TEST_CASE("diff: each convention in which the headers differ is named") {
+  const Folder folder;
+  REQUIRE(run(folder, "record pyramid -o a.ztrace").code == 0);
+  const std::vector<std::pair<const char*, const char*>> others{
+      {"--depth view", "which z is interpolated"},
+      {"--interpolation increments", "how depths are interpolated"},
+      {"--coverage inclusive", "which pixels a span covers"},
+      {"--number-format float32", "the number format"},
+      {"--positions integer", "where vertices are on the raster"},
+      {"--attribute linear", "how an attribute is interpolated"}};
+  for (const auto& [option, what] : others) {
+    CAPTURE(std::string(option));
+    REQUIRE(run(folder, std::string("record pyramid ") + option + " -o b.ztrace").code == 0);
+    CHECK(has(run(folder, "diff a.ztrace b.ztrace").out, std::string("the headers differ: ") + what));
+  }
+  REQUIRE(run(folder, "record pyramid --number-format fixed16 -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "record pyramid --number-format fixed16 --rounding down -o b.ztrace").code == 0);
+  CHECK(has(run(folder, "diff a.ztrace b.ztrace").out, "the headers differ: how quotients are rounded"));
+}
+
 TEST_CASE("two runs in one window: view --against, and diff --view where they first part") {
   const Folder folder;
   REQUIRE(run(folder, "record foley -o a.ztrace").code == 0);
