@@ -3,7 +3,7 @@
 usage: python3 make_class.py FOLDER
 
 makes FOLDER/01-right/PROGRAM and so on: one folder for each row of programs.py, named after its mistake. "other-"
-begins those for which zstep has no name.
+begins those for which zstep has no name, or cannot tell it in the scenes of this homework.
 """
 import pathlib
 import shutil

@@ -95,6 +95,7 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
       const Side theirs = side_of(runs.submission, parts->b, parts->fields);
       words.step = theirs.name, words.subject = theirs.subject, words.found = theirs.fields;
     }
+    words.missing = parts->only_a();
     words.what = parts->only_a()   ? "This step is missing."
                  : parts->only_b() ? "This step should not be there."
                                    : "This step has other numbers than it should.";
@@ -401,7 +402,8 @@ bool Assessment::gradable() const {
 
 namespace {
 
-/// Where several mistakes make the same numbers in one scene, it is the one that is named in another scene.
+/// Where several mistakes make the same numbers in one scene, it is the one that is named in another scene; and where a
+/// step is missing, which says little by itself, the one by which it is missing there.
 void decide_by_other_scenes(Assessment& all) {
   std::set<mistakes::Mistake> named;
   for (const Graded& task : all.tasks)
@@ -410,6 +412,11 @@ void decide_by_other_scenes(Assessment& all) {
     if (!task.first) continue;
     std::erase_if(task.first->either, [&](mistakes::Mistake one) { return !named.contains(one); });
     if (task.first->either.size() == 1) task.first->mistake.emplace().mistake = task.first->either.front();
+    if (task.first->mistake || !task.first->missing) continue;
+    const auto other = std::find_if(all.tasks.begin(), all.tasks.end(), [&](const Graded& one) {
+      return one.first && one.first->missing && one.first->mistake && one.first->step == task.first->step;
+    });
+    if (other != all.tasks.end()) task.first->mistake = other->first->mistake;
   }
 }
 

@@ -21,6 +21,7 @@ namespace zstep::homework {
 struct FirstWrong {
   std::int64_t at = 0;                     ///< the step of the run, for a viewer
   std::string step, subject;               ///< "insert_edge", "edge e1 (1–2)"
+  bool missing = false;                    ///< the run lacks the step
   std::string where;                       ///< "one.jsonl:12"; empty where the run lacks the step
   std::string what;                        ///< one sentence
   std::vector<FieldText> expected, found;  ///< what the reference has, and the run, field by field

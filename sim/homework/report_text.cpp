@@ -102,6 +102,16 @@ std::string first_wrong_text(const Graded& wrong, const std::string& command) {
   return text + fmt::format("  {} --scene {} --view\n", command, shell_word(wrong.task->name));
 }
 
+/// Where only hidden scenes are wrong: the mistake, without a number of theirs.
+std::string hidden_wrong_text(const Assessment& all) {
+  std::string text;
+  for (const Graded& task : all.tasks) {
+    if (!task.first || !text.empty()) continue;
+    for (const std::string& line : mistake_lines(*task.first)) text += fmt::format("  {}\n", line);
+  }
+  return text.empty() ? "" : "\nA scene that is hidden shows what is wrong:\n" + text;
+}
+
 }  // namespace
 
 std::string report_text(const Assessment& all, const std::string& command) {
@@ -116,6 +126,7 @@ std::string report_text(const Assessment& all, const std::string& command) {
   if (all_right(all)) text += "Every step is right.\n";
   else if (all.gradable()) text += what_works_text(all);
   if (const Graded* wrong = first_to_mend(all)) text += first_wrong_text(*wrong, command);
+  else text += hidden_wrong_text(all);
   if (const std::string next = next_part_text(all); !next.empty()) text += "\n" + printable(next) + "\n";
   if (all.gradable()) text += "\nHow the points come about\n";
   for (const Graded& task : all.tasks) text += task_text(all, task);

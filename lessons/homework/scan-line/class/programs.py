@@ -18,7 +18,7 @@ CLASS = [
     ("horizontal_inserted", '                emit.skip_edge(a[0], b[0], "horizontal")\n                continue\n',
      '                b = (b[0], b[1], b[2] + 1, b[3])\n'),
     ("right", "", ""),
-    ("retired_one_late", 'if edge["end"] == y', 'if edge["end"] + 1 == y'),
+    ("other-retired_one_late", 'if edge["end"] == y', 'if edge["end"] + 1 == y'),
     ("never_retired", 'if edge["end"] == y]', 'if edge["end"] == -1]'),
     ("not_sorted", "while i > 0 and", "while False and"),
     ("other-entered_in_front", "active.insert(place, edge)", "active.insert(0, edge)"),
