@@ -158,10 +158,17 @@ class Follow {
       for (const Place::In in : {Place::In::depth_buffer, Place::In::frame}) different_.clear(in), rounding_.clear(in);
     if constexpr (begins<E>() > 0)
       for (std::size_t rank = begins<E>(); rank < scopes_.size(); ++rank)
-        scopes_[rank] = rank == begins<E>() ? number : no_difference;
+        scopes_[rank] = rank == begins<E>() && !is_empty(e) ? number : no_difference;
     if (report_.alignment.kinds[kind_of<E>].pairs > 0 || number != no_difference ||
         (says_whose_turn<E> && report_.alignment.turns))
       identity_.take_note_of(e);
+  }
+
+  /// A span without pixels begins nothing.
+  template <class E>
+  static bool is_empty(const E& e) {
+    if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>) return e.first > e.last;
+    else return false;
   }
 
   /// Has the last difference begun something that is not over yet?
@@ -190,9 +197,8 @@ class Follow {
     const bool alone = difference.only_a() || difference.only_b();
     if constexpr (std::is_same_v<E, PairBegin>) finding.idle = alone && undecided_ >= 0;
     else if constexpr (tests_pair<E>()) finding.idle = alone && is_undecided();
-    bool empty = false;  // what has no pixels does not follow from the span before it
-    if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>)
-      empty = finding.idle = alone && e.first > e.last;
+    const bool empty = alone && is_empty(e);  // what has no pixels does not follow from the span before it
+    finding.idle = finding.idle || empty;
     bool either_way = false;  // where two edges meet, either may be the left one
     if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
     // Of a plane whose normal has another length; of opposite signs they would be off by more than the larger one.

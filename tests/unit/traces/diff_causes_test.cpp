@@ -1,0 +1,89 @@
+// zstep diff: what follows from a cause is no cause of its own, and what is said of a cause is true of it.
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "algorithms/scene/load.hpp"
+#include "sim/words/judged.hpp"
+#include "tests/golden/golden.hpp"
+#include "tests/unit/algorithms/scenes.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
+#include "tests/zoo/programs.hpp"
+#include "tests/zoo/runs.hpp"
+#include "traces/diff/diff.hpp"
+#include "traces/events/fields.hpp"
+
+using namespace zstep;
+
+namespace {
+
+/// A run of these steps.
+Trace of_steps(const Trace& like, const std::vector<RecordedEvent>& steps) {
+  TraceRecorder recorder(like.header(), like.scene());
+  for (const RecordedEvent& step : steps) record_any(recorder, step.step, step.event);
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "of steps");
+}
+std::vector<RecordedEvent> steps_of_run(const Trace& run) {
+  std::vector<RecordedEvent> steps;
+  run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& read) { return steps.push_back(read), true; });
+  return steps;
+}
+
+/// Of the lecture: two triangles, of which the second one cuts the first.
+Trace delhi() { return test::recorded_by("z-buffer", look_at_scene(load_scene("delhi").scene, {})); }
+
+/// Three of its edges end on a line where its span has no pixel.
+Trace ends_in_empty_span() {
+  return test::recorded_by("z-buffer",
+                           test::screen_scene(14, 12, {{{1.25, 1.5, 0.125}, {12.5, 2.25, 0.875}, {6.5, 10.5, 0.5}}}));
+}
+
+/// The kinds of the causes that are more than rounding, each once.
+std::string kinds_of(const diff::DiffReport& report) {
+  std::set<std::string> kinds;
+  for (const diff::Cause& cause : report.causes)
+    if (cause.part == diff::Part::different) kinds.emplace(text_of_kind(cause.first.kind).name);
+  std::string text;
+  for (const std::string& kind : kinds) text += kind + " ";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("diff causes: spans without pixels stay no difference where other steps of their line are missing") {
+  const Trace right = ends_in_empty_span();
+  std::int64_t last_line = 0, empty = 0;
+  std::int32_t last = 0;
+  right.each(0, right.size(), [&](std::int64_t step, const RecordedEvent& read) {
+    if (const auto* line = get_if<ScanLineBegin>(&read.event)) last_line = step, last = line->y;
+    if (const auto* span = get_if<SpanBegin>(&read.event)) empty += span->first > span->last;
+    return true;
+  });
+  REQUIRE(empty > 0);
+  const auto is_empty = [](const Event& event) {
+    const auto* span = get_if<SpanBegin>(&event);
+    return span && span->first > span->last;
+  };
+  const Trace without = test::changed(right, [&](std::int64_t, const Event& event) { return !is_empty(event); });
+  CHECK(diff::compare(right, without).causes.empty());
+  // The retirements of the last lines are missing, too.
+  const Trace wrong = test::changed(right, [&](std::int64_t, const Event& event) {
+    return !is_empty(event) && !(holds<EdgeRetire>(event) && last_line > 0);
+  });
+  const diff::DiffReport never = diff::compare(right, wrong);
+  CHECK(kinds_of(never) == "");
+  bool first = true;
+  const Trace partly = test::changed(right, [&](std::int64_t, const Event& event) {
+    if (holds<EdgeRetire>(event) && first) return first = false, true;
+    return !is_empty(event) && !holds<EdgeRetire>(event);
+  });
+  const diff::DiffReport report = diff::compare(right, partly);
+  CHECK(kinds_of(report) == "edge_retire ");
+  CHECK(report.kinds[kind_of<SpanBegin>].idle_a == empty);
+  CHECK(last > 0);
+}
