@@ -7,7 +7,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "traces/diff/identity.hpp"
+#include "traces/diff/parting.hpp"
 #include "traces/events/fields.hpp"
 
 namespace zstep::diff {
@@ -79,19 +79,11 @@ std::uint16_t sort_of(const Difference& difference) {
   return parting != 0 ? parting : difference.fields;
 }
 
-constexpr std::uint16_t bit_of_span(std::string_view name) {
-  std::uint16_t bit = 0;
-  for_each_index<SpanBegin>([&]<std::size_t I>() {
-    if (field_at<SpanBegin, I>.name == name) bit = static_cast<std::uint16_t>(1u << I);
-  });
-  return bit;
-}
-
 /// Spans that only name the other one of two edges at one x, each of the two once: in one span, or the right one of a
 /// span and the left one of the next.
 std::vector<bool> exchanged_edges(const std::vector<Difference>& differences, const std::vector<Finding>& in_a,
                                   const std::vector<Finding>& in_b) {
-  constexpr std::uint16_t left = bit_of_span("left_edge"), right = bit_of_span("right_edge");
+  constexpr std::uint16_t left = bit_of<SpanBegin>("left_edge"), right = bit_of<SpanBegin>("right_edge");
   std::vector<bool> exchanged(differences.size());
   std::optional<std::size_t> open;  // a span of which only the right edge is another one
   for (std::size_t i = 0; i < differences.size(); ++i) {

@@ -152,6 +152,12 @@ class Follow {
         rounding_.set(place, by_rounding ? number : no_difference);
         if (number != no_difference) note_alone(number, place), mark(place);
       });
+    // What enters the list takes its numbers from the table.
+    if constexpr (std::is_same_v<E, EdgeEnter>)
+      if (number == no_difference) {
+        const Place from{Place::In::edge_table, e.edge}, to{Place::In::active_edge, e.edge};
+        different_.set(to, different_.of(from)), rounding_.set(to, rounding_.of(from));
+      }
     if constexpr (std::is_same_v<E, EdgeRetire>)
       if (number != no_difference) note_alone(number, Place{Place::In::active_edge, e.edge});
     if constexpr (std::is_same_v<E, BuffersClear>)
@@ -218,6 +224,8 @@ class Follow {
     finding.comes_from = reads.from_different;
     // Where the depth of a compare is as it should be, the verdict follows from what is stored there.
     if (!alone && numbers_near && finding.comes_from == no_difference) finding.comes_from = reads.stored_different;
+    if constexpr (std::is_same_v<E, ScanLineBegin> || std::is_same_v<E, EdgeStep>)
+      if (alone && finding.comes_from == no_difference) finding.comes_from = rows_of_edges(e);
     if (alone && !empty && finding.comes_from == no_difference)
       for (const std::int32_t scope : scopes_)
         if (scope != no_difference && !findings_[static_cast<std::size_t>(scope)].rounding) finding.comes_from = scope;
@@ -236,6 +244,25 @@ class Follow {
     const bool may_turn = !witness.decides || witness.gap <= 2 * may_move(e, allowed);
     finding.rounding = alone ? from != no_difference : numbers_near && may_turn && (!decided || any_rounding);
     if (finding.rounding) finding.comes_from = from, finding.off = of_longer_normal ? 0 : difference.off;
+  }
+
+  /// Whether an edge is moved, and whether there is a scan line at all, follows from the lines that edges are on: what
+  /// differs in those of this edge, or of an edge of this line.
+  std::int32_t rows_of_edges(const EdgeStep& e) const {
+    constexpr std::uint16_t rows = bit_of<EdgeTableInsert>("first_row") | bit_of<EdgeTableInsert>("end_row");
+    const std::int32_t from = different_.of(Place{Place::In::edge_table, e.edge});
+    if (from == no_difference) return no_difference;
+    const Difference& entry = report_.alignment.differences[static_cast<std::size_t>(from)];
+    const bool differ = entry.only_a() || entry.only_b() || (entry.fields & rows) != 0;
+    return entry.kind == kind_of<EdgeTableInsert> && differ ? from : no_difference;
+  }
+  std::int32_t rows_of_edges(const ScanLineBegin& e) const {
+    std::int32_t found = no_difference;
+    const auto& table = at_.method().edge_table;
+    for (std::size_t edge = 0; edge < table.size() && found == no_difference; ++edge)
+      if (table[edge].first_row <= e.y && e.y < table[edge].end_row)
+        found = rows_of_edges(EdgeStep{static_cast<std::int32_t>(edge), 0, 0});
+    return found;
   }
 
   /// Does a span only name another edge where two of them meet the scan line at one x?

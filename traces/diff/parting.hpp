@@ -22,6 +22,16 @@ inline double share_apart(double one, double other) {
   return std::isfinite(apart) ? apart / larger : std::numeric_limits<double>::infinity();
 }
 
+/// Of a field, its bit among Parting::fields.
+template <class E>
+constexpr std::uint16_t bit_of(std::string_view field) {
+  std::uint16_t bit = 0;
+  for_each_index<E>([&]<std::size_t I>() {
+    if (field_at<E, I>.name == field) bit = static_cast<std::uint16_t>(1u << I);
+  });
+  return bit;
+}
+
 /// Is a number as long as the normal of a plane, which programs make of any length? Those of the plane itself and of a
 /// ray that meets it mean the same the other way round, too.
 constexpr bool either_way_round(std::string_view field) {

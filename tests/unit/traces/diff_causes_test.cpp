@@ -87,3 +87,31 @@ TEST_CASE("diff causes: spans without pixels stay no difference where other step
   CHECK(report.kinds[kind_of<SpanBegin>].idle_a == empty);
   CHECK(last > 0);
 }
+
+TEST_CASE("diff causes: what an edge enters the list with follows from its entry in the table") {
+  for (const char* mistake : {"x_at_vertex", "z_slope_of_x"}) {
+    CAPTURE(mistake);
+    zoo::Task task = test::triangles(3, 3, 18);
+    const std::string head = test::head(task, "float64", "increments");
+    const Trace right = test::trace_of(head + zoo::edge_table(task));
+    task.mistake = mistake;
+    const Trace wrong = test::trace_of(head + zoo::edge_table(task));
+    const diff::DiffReport report = diff::compare(right, wrong);
+    CHECK(kinds_of(report) == "edge_table_insert ");
+    REQUIRE(!report.causes.empty());
+    CHECK(report.causes.front().symptoms > 0);
+  }
+}
+
+TEST_CASE("diff causes: which scan lines there are follows from the lines of the edges") {
+  for (const char* mistake : {"starts_one_early", "ends_one_late"}) {
+    CAPTURE(mistake);
+    zoo::Task task = test::triangles(3, 3, 18);
+    const std::string head = test::head(task, "float64", "increments");
+    const Trace right = test::trace_of(head + zoo::edge_table(task));
+    task.mistake = mistake;
+    const Trace wrong = test::trace_of(head + zoo::edge_table(task));
+    const diff::DiffReport report = diff::compare(right, wrong);
+    CHECK(kinds_of(report) == "edge_table_insert ");
+  }
+}
