@@ -60,12 +60,19 @@ std::optional<std::int32_t> Identity::number_of(Thing thing, Key name) const {
   return found->second;
 }
 
-std::int32_t Identity::next_row(std::int32_t edge) const { return edges_[edge].next_row; }
+std::int32_t Identity::next_row(std::int32_t edge) const {
+  return std::max(edges_[edge].next_row, scan_line_);  // a line for which it was not moved is passed over
+}
 
 void Identity::edge_used(std::int32_t edge, std::int32_t row) {
   Edge& known = edges_.edit(edge);
   known.beyond = row + 1;
   known.next_row = std::max(known.next_row, row + 1);
+}
+
+/// The line that the span itself names, unless both the line at work and the edge are on another one.
+std::int32_t Identity::row_of_span(const SpanBegin& e, std::int32_t edge) const {
+  return edges_[edge].next_row - 1 == scan_line_ ? scan_line_ : e.y;
 }
 
 void Identity::edge_enters(std::int32_t edge) {
@@ -121,7 +128,7 @@ auto Identity::parts(const E& e) {
   if constexpr (std::is_same_v<E, SpanBegin>)
     found.add(turns_ && active_ > 2 && e.first > e.last ? name_in<E, 0>(e) : 0);
   // An edge moves once to each of its scan lines, and leaves the list before the first one that it does not meet.
-  if constexpr (std::is_same_v<E, EdgeStep>) found.add(whole(edges_[e.edge].next_row));
+  if constexpr (std::is_same_v<E, EdgeStep>) found.add(whole(next_row(e.edge)));
   if constexpr (std::is_same_v<E, EdgeRetire>) {
     const Edge edge = edges_[e.edge];
     // What moved to this line, or entered on it, and does not end here was used on it, though perhaps by no pixel.
@@ -199,9 +206,10 @@ void Identity::take_note(const E& e, Key key) {
   if constexpr (std::is_same_v<E, EdgeRetire>) --active_;
   if constexpr (std::is_same_v<E, SpanBegin>)
     for (const std::int32_t edge : {e.left_edge, e.right_edge})
-      if (e.first <= e.last) edge_used(edge, e.y), edges_.edit(edge).in_span = true;
+      if (e.first <= e.last) edge_used(edge, row_of_span(e, edge)), edges_.edit(edge).in_span = true;
   if constexpr (std::is_same_v<E, FlagFlip>) edge_used(e.edge, scan_line_);
-  if constexpr (std::is_same_v<E, EdgeStep>) ++edges_.edit(e.edge).next_row, edges_.edit(e.edge).moved_to = scan_line_;
+  if constexpr (std::is_same_v<E, EdgeStep>)
+    edges_.edit(e.edge).next_row = next_row(e.edge) + 1, edges_.edit(e.edge).moved_to = scan_line_;
 }
 
 template <class E>

@@ -99,6 +99,7 @@ class Identity {
   void take_note(const E& e, Key key);
   void edge_used(std::int32_t edge, std::int32_t row);
   void edge_enters(std::int32_t edge);
+  std::int32_t row_of_span(const SpanBegin& e, std::int32_t edge) const;
 
   std::size_t points_;
   std::array<ByNumber<Key>, static_cast<std::size_t>(Thing::count)> names_;  ///< 0: none

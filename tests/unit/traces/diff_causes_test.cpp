@@ -115,3 +115,34 @@ TEST_CASE("diff causes: which scan lines there are follows from the lines of the
     CHECK(kinds_of(report) == "edge_table_insert ");
   }
 }
+
+TEST_CASE("diff causes: a scan line that is missing is named, and the edges of the lines after it are matched") {
+  const Trace right = delhi();
+  bool on_line = false;
+  std::int32_t polygon = no_polygon;
+  const Trace wrong = test::changed(right, [&](std::int64_t, const Event& event) {
+    if (const auto* begin = get_if<PolygonBegin>(&event)) polygon = begin->polygon, on_line = false;
+    if (const auto* line = get_if<ScanLineBegin>(&event)) on_line = polygon == 0 && line->y == 3;
+    return !on_line;
+  });
+  const diff::DiffReport report = diff::compare(right, wrong);
+  CHECK(kinds_of(report) == "scan_line_begin ");
+  REQUIRE(report.causes.size() == 1);
+  CHECK(report.causes[0].first.only_a());
+  CHECK(get<ScanLineBegin>(right.event(report.causes[0].first.a).event).y == 3);
+  CHECK(report.kinds[kind_of<EdgeStep>].different == 0);
+  CHECK(report.kinds[kind_of<EdgeStep>].only_b == 0);
+}
+
+TEST_CASE("diff causes: a span that names another scan line leaves the edges on theirs") {
+  const Trace right = delhi();
+  bool done = false;
+  const Trace wrong = test::changed(right, [&](std::int64_t, Event& event) {
+    if (auto* span = get_if<SpanBegin>(&event); span && span->y == 3 && !done) span->y = 4, done = true;
+    return true;
+  });
+  const diff::DiffReport report = diff::compare(right, wrong);
+  CHECK(!report.causes.empty());
+  CHECK(report.kinds[kind_of<EdgeStep>].same == report.alignment.kinds[kind_of<EdgeStep>].pairs);
+  CHECK(report.kinds[kind_of<EdgeStep>].only_a + report.kinds[kind_of<EdgeStep>].only_b == 0);
+}
