@@ -16,20 +16,23 @@ namespace {
 /// Beyond so many steps whose partner has not come yet the comparison ends.
 constexpr std::size_t most_waiting = 3'000'000;
 
-/// Does a run record this kind? What is done to pixels it does where its pseudo-code has a line for it, also if it
-/// never came to it: that may be the mistake.
-bool may_record(const Trace& trace, std::uint8_t kind) {
+/// Is this kind compared? What is done to pixels also where a run never came to it, if it was to print what its
+/// pseudo-code has a line for: that may be the mistake.
+bool may_record(const Trace& trace, std::uint8_t kind, Unrecorded unrecorded) {
   if (trace.has(kind)) return true;
+  if (unrecorded == Unrecorded::left_out) return false;
   constexpr std::array of_pixels{kind_of<DepthCompare>, kind_of<DepthWrite>, kind_of<PixelWrite>, kind_of<PixelPaint>};
   const Page& page = trace.header().page;
   return std::find(of_pixels.begin(), of_pixels.end(), kind) != of_pixels.end() &&
          std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
 }
 
-Both recorded_by_both(const Trace& a, const Trace& b) {
+Both recorded_by_both(const Trace& a, const Trace& b, Unrecorded unrecorded) {
   Both both{};
-  for (std::size_t kind = 0; kind < kind_count; ++kind)
-    both[kind] = may_record(a, static_cast<std::uint8_t>(kind)) && may_record(b, static_cast<std::uint8_t>(kind));
+  for (std::size_t at = 0; at < kind_count; ++at) {
+    const auto kind = static_cast<std::uint8_t>(at);
+    both[at] = may_record(a, kind, unrecorded) && may_record(b, kind, unrecorded);
+  }
   // A program of the same method that has no such step says nothing of turns.
   both.turns = a.header().algorithm != b.header().algorithm && says_turns(a) && says_turns(b);
   // One list of all polygons' edges is another list than that of each polygon.
@@ -40,8 +43,12 @@ Both recorded_by_both(const Trace& a, const Trace& b) {
 
 class Aligner {
  public:
-  Aligner(const Trace& a, const Trace& b, bool plain, std::size_t keeps)
-      : both_(recorded_by_both(a, b)), a_(a, both_), b_(b, both_), in_step_(a_, b_, found_, plain), plain_(plain) {
+  Aligner(const Trace& a, const Trace& b, bool plain, std::size_t keeps, Unrecorded unrecorded)
+      : both_(recorded_by_both(a, b, unrecorded)),
+        a_(a, both_),
+        b_(b, both_),
+        in_step_(a_, b_, found_, plain),
+        plain_(plain) {
     found_.keeps = keeps, found_.compared = both_, found_.turns = both_.turns;
   }
 
@@ -204,8 +211,9 @@ std::int64_t Alignment::before_in_a(std::int64_t step) const {
   return partner_before<&Match::b, &Match::a>(by_b, step);
 }
 
-Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way, std::size_t keeps) {
-  return Aligner(a, b, way == Way::plain, keeps).run(on_way);
+Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way, std::size_t keeps,
+                Unrecorded unrecorded) {
+  return Aligner(a, b, way == Way::plain, keeps, unrecorded).run(on_way);
 }
 
 }  // namespace zstep::diff

@@ -59,9 +59,14 @@ struct Alignment {
 /// Fast: together where the runs do the same. Plain: every step for itself, which gives the same (tests compare both).
 enum class Way : std::uint8_t { fast, plain };
 
-/// Matches the steps of two runs by what they are about: steps may be missing, additional or in another order. Kinds
-/// that one of them never records are left out. `on_way` is called now and then with the share done; true ends it.
+/// Steps of a kind that one run never records: it may do them all the same, and not print them. Or it was to print what
+/// its pseudo-code has a line for; then what is done to pixels is missing.
+enum class Unrecorded : std::uint8_t { left_out, missing_of_pixels };
+
+/// Matches the steps of two runs by what they are about: steps may be missing, additional or in another order.
+/// `on_way` is called now and then with the share done; true ends it.
 Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
-                Way way = Way::fast, std::size_t keeps = most_differences);
+                Way way = Way::fast, std::size_t keeps = most_differences,
+                Unrecorded unrecorded = Unrecorded::left_out);
 
 }  // namespace zstep::diff

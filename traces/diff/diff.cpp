@@ -16,13 +16,13 @@ std::int64_t DiffReport::differences() const {
 }
 
 DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way,
-                   const HeldTo& held, std::size_t keeps) {
+                   const HeldTo& held, std::size_t keeps, Unrecorded unrecorded) {
   DiffReport report;
   bool told_to_end = false;
   const auto part_of = [&](double from, double share) {
     return [&, from, share](double done) { return on_way && (told_to_end = on_way(from + share * done)); };
   };
-  report.alignment = align(a, b, part_of(0, 0.5), way, keeps);
+  report.alignment = align(a, b, part_of(0, 0.5), way, keeps, unrecorded);
   const Precision of_a = precision_of(a, held), of_b = precision_of(b, held);
   const bool a_coarser = of_a.relative > of_b.relative || of_a.absolute > of_b.absolute;
   report.precision = a_coarser ? of_a : of_b;

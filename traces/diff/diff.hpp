@@ -57,6 +57,7 @@ struct DiffReport {
 /// Compares two runs. `on_way` is called now and then with the share done; if it returns true, the report is partial.
 /// Numbers are held to what precision_of() is told. Causes are looked for among the first differences, `keeps` of them.
 DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
-                   Way way = Way::fast, const HeldTo& held = {}, std::size_t keeps = most_differences);
+                   Way way = Way::fast, const HeldTo& held = {}, std::size_t keeps = most_differences,
+                   Unrecorded unrecorded = Unrecorded::left_out);
 
 }  // namespace zstep::diff

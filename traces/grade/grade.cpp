@@ -405,7 +405,8 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
   const std::set<std::uint8_t> aside = kinds_of_unknown_edges(run);
   CheckMarks marks;
   found.checked = check(run, nullptr, nullptr, &marks, held);
-  found.difference = diff::compare(reference, run, nullptr, diff::Way::fast, held);
+  found.difference = diff::compare(reference, run, nullptr, diff::Way::fast, held, diff::most_differences,
+                                   diff::Unrecorded::missing_of_pixels);
   Ends& ends = found.ends = {picture_of(reference), picture_of(run), {}};
   ends.apart = diff::compare_pictures(diff::buffers_of(reference, ends.reference), diff::buffers_of(run, ends.run),
                                       found.difference.precision);

@@ -146,3 +146,18 @@ TEST_CASE("diff causes: a span that names another scan line leaves the edges on 
   CHECK(report.kinds[kind_of<EdgeStep>].same == report.alignment.kinds[kind_of<EdgeStep>].pairs);
   CHECK(report.kinds[kind_of<EdgeStep>].only_a + report.kinds[kind_of<EdgeStep>].only_b == 0);
 }
+
+TEST_CASE("diff causes: what one run has no step of is not compared, unless it was to print it") {
+  const Trace right = delhi();
+  for (const std::uint8_t kind : {kind_of<DepthWrite>, kind_of<PixelWrite>, kind_of<DepthCompare>}) {
+    CAPTURE(text_of_kind(kind).name);
+    const Trace without = test::changed(right, [&](std::int64_t, const Event& event) { return event.index() != kind; });
+    CHECK(diff::compare(right, without).causes.empty());
+    CHECK(diff::compare(without, right).causes.empty());
+    CHECK(!diff::compare(right, without).alignment.compared[kind]);
+    const diff::DiffReport asked = diff::compare(right, without, nullptr, diff::Way::fast, {}, diff::most_differences,
+                                                 diff::Unrecorded::missing_of_pixels);
+    REQUIRE(!asked.causes.empty());
+    CHECK(asked.causes.front().first.kind == kind);
+  }
+}
