@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "traces/diff/in_step.hpp"
@@ -120,8 +121,30 @@ class Aligner {
   }
 
   void leave_over() {
-    b_.waiting.each([&](const Keyed& step) { only(0, step.position, step); });
-    a_.waiting.each([&](const Keyed& step) { only(step.position, 0, step); });
+    // A polygon may be cut otherwise in the other run, so that a pixel is painted of another piece of it.
+    std::unordered_map<Identity::Key, std::vector<Keyed>> paints;
+    each_in_order(a_.waiting, [&](const Keyed& step) {
+      if (const auto* paint = get_if<PixelPaint>(&step.event.event))
+        paints[Identity::of_any_piece(*paint)].push_back(step);
+      else only(step.position, 0, step);
+    });
+    each_in_order(b_.waiting, [&](const Keyed& step) {
+      const auto* paint = get_if<PixelPaint>(&step.event.event);
+      const auto partners = paint ? paints.find(Identity::of_any_piece(*paint)) : paints.end();
+      if (partners == paints.end() || partners->second.empty()) return only(0, step.position, step);
+      pair(partners->second.front(), step);
+      partners->second.erase(partners->second.begin());
+    });
+    for (const auto& [key, steps] : paints)
+      for (const Keyed& step : steps) only(step.position, 0, step);
+  }
+  template <class Visit>
+  static void each_in_order(const Waiting& waiting, Visit&& visit) {
+    std::vector<Keyed> steps;
+    waiting.each([&](const Keyed& step) { steps.push_back(step); });
+    std::sort(steps.begin(), steps.end(),
+              [](const Keyed& one, const Keyed& other) { return one.position < other.position; });
+    for (const Keyed& step : steps) visit(step);
   }
   void only(std::int64_t a, std::int64_t b, const Keyed& step) {
     const auto kind = static_cast<std::uint8_t>(step.event.event.index());

@@ -39,8 +39,8 @@ struct Parts {
   }
 };
 
-Identity::Identity(const Trace& trace, bool edges_told)
-    : points_(trace.scene().points.size()), edges_told_(edges_told), trace_(&trace) {}
+Identity::Identity(const Trace& trace, const Told& told)
+    : points_(trace.scene().points.size()), told_(told), trace_(&trace) {}
 
 Key Identity::name_of(Thing thing, std::int32_t number) const {
   const Key kind = static_cast<Key>(thing) << 56;
@@ -86,9 +86,9 @@ template <class E, std::size_t I>
 Key Identity::name_in(const E& e) const {
   constexpr Thing thing = field_at<E, I>.thing;
   if constexpr (thing == Thing::edge && std::is_same_v<E, SpanBegin>) {
-    if (!edges_told_) return I;
+    if (!told_.edges) return I;
   } else if constexpr (thing == Thing::edge && std::is_same_v<E, FlagFlip>) {
-    if (!edges_told_) return name_of(Thing::piece, e.piece);
+    if (!told_.edges) return name_of(Thing::piece, e.piece);
   }
   return name_of(thing, e.*field_at<E, I>.member);
 }
@@ -123,6 +123,7 @@ auto Identity::parts(const E& e) {
   });
   if constexpr (it.either_way) found.add(ends);
   if constexpr (std::is_same_v<E, ListInsert>) found.add(whole(compares_));
+  if constexpr (std::is_same_v<E, PixelPaint>) found.add(drawn_);
   // Spans without pixels may be left out: where a line of the polygon has several spans, each is known by its left
   // edge.
   if constexpr (std::is_same_v<E, SpanBegin>)
@@ -186,6 +187,8 @@ void Identity::take_note(const E& e, Key key) {
   }
   if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>)
     polygon_ = e.polygon, turns_ = true, active_ = 0;
+  if constexpr (std::is_same_v<E, PieceDraw>)
+    if (told_.draws) drawn_ = name_of(Thing::piece, e.piece);
   if constexpr (std::is_same_v<E, SpanWinner>) polygon_ = trace_->polygon_of_piece(e.piece);
   if constexpr (std::is_same_v<E, SplitVertex>) polygon_ = no_polygon;  // of which it is, its piece says
   if constexpr (std::is_same_v<E, TablesBegin> || std::is_same_v<E, AreaBegin>) polygon_ = no_polygon, turns_ = false;
@@ -226,6 +229,8 @@ void Identity::take_note_of(const E& e) {
   template Identity::Known Identity::known(const E&);
 ZSTEP_EVERY_KIND(ZSTEP_INSTANTIATE)
 #undef ZSTEP_INSTANTIATE
+
+Key Identity::of_any_piece(const PixelPaint& e) { return mix(mix(whole(e.x), whole(e.y)), whole(e.polygon)); }
 
 Identity Identity::of_same_run(const Trace& trace) const {
   Identity copy = *this;

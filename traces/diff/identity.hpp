@@ -52,8 +52,13 @@ class Identity {
     Hint hint = 0;
   };
 
-  /// `edges_told`: both runs say which edges they have; else an edge is not known by its number.
-  explicit Identity(const Trace& trace, bool edges_told = true);
+  /// What both runs say.
+  struct Told {
+    bool edges = true;   ///< which edges they have; else an edge is not known by its number
+    bool draws = false;  ///< which piece they draw
+  };
+  explicit Identity(const Trace& trace, const Told& told);
+  explicit Identity(const Trace& trace) : Identity(trace, Told{}) {}
 
   /// A number for what the step is about: the same for the same in two runs of a scene, whatever they number and in
   /// whatever order they work. Steps must be asked for one after another.
@@ -66,7 +71,9 @@ class Identity {
   template <class E>
   bool same_about(const E& e, Identity& other, const E& its);
   /// The same of pixels of the polygon at work, if they are at the same place.
-  bool same_pixels(const Identity& other) const { return polygon_ == other.polygon_ && pass_ == other.pass_; }
+  bool same_pixels(const Identity& other) const {
+    return polygon_ == other.polygon_ && pass_ == other.pass_ && drawn_ == other.drawn_;
+  }
   /// What `of` will say of the step that comes next.
   template <class E>
   Known known(const E& e);
@@ -79,6 +86,8 @@ class Identity {
   /// The same for a thing, by its number in this run, and back.
   Key name_of(Thing thing, std::int32_t number) const;
   std::optional<std::int32_t> number_of(Thing thing, Key name) const;
+  /// What a painted pixel is about, whichever piece of its polygon it is of.
+  static Key of_any_piece(const PixelPaint& e);
   /// The scan line that an active edge moves to next.
   std::int32_t next_row(std::int32_t edge) const;
 
@@ -109,10 +118,11 @@ class Identity {
   std::int32_t polygon_ = no_polygon, scan_line_ = -1;
   Pass pass_ = Pass::eye;
   Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0;
+  Key drawn_ = 0;            ///< the piece, where both runs say which
   std::int32_t active_ = 0;  ///< edges of the polygon at work that have entered its list and not left it
   bool turns_ = true;        ///< polygons are worked on one after another
   bool compares_ = false;    ///< pieces are compared: what enters the list now was in it before, or is a part
-  bool edges_told_;
+  Told told_;
   const Trace* trace_;
 };
 

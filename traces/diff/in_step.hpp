@@ -39,7 +39,10 @@ struct Run {
   std::int64_t last = 0;  ///< the last step that was read by itself
 
   Run(const Trace& trace_, const Both& both_)
-      : trace(trace_), both(both_), steps(trace_, both_), identity(trace_, both_[kind_of<EdgeTableInsert>]) {}
+      : trace(trace_),
+        both(both_),
+        steps(trace_, both_),
+        identity(trace_, {both_[kind_of<EdgeTableInsert>], both_[kind_of<PieceDraw>]}) {}
   /// The next step; none at the end.
   std::optional<Keyed> read();
   /// Passes over a polygon that is begun again, if that comes next.

@@ -113,6 +113,9 @@ void find_wrong_order(const Trace& b, DiffReport& report) {
   std::set<std::int64_t> steps, pixels;
   Cause wrong;
   order.each_wrong([&](const Paint& one, const Paint& other, std::size_t pixel, bool seen) {
+    // Where both are drawn in A's order, one of the two pixels is of another piece there.
+    const std::int64_t begin = report.alignment.in_a(one.begin), begin_other = report.alignment.in_a(other.begin);
+    if (begin != 0 && begin < begin_other) return;
     steps.insert(one.begin);
     if (seen) pixels.insert(static_cast<std::int64_t>(pixel));
     if (wrong.too_early && wrong.first.b <= one.begin) return;

@@ -161,3 +161,29 @@ TEST_CASE("diff causes: what one run has no step of is not compared, unless it w
     CHECK(asked.causes.front().first.kind == kind);
   }
 }
+
+TEST_CASE("diff causes: a pixel too many of one piece is that pixel, and no wrong order of drawing") {
+  const Trace right = test::recorded_by("bsp", look_at_scene(load_scene("cyclic").scene, {}));
+  // Where a later piece of the polygon has a pixel, the piece drawn first paints it, too.
+  std::vector<RecordedEvent> steps;
+  std::optional<std::size_t> place;
+  std::optional<PixelPaint> more;
+  std::int32_t polygon = no_polygon;
+  right.each(0, right.size(), [&](std::int64_t, const RecordedEvent& read) {
+    if (const auto* draw = get_if<PieceDraw>(&read.event)) polygon = draw->polygon;
+    const auto* paint = get_if<PixelPaint>(&read.event);
+    if (paint && !place) place = steps.size() + 1, more = PixelPaint{0, 0, paint->z, paint->polygon};
+    else if (paint && place && !more->x && polygon == more->polygon && steps.size() > *place + 60)
+      more->x = paint->x, more->y = paint->y;
+    steps.push_back(read);
+    return true;
+  });
+  REQUIRE(more);
+  REQUIRE(more->x > 0);
+  steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(*place), {steps[*place - 1].step, *more});
+  const diff::DiffReport report = diff::compare(right, of_steps(right, steps));
+  REQUIRE(report.causes.size() == 1);
+  CHECK(report.causes[0].first.only_b());
+  CHECK(report.causes[0].first.b == static_cast<std::int64_t>(*place) + 1);
+  CHECK(!report.causes[0].too_early);
+}
