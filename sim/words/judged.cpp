@@ -162,7 +162,12 @@ std::string why_cause(const diff::Cause& cause) {
   if (cause.tie)
     return "a tie: in both runs z is equal to what is stored, and only one of them takes the later polygon";
   if (cause.unexplained) return "the results differ, and what they follow from is not recorded in both runs";
-  return "its operands are the same in both runs, its result is not";
+  if (cause.unjudged) return "the results differ, and nothing in the runs says which one is right";
+  if (const auto& order = cause.other_order)
+    return fmt::format("the runs draw in another order: A has step {} {} this one, B has the same, step {}, {} it",
+                       grouped(order->a), order->first_in_a ? "before" : "after", grouped(order->b),
+                       order->first_in_a ? "after" : "before");
+  return "each run computes it rightly from its own operands, which differ, and no step that both record says why";
 }
 
 std::string what_follows(const diff::Cause& cause) {

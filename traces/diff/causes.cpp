@@ -146,8 +146,12 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
                         part};
         const auto [found, fresh] = known.try_emplace(sort, report.causes.size());
         const bool unexplained = !difference.only_a() && !difference.only_b() && !(in_a[i].told && in_b[i].told);
-        if (fresh) report.causes.push_back({difference, part, wrong_a, wrong_b, tie, unexplained});
-        else ++report.causes[found->second].again;
+        if (fresh) {
+          Cause& cause = report.causes.emplace_back(Cause{difference, part, wrong_a, wrong_b, tie, unexplained});
+          cause.unjudged = in_a[i].unjudged || in_b[i].unjudged;
+          cause.operands_differ =
+              !difference.only_a() && !difference.only_b() && !wrong_a && !wrong_b && !unexplained && !cause.unjudged;
+        } else ++report.causes[found->second].again;
         cause_of[i] = found->second;
       } else {
         cause_of[i] = cause_of[static_cast<std::size_t>(root)];

@@ -60,6 +60,7 @@ DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(doub
   if (told_to_end) report.alignment.complete = false;
   find_causes(report, in_a, in_b);
   join_moved(a, b, report);
+  find_other_order(a, b, report);
   find_wrong_order(b, report);
   return report;
 }

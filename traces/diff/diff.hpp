@@ -25,6 +25,12 @@ struct TooEarly {
   double z = 0, z_before = 0;  ///< the depths of both there
 };
 
+/// A compare that comes before another one at its pixel in one run, and after it in the other: its step in both.
+struct OtherOrder {
+  std::int64_t a = 0, b = 0;
+  bool first_in_a = true;
+};
+
 /// Where the runs part, for a reason of its own.
 struct Cause {
   Difference first;
@@ -37,6 +43,9 @@ struct Cause {
   std::int64_t pixels = 0;                ///< of these, pixels that were written otherwise
   std::int64_t elsewhere = 0;             ///< of a step of one run: the other run's, which has it at another place
   std::optional<TooEarly> too_early = std::nullopt;  ///< nothing but its place in the order is wrong
+  bool operands_differ = false;  ///< a result, and each run has computed it rightly from operands of its own
+  bool unjudged = false;         ///< a verdict or a choice, and neither header nor formula says which one is right
+  std::optional<OtherOrder> other_order = std::nullopt;  ///< by which the operands of a compare differ
 };
 
 /// Of a kind of event: steps that are to the bit the same, part by rounding, part otherwise, or are only in one run.

@@ -221,6 +221,7 @@ class Follow {
       if (finding.free) return;
     }
     finding.tie = witness.decides && witness.gap == 0;
+    finding.unjudged = witness.undeclared || (difference.fields & exact_bits<E>() & ~witness.told) != 0;
     finding.comes_from = reads.from_different;
     // Where the depth of a compare is as it should be, the verdict follows from what is stored there.
     if (!alone && numbers_near && finding.comes_from == no_difference) finding.comes_from = reads.stored_different;

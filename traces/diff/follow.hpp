@@ -22,6 +22,7 @@ struct Finding {
   bool decides = false;   ///< what it says is no number, so that other steps may follow
   float off = 0;          ///< by rounding: how far its numbers are off, as a share of the larger one, at most
   bool told = false;      ///< each number that differs has a formula here
+  bool unjudged = false;  ///< a verdict of which the header does not say which is right, or a choice without a formula
   bool tie = false;       ///< a verdict about two depths that are equal, to the last bit
   bool free = false;      ///< which of two edges at one x is named: either is right
   /// An edge that ends is moved to where it ends, before it is taken out; a span without pixels.

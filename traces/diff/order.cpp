@@ -101,6 +101,34 @@ bool fills_pixels(std::uint8_t kind) {
 
 }  // namespace
 
+namespace {
+
+/// The last compare at a pixel before a step of one run whose partner comes after a step of the other run; 0 for none.
+template <class Partner>
+std::int64_t earlier_here(const Trace& run, const DepthCompare& here, std::int64_t step, std::int64_t other_step,
+                          Partner&& partner) {
+  const auto found = run.previous_at(
+      step, [&](std::int64_t at, const RecordedEvent&) { return partner(at) > other_step; },
+      Trace::Among(Trace::Pixel{here.x, here.y}, kind_of<DepthCompare>));
+  return found.value_or(0);
+}
+
+}  // namespace
+
+void find_other_order(const Trace& a, const Trace& b, DiffReport& report) {
+  const Alignment& alignment = report.alignment;
+  for (Cause& cause : report.causes) {
+    if (!cause.operands_differ || cause.first.kind != kind_of<DepthCompare>) continue;
+    const auto here = get<DepthCompare>(a.event(cause.first.a).event);
+    const auto in_b = [&](std::int64_t step) { return alignment.in_b(step); };
+    const auto in_a = [&](std::int64_t step) { return alignment.in_a(step); };
+    if (const std::int64_t one = earlier_here(a, here, cause.first.a, cause.first.b, in_b))
+      cause.other_order = OtherOrder{one, in_b(one), true};
+    else if (const std::int64_t other = earlier_here(b, here, cause.first.b, cause.first.a, in_a))
+      cause.other_order = OtherOrder{in_a(other), other, false};
+  }
+}
+
 void find_wrong_order(const Trace& b, DiffReport& report) {
   const std::vector<Match>& matches = report.alignment.by_b;
   const auto earlier_in_a = [](const Match& one, const Match& other) { return one.a < other.a; };

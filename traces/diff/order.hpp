@@ -11,4 +11,8 @@ namespace zstep::diff {
 /// one, and to the differences. Steps that are about other pixels may come in any order.
 void find_wrong_order(const Trace& b, DiffReport& report);
 
+/// Of compares that part though each is right: an earlier or later one at the same pixel that has changed places with
+/// it.
+void find_other_order(const Trace& a, const Trace& b, DiffReport& report);
+
 }  // namespace zstep::diff

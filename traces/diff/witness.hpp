@@ -56,9 +56,10 @@ struct Witness {
     constexpr double digits_of_shares = 1 + 1e-6;
     return may_be_off * std::max(1.0, more * digits_of_shares);
   }
-  bool decides = false;    ///< a verdict is in question
-  double gap = 0;          ///< by how much the two depths differ that it is about
-  std::uint16_t told = 0;  ///< the fields in question that were held against something
+  bool undeclared = false;  ///< the header does not say which verdict is right
+  bool decides = false;     ///< a verdict is in question
+  double gap = 0;           ///< by how much the two depths differ that it is about
+  std::uint16_t told = 0;   ///< the fields in question that were held against something
 
   Number number(const auto&, double value, const Place& place) {
     if (std::is_same_v<E, DepthCompare> && place.in == Place::In::depth_buffer) reads_from.stored(place);
@@ -103,6 +104,7 @@ struct Witness {
     const bool tie = z.value == stored.value;
     if (header.declares(tie ? Convention::ties : Convention::nearer))
       wrong = wrong || e.*field.member != header.comparison.wins(z.value, stored.value);
+    else undeclared = true;
   }
   /// That a pixel before was not written is a difference of its own, and not this step's.
   void rule(Rule rule, bool holds) { wrong = wrong || (!holds && rule != Rule::win_is_written); }

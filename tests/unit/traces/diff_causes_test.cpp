@@ -147,6 +147,50 @@ TEST_CASE("diff causes: a span that names another scan line leaves the edges on 
   CHECK(report.kinds[kind_of<EdgeStep>].only_a + report.kinds[kind_of<EdgeStep>].only_b == 0);
 }
 
+TEST_CASE("diff causes: polygons in another order are named as such") {
+  const Trace right = delhi();
+  const std::vector<RecordedEvent> all = steps_of_run(right);
+  const auto begins = [&](std::int32_t polygon) {
+    return std::find_if(all.begin(), all.end(), [&](const RecordedEvent& step) {
+      const auto* begin = get_if<PolygonBegin>(&step.event);
+      return begin && begin->polygon == polygon;
+    });
+  };
+  std::vector<RecordedEvent> turned(all.begin(), begins(0));
+  turned.insert(turned.end(), begins(1), all.end());
+  turned.insert(turned.end(), begins(0), begins(1));
+  // What is nearer then is found by the compares, as in a program.
+  std::vector<RecordedEvent> run;
+  std::vector<double> depth(64, no_depth);
+  bool wins = false;
+  for (RecordedEvent& step : turned) {
+    if (auto* compare = get_if<DepthCompare>(&step.event))
+      compare->nearer = wins = compare->z < depth[static_cast<std::size_t>(compare->y * 8 + compare->x)];
+    if (holds<DepthWrite>(step.event) || holds<PixelWrite>(step.event)) continue;
+    run.push_back(step);
+    if (const auto* compare = get_if<DepthCompare>(&step.event); compare && wins) {
+      depth[static_cast<std::size_t>(compare->y * 8 + compare->x)] = compare->z;
+      run.push_back(
+          {find_step(right.header().page, "write_depth")->id, DepthWrite{compare->x, compare->y, compare->z}});
+    }
+  }
+  const Trace without_colors =
+      test::changed(right, [](std::int64_t, const Event& event) { return !holds<PixelWrite>(event); });
+  const Trace other = of_steps(right, run);
+  const diff::DiffReport report = diff::compare(without_colors, other);
+  REQUIRE(report.causes.size() == 1);
+  const diff::Cause& cause = report.causes[0];
+  CHECK(cause.first.kind == kind_of<DepthCompare>);
+  REQUIRE(cause.other_order);
+  const auto here = get<DepthCompare>(without_colors.event(cause.first.a).event);
+  const auto moved = get<DepthCompare>(without_colors.event(cause.other_order->a).event);
+  CHECK(here.x == moved.x);
+  CHECK(here.y == moved.y);
+  CHECK((cause.other_order->a < cause.first.a) == cause.other_order->first_in_a);
+  CHECK((cause.other_order->b > cause.first.b) == cause.other_order->first_in_a);
+  CHECK(why_cause(cause).find("another order") != std::string::npos);
+}
+
 TEST_CASE("diff causes: what one run has no step of is not compared, unless it was to print it") {
   const Trace right = delhi();
   for (const std::uint8_t kind : {kind_of<DepthWrite>, kind_of<PixelWrite>, kind_of<DepthCompare>}) {

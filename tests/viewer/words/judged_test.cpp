@@ -112,7 +112,8 @@ TEST_CASE("diff: why a step is a cause, and what follows from it") {
   CHECK(why(7, 7, Part::different, false, true) == "B computes it wrongly from its own operands");
   CHECK(why(7, 7, Part::different, true, false) == "A computes it wrongly from its own operands");
   CHECK(why(7, 7, Part::different, true, true) == "both compute it wrongly from their own operands");
-  CHECK(why(7, 7, Part::different, false, false) == "its operands are the same in both runs, its result is not");
+  CHECK(why(7, 7, Part::different, false, false) ==
+        "each run computes it rightly from its own operands, which differ, and no step that both record says why");
 
   diff::Cause moved;
   moved.first.a = 7, moved.elsewhere = 1234;
@@ -125,6 +126,16 @@ TEST_CASE("diff: why a step is a cause, and what follows from it") {
   told.part = Part::different, told.tie = true;
   CHECK(why_cause(told) ==
         "a tie: in both runs z is equal to what is stored, and only one of them takes the later polygon");
+
+  diff::Cause turned;
+  turned.first.a = turned.first.b = 7, turned.other_order = diff::OtherOrder{3, 9, true};
+  CHECK(why_cause(turned) ==
+        "the runs draw in another order: A has step 3 before this one, B has the same, step 9, after it");
+  turned.other_order = diff::OtherOrder{9, 3, false};
+  CHECK(why_cause(turned) ==
+        "the runs draw in another order: A has step 9 after this one, B has the same, step 3, before it");
+  turned.other_order.reset(), turned.unjudged = true;
+  CHECK(why_cause(turned) == "the results differ, and nothing in the runs says which one is right");
 
   diff::Cause cause;
   CHECK(what_follows(cause) == "");
