@@ -167,7 +167,8 @@ std::string why_cause(const diff::Cause& cause) {
     return fmt::format("the runs draw in another order: A has step {} {} this one, B has the same, step {}, {} it",
                        grouped(order->a), order->first_in_a ? "before" : "after", grouped(order->b),
                        order->first_in_a ? "after" : "before");
-  return "each run computes it rightly from its own operands, which differ, and no step that both record says why";
+  return "each run computes it rightly by its own header and operands: these differ, and no step that both record says "
+         "why";
 }
 
 std::string what_follows(const diff::Cause& cause) {

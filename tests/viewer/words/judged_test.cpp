@@ -113,7 +113,8 @@ TEST_CASE("diff: why a step is a cause, and what follows from it") {
   CHECK(why(7, 7, Part::different, true, false) == "A computes it wrongly from its own operands");
   CHECK(why(7, 7, Part::different, true, true) == "both compute it wrongly from their own operands");
   CHECK(why(7, 7, Part::different, false, false) ==
-        "each run computes it rightly from its own operands, which differ, and no step that both record says why");
+        "each run computes it rightly by its own header and operands: these differ, and no step that both record says "
+        "why");
 
   diff::Cause moved;
   moved.first.a = 7, moved.elsewhere = 1234;
