@@ -138,10 +138,11 @@ TEST_CASE("diff: each convention in which the headers differ is named") {
       {"--number-format float32", "the number format"},
       {"--positions integer", "where vertices are on the raster"},
       {"--attribute linear", "how an attribute is interpolated"}};
-  for (const auto& [option, what] : others) {
-    CAPTURE(std::string(option));
-    REQUIRE(run(folder, std::string("record pyramid ") + option + " -o b.ztrace").code == 0);
-    CHECK(has(run(folder, "diff a.ztrace b.ztrace").out, std::string("the headers differ: ") + what));
+  for (const auto& other : others) {
+    const std::string option = other.first, what = other.second;
+    CAPTURE(option);
+    REQUIRE(run(folder, "record pyramid " + option + " -o b.ztrace").code == 0);
+    CHECK(has(run(folder, "diff a.ztrace b.ztrace").out, "the headers differ: " + what));
   }
   REQUIRE(run(folder, "record pyramid --number-format fixed16 -o a.ztrace").code == 0);
   REQUIRE(run(folder, "record pyramid --number-format fixed16 --rounding down -o b.ztrace").code == 0);

@@ -85,9 +85,9 @@ TEST_CASE("grade: a sentence about a step of the run names that step, its own nu
          return true;
        }},
   };
-  for (const auto& [what, change] : changes) {
-    CAPTURE(std::string(what));
-    const json scene = graded(folder, "crossing", changed_run(folder, "crossing", change));
+  for (const auto& one : changes) {
+    CAPTURE(std::string(one.first));
+    const json scene = graded(folder, "crossing", changed_run(folder, "crossing", one.second));
     REQUIRE(scene.contains("first"));
     const json& first = scene["first"];
     CAPTURE(first.dump());
