@@ -30,7 +30,7 @@ TEST_CASE("law: a run that leaves out a kind of step is not wrong") {
   int runs = 0;
   test::for_each_golden([&](const std::string& golden, const Trace& right) {
     for (std::size_t kind = 0; kind < kind_count; ++kind) {
-      const std::string_view name = text_of_kind(kind).name;
+      const std::string_view name = description_of_kind(kind).name;
       if (!right.has(static_cast<std::uint8_t>(kind))) continue;
       if (std::any_of(std::begin(needed), std::end(needed), [&](const Needed& one) {
             return one.kind == name && (one.golden.empty() || one.golden == golden);
@@ -52,7 +52,7 @@ TEST_CASE("law: a run that leaves out a kind of step is not wrong") {
       CHECK(impossible == "");
       std::string wrong;
       for (const Cause& cause : report.causes)
-        wrong += fmt::format("{} {}{} at {}; ", text_of_kind(cause.first.kind).name,
+        wrong += fmt::format("{} {}{} at {}; ", description_of_kind(cause.first.kind).name,
                              cause.first.rule ? rule_text(*cause.first.rule).name : std::string_view(cause.first.field),
                              cause.first.impossible, cause.first.step);
       CHECK(wrong == "");

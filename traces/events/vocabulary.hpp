@@ -33,23 +33,20 @@ namespace zstep {
 // --- All of them
 
 // X(Kind) for every kind, in the order of their numbers. What follows is made from it without recursion: nearly every
-// file includes this. clang-format off
-#define ZSTEP_EVERY_KIND(X)                                                                                          \
-  X(BuffersClear)                                                                                                    \
-  X(ViewTransform)                                                                                                   \
-  X(Projection)                                                                                                      \
-  X(ViewportTransform) X(PolygonBegin) X(FacingTest) X(PolygonReject) X(ClipTest) X(ClipVertex) X(ClipCross)         \
-      X(OutlineVertex) X(EdgeTableInsert) X(EdgeTableSkip) X(ScanLineBegin) X(EdgeEnter) X(EdgeRetire) X(EdgeStep)   \
-          X(EdgeSwap) X(PlaneSlopes) X(SpanBegin) X(DepthInterpolate) X(DepthCompare) X(DepthWrite) X(PixelWrite)    \
-              X(AttributeInterpolate) X(PixelPaint) X(ColorWrite) X(ColorBlend) X(PassBegin) X(ShadowCompare)        \
-                  X(TablesBegin) X(PieceMake) X(PlaneEquation) X(Extent) X(PlaneDepth) X(VertexSide) X(SideTest)     \
-                      X(ExtentTest) X(OverlapTest) X(SplitVertex) X(PieceDraw) X(Saved) X(ListInsert) X(ListRemove)  \
-                          X(ListMark) X(PairBegin) X(RootCandidate) X(NodeMake) X(NodeAdd) X(EyeSide) X(NodeSkip)    \
-                              X(FlagFlip) X(SpanFlags) X(ImpliedEdge) X(SpanWinner) X(CoverageAdd) X(AreaBegin)      \
-                                  X(AreaBin) X(AreaDecide) X(BoxMake) X(BoxHold) X(GridMake) X(CellHold) X(RayBegin) \
-                                      X(CellVisit) X(BoxTest) X(RayPlane) X(RayHit) X(RayEnd) X(CurveBegin)          \
-                                          X(CurveSegment) X(HorizonTest) X(HorizonMove) X(HorizonCross) X(LineBegin) \
-                                              X(LineAgainst) X(LineCross) X(LineHide) X(LinePiece)
+// file includes this.
+// clang-format off
+#define ZSTEP_EVERY_KIND(X) \
+  X(BuffersClear) X(ViewTransform) X(Projection) X(ViewportTransform) X(PolygonBegin) X(FacingTest) \
+  X(PolygonReject) X(ClipTest) X(ClipVertex) X(ClipCross) X(OutlineVertex) X(EdgeTableInsert) X(EdgeTableSkip) \
+  X(ScanLineBegin) X(EdgeEnter) X(EdgeRetire) X(EdgeStep) X(EdgeSwap) X(PlaneSlopes) X(SpanBegin) X(DepthInterpolate) \
+  X(DepthCompare) X(DepthWrite) X(PixelWrite) X(AttributeInterpolate) X(PixelPaint) X(ColorWrite) X(ColorBlend) \
+  X(PassBegin) X(ShadowCompare) X(TablesBegin) X(PieceMake) X(PlaneEquation) X(Extent) X(PlaneDepth) X(VertexSide) \
+  X(SideTest) X(ExtentTest) X(OverlapTest) X(SplitVertex) X(PieceDraw) X(Saved) X(ListInsert) X(ListRemove) \
+  X(ListMark) X(PairBegin) X(RootCandidate) X(NodeMake) X(NodeAdd) X(EyeSide) X(NodeSkip) X(FlagFlip) \
+  X(SpanFlags) X(ImpliedEdge) X(SpanWinner) X(CoverageAdd) X(AreaBegin) X(AreaBin) X(AreaDecide) X(BoxMake) \
+  X(BoxHold) X(GridMake) X(CellHold) X(RayBegin) X(CellVisit) X(BoxTest) X(RayPlane) X(RayHit) X(RayEnd) \
+  X(CurveBegin) X(CurveSegment) X(HorizonTest) X(HorizonMove) X(HorizonCross) X(LineBegin) X(LineAgainst) \
+  X(LineCross) X(LineHide) X(LinePiece)
 // clang-format on
 
 namespace detail {

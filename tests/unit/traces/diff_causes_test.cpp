@@ -47,7 +47,7 @@ Trace ends_in_empty_span() {
 std::string kinds_of(const diff::DiffReport& report) {
   std::set<std::string> kinds;
   for (const diff::Cause& cause : report.causes)
-    if (cause.part == diff::Part::different) kinds.emplace(text_of_kind(cause.first.kind).name);
+    if (cause.part == diff::Part::different) kinds.emplace(description_of_kind(cause.first.kind).name);
   std::string text;
   for (const std::string& kind : kinds) text += kind + " ";
   return text;
@@ -194,7 +194,7 @@ TEST_CASE("diff causes: polygons in another order are named as such") {
 TEST_CASE("diff causes: what one run has no step of is not compared, unless it was to print it") {
   const Trace right = delhi();
   for (const std::uint8_t kind : {kind_of<DepthWrite>, kind_of<PixelWrite>, kind_of<DepthCompare>}) {
-    CAPTURE(text_of_kind(kind).name);
+    CAPTURE(description_of_kind(kind).name);
     const Trace without = test::changed(right, [&](std::int64_t, const Event& event) { return event.index() != kind; });
     CHECK(diff::compare(right, without).causes.empty());
     CHECK(diff::compare(without, right).causes.empty());
