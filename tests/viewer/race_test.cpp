@@ -68,7 +68,7 @@ void check_all(const Race& race) {
 TEST_CASE("law: at each place of its clock, a run of the race has made that many steps, or done as many operations") {
   OnScene on("intersecting", {"z-buffer", "depth-sort", "bsp:root=first", "warnock"});
   std::string why;
-  for (const Measure clock : {Measure::steps, Measure::operations}) {
+  for (const compare::Measure clock : {compare::Measure::steps, compare::Measure::operations}) {
     REQUIRE(on.race.set_clock(clock, nullptr, why));
     CHECK(on.race.end() > 1000);
     for (const double share : {0.0, 0.001, 0.3, 0.50001, 0.9, 1.0}) {
@@ -78,7 +78,7 @@ TEST_CASE("law: at each place of its clock, a run of the race has made that many
       for (const auto& racer : on.race.racers()) {
         const Trace& trace = racer->run.trace;
         const std::int64_t here = racer->session.position(), at = on.race.at();
-        if (clock == Measure::steps) {
+        if (clock == compare::Measure::steps) {
           CHECK(here == std::min(at, trace.size()));
           continue;
         }
@@ -113,7 +113,7 @@ TEST_CASE("law: the work of a run up to a step is that of its steps, and all of 
 TEST_CASE("by time, the run that takes longest is done last, and each is done at its own time") {
   OnScene on("pyramid", {"z-buffer", "ray-casting"});
   std::string why;
-  REQUIRE_MESSAGE(on.race.set_clock(Measure::time, nullptr, why), why);
+  REQUIRE_MESSAGE(on.race.set_clock(compare::Measure::time, nullptr, why), why);
   for (const auto& racer : on.race.racers()) {
     CHECK(*racer->seconds > 0);
     on.race.go_to(on.race.end());
@@ -126,8 +126,8 @@ TEST_CASE("by time, the run that takes longest is done last, and each is done at
   Race other(on.shown, test::made_anew);
   other.choose({"z-buffer", "bsp"});
   CHECK_FALSE(other.set_clock(
-      Measure::time, [] { return true; }, why));
-  CHECK(other.clock() == Measure::operations);
+      compare::Measure::time, [] { return true; }, why));
+  CHECK(other.clock() == compare::Measure::operations);
   CHECK(why.find("ended") != std::string::npos);
 }
 
@@ -228,7 +228,7 @@ TEST_CASE("a race is opened, driven, chosen and closed by keys, and looks the sa
 
   // By operations, with Warnock in place of the painter's algorithm.
   test::press(app, SDLK_2);
-  CHECK(app.race().clock() == Measure::operations);
+  CHECK(app.race().clock() == compare::Measure::operations);
   test::press(app, SDLK_c);
   REQUIRE(app.overlay() == Overlay::racers);
   test::type(app, "painter");
@@ -254,7 +254,7 @@ TEST_CASE("a race is opened, driven, chosen and closed by keys, and looks the sa
   CHECK(app.command_line().ends_with("--race 'z-buffer,scan-line,warnock' --race-by operations --at 700"));
   app.session().message.clear();
   PictureOptions how;
-  how.race = RaceAsked{{"z-buffer", "scan-line", "warnock"}, Measure::operations, 700, false};
+  how.race = RaceAsked{{"z-buffer", "scan-line", "warnock"}, compare::Measure::operations, 700, false};
   how.run_by = test::made_anew;
   const test::Bytes here = test::picture(app);
   CHECK(Pictures(trace, how).at(50).rgb == here);
@@ -273,7 +273,7 @@ TEST_CASE("a click on a bar goes there, and the window names who runs at every s
       settings.presenter = presenter;
       Stage stage(trace, options, settings, width, height);
       App& app = stage.app();
-      app.open_race(RaceAsked{{"z-buffer", "bsp", "warnock", "ray-casting"}, Measure::steps, 0, false});
+      app.open_race(RaceAsked{{"z-buffer", "bsp", "warnock", "ray-casting"}, compare::Measure::steps, 0, false});
       CHECK(!test::picture(app).empty());
       if (width != 1280 || presenter) continue;
       test::click(app, 640, 650);
@@ -295,7 +295,7 @@ TEST_CASE("lines that cross are found where they do, as far as they clearly diff
       line("A", {{25, 6.25}, {100, 100}, {250, 625}, {1000, 10000}, {2500, 62500}}),
       line("B", {{25, 250}, {100, 1000}, {250, 2500}, {1000, 10000}, {2500, 25000}, {10000, 100000}}),
       line("C", {{25, 251}, {100, 990}, {250, 2510}, {1000, 9990}, {2500, 25100}, {10000, 99000}})};
-  const auto found = compare::crossings(lines, Measure::time);
+  const auto found = compare::crossings(lines, compare::Measure::time);
   REQUIRE(found.size() == 2);
   for (const compare::Crossing& crossing : found) {
     CHECK(crossing.first == 0);
@@ -306,13 +306,14 @@ TEST_CASE("lines that cross are found where they do, as far as they clearly diff
   // Of a pair that is as good as equal for a while the place where it changes over is what counts.
   std::vector<compare::GrowthLine> slow{line("A", {{25, 100}, {100, 1010}, {250, 2490}, {1000, 9000}}),
                                         line("B", {{25, 250}, {100, 1000}, {250, 2500}, {1000, 5000}})};
-  REQUIRE(compare::crossings(slow, Measure::time).size() == 1);
-  CHECK(compare::crossings(slow, Measure::time)[0].polygons < 100);
-  const std::string told = compare::tell_growth(lines, Measure::time);
+  REQUIRE(compare::crossings(slow, compare::Measure::time).size() == 1);
+  CHECK(compare::crossings(slow, compare::Measure::time)[0].polygons < 100);
+  const std::string told = compare::tell_growth(lines, compare::Measure::time);
   CHECK(told.find("A costs less than B up to about 1\u00a0000 polygons, and more beyond.") != std::string::npos);
   CHECK(told.find("With 25 polygons A costs least; with 2\u00a0500 B and C cost least") != std::string::npos);
-  CHECK(compare::crossings({lines[1], lines[2]}, Measure::time).empty());
-  CHECK(compare::tell_growth({lines[1], lines[2]}, Measure::time).find("no two of them cross") != std::string::npos);
+  CHECK(compare::crossings({lines[1], lines[2]}, compare::Measure::time).empty());
+  CHECK(compare::tell_growth({lines[1], lines[2]}, compare::Measure::time).find("no two of them cross") !=
+        std::string::npos);
 }
 
 TEST_CASE("what is measured for the chart is what a recording of that scene holds, it goes on cell by cell, and ends") {
@@ -320,7 +321,7 @@ TEST_CASE("what is measured for the chart is what a recording of that scene hold
   const ViewerOptions options = racing();
   Stage stage(trace, options, Settings{}, 1280, 720);
   App& app = stage.app();
-  app.open_race(RaceAsked{{"z-buffer", "scan-line"}, Measure::steps, 0, false});
+  app.open_race(RaceAsked{{"z-buffer", "scan-line"}, compare::Measure::steps, 0, false});
   test::press(app, SDLK_TAB);
   REQUIRE(app.shows_growth());
   CHECK(app.growth().lines.empty());  // nothing is measured that nobody asked for

@@ -39,9 +39,8 @@ ColorWrites::ColorWrites(const Trace& trace) {
     if (pixel.early != 0) early_.push_back({pixel.early, Early::never_compared});
     pixel = {turn};
   };
-  const auto told = [&](std::int32_t x, std::int32_t y) -> PixelTold& {
-    PixelTold& pixel =
-        pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(x)];
+  const auto told = [&](std::int32_t column, std::int32_t row) -> PixelTold& {
+    PixelTold& pixel = pixels[static_cast<std::size_t>(std::int64_t{row} * raster.width + column)];
     if (pixel.turn != turn) leave(pixel);
     return pixel;
   };
