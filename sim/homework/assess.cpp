@@ -77,8 +77,11 @@ grade::Numbering numbering_of(const Runs& runs, const Task& task, const fs::path
     given.scene = &scene;
     std::string impossible;
     PassedOver passed_over;
-    const Trace run = open_given_run(file, impossible, given, passed_over);
-    if (impossible.empty() && !names_number_0(run, numbering)) return numbering;
+    try {
+      const Trace run = open_given_run(file, impossible, given, passed_over);
+      if (impossible.empty() && !names_number_0(run, numbering)) return numbering;
+    } catch (const InputError&) {  // of such a scene, as of a surface, points cannot be numbered otherwise
+    }
   }
   return told;
 }

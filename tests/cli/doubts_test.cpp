@@ -194,7 +194,9 @@ TEST_CASE("an edge that is left out: the run's reason is held against its own nu
 TEST_CASE("explain: the hexadecimal number is that of the number beside it, also where the trace records another") {
   const Folder folder;
   const std::string round = must(folder, "explain " + foreign("round") + " --at 8 end_row");
-  HAS_LINE(round, "end_row = ⌈y_1⌉ = ⌈6.6⌉ = 7   (0x1.cp+2)");
+  HAS_LINE(
+      round,
+      "end_row = ⌊y_1⌋ + 1 = ⌊6.6⌋ + 1 = 7   coverage is inclusive, and the edge goes on as far as y_1   (0x1.cp+2)");
   HAS_LINE(round, "The trace records 8, but this formula gives 7.");
   const std::string last = must(folder, "explain " + foreign("span_end") + " --at 16 last");
   CAPTURE(last);

@@ -188,14 +188,16 @@ TEST_CASE("replay: a step that cannot be is refused, and the state before it sta
   const Trace good = recorded(soup(3, 8, 4), Conventions{}, picture);
   TraceRecorder recorder(good.header(), good.scene());
   recorder(Step<PolygonBegin>{65}, PolygonBegin{0, 0});
+  recorder(Step<EdgeTableInsert>{24}, EdgeTableInsert{0, 0, 0, 1, 0, 5, 0, 0, 0, 0});
+  recorder(Step<EdgeEnter>{28}, EdgeEnter{0, 0});
   recorder(Step<EdgeRetire>{29}, EdgeRetire{7});
   recorder.finish();
   const Trace bad = Trace::from_bytes(recorder.take_bytes(), "bad.ztrace");
   Replay replay(bad);
-  CHECK_THROWS_WITH_AS(replay.go_to(2),
-                       "bad.ztrace: step 2 cannot be: edge 7 is not in the active edge list; correct the program that "
+  CHECK_THROWS_WITH_AS(replay.go_to(4),
+                       "bad.ztrace: step 4 cannot be: edge 7 is not in the active edge list; correct the program that "
                        "wrote the trace, or open it at an earlier step",
                        InputError);
-  CHECK(replay.position() == 1);
+  CHECK(replay.position() == 3);
   CHECK(replay.state().machine.polygon == 0);
 }

@@ -177,7 +177,7 @@ std::optional<NumberFormat> format_of_depths(const Trace& trace, const HeldTo& h
     Multiples depths;
     depths.add(numbers.depths, grid, {least, least + range});
     depths.add(numbers.depth_slopes, {0, grid.unit, grid.steps});
-    return depths.tell() && depths.nearly_all() && positions.nearly_all();
+    return (depths.tell() || positions.tell()) && depths.nearly_all() && positions.nearly_all();
   };
   const auto in_units = [&](NumberFormat format) {
     const auto most = static_cast<std::int64_t>(formulas::greatest_number(format));

@@ -245,6 +245,9 @@ inline std::optional<bool> drops_rightly(const Situation& at, std::int32_t facet
   const bool kept_back = at.header.declares(Convention::cull) && !at.header.conventions.cull;
   if (reason == Reject::back_facing && kept_back) return false;
   const bool by_facing = reason == Reject::back_facing || reason == Reject::edge_on;
+  // A piece of a facet may lie, and a tree may see it, where the facet as a whole does not.
+  const bool whole = method.pieces.empty() && method.tree.empty();
+  if (by_facing && !whole) return std::nullopt;
   if (by_facing && method.facing)
     return method.facing->facing == (reason == Reject::edge_on ? Facing::edge_on : Facing::back);
   if (reason == Reject::outside) {
@@ -253,8 +256,6 @@ inline std::optional<bool> drops_rightly(const Situation& at, std::int32_t facet
     if (method.clip_test && method.clip_test->outside_some == 0) return false;
   }
   if (corners.empty() || (!at.camera && !at.on_screen())) return std::nullopt;
-  // A piece of a facet may lie where the facet as a whole does not.
-  const bool whole = method.pieces.empty() && method.tree.empty();
   if (reason == Reject::outside) return whole ? std::optional(!is_in_view(at, corners)) : std::nullopt;
   if (at.on_screen())
     return reason == Reject::back_facing ? std::nullopt : std::optional(!has_area_on_screen(at, corners));
