@@ -53,7 +53,8 @@ TEST_CASE("error: a decision against the run's own numbers is a mistake, and no 
   CHECK(errors.left_open == 0);
 }
 
-TEST_CASE("error: what is nearer and what wins a tie is asked of the header; of what it leaves open nothing is said") {
+TEST_CASE(
+    "error: what is nearer and what wins a tie is asked of the header, and of what it leaves open nothing is said") {
   const std::string declared = "\"nearer\":\"smaller\",\"ties\":\"first\",";
   // The greater depth wins, by the program and not by the header: it says nothing.
   std::string greater = replaced(printed(over_each_other({0.75, 0.25})), declared, "");
