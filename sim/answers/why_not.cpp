@@ -63,7 +63,7 @@ const State& Asked::state_at(std::int64_t step) {
 
 void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Visit* visit) {
   if (step < 1) return;
-  if (visit && visit->compared() && !visit->stored) return;  // of a compare with what is not known there are no numbers
+  if (visit && visit->compared() && !visit->stored) return;  // the stored depth is not known
   std::optional<HeldBefore> before;
   if (visit) before = {visit->stored.value_or(trace.header().empty_depth()), visit->stored_polygon};
   const std::optional<State> nearby = state_nearby(trace, step, of, before);
