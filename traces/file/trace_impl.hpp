@@ -1,6 +1,7 @@
 // The inside of a Trace, for those who walk its blocks (visit.hpp, trace.cpp).
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <list>
 #include <memory>
@@ -72,6 +73,21 @@ struct Trace::Impl {
   /// A block's events, unpacked; a few blocks are kept at hand, and others by whom they are given to.
   using Events = std::shared_ptr<const std::vector<RecordedEvent>>;
   const Events& events(std::size_t block) const;
+  /// visit(position, event) for the events leading to positions first+1 … last, whose blocks stay at hand: for who goes
+  /// through the same few again and again. What is lost is passed over.
+  template <class Visit>
+  void visit_at_hand(std::int64_t first, std::int64_t last, Visit&& visit) const {
+    while (first < last) {
+      const std::size_t block = block_of(first + 1);
+      const std::int64_t before = blocks[block].info.first_position;
+      const std::int64_t end = std::min(last, before + static_cast<std::int64_t>(blocks[block].info.count));
+      if (readable(first + 1)) {
+        const Events held = events(block);
+        for (; first < end; ++first) visit(first + 1, (*held)[static_cast<std::size_t>(first - before)].event);
+      }
+      first = end;
+    }
+  }
   /// Throws MalformedBytes when an event of a block names what the scene does not have, or is one that the block's info
   /// denies.
   void check(std::size_t block, const Bytes& packed) const;

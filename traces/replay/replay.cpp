@@ -145,14 +145,15 @@ struct Replay::Impl {
 
   void back_to(std::int64_t target) {
     log.undo_to(target, state);
-    while (check_points.back().first > target) check_points.pop_back();
+    while (check_points.back().first > target) {
+      check_point_due = check_points.back().first;
+      check_points.pop_back();
+    }
     auto fragment = state.machine.fragment;
     state.machine = check_points.back().second;
-    for (std::int64_t position = check_points.back().first + 1; position <= target; ++position) {
-      if (!trace->impl().readable(position)) continue;
-      visit_event([&](const auto& event) { apply_method_state(event, state.machine, position); },
-                  trace->event(position).event);
-    }
+    trace->impl().visit_at_hand(check_points.back().first, target, [&](std::int64_t position, const Event& event) {
+      visit_event([&](const auto& e) { apply_method_state(e, state.machine, position); }, event);
+    });
     state.machine.fragment = fragment;
     state.position = target;
   }
