@@ -136,20 +136,3 @@ TEST_CASE("changes made while a run is being made are made together, and Esc lea
   stage.change({"rho", "9"}, false);
   REQUIRE(stage.app().waits_for_run);
 }
-
-TEST_CASE("a run behind says how far it is, and what it throws comes to who takes it") {
-  std::atomic<bool> goes_on = true;
-  {
-    RunBehind run([&](const RunWatch& watch) -> OtherRun {
-      for (std::int64_t steps = 0; watch(steps); ++steps) std::this_thread::yield();
-      goes_on = false;
-      return {test::record_run("cube"), false};
-    });
-    while (run.steps() < 10) std::this_thread::yield();
-    CHECK_FALSE(run.done());
-  }
-  CHECK_FALSE(goes_on);
-  RunBehind fails([](const RunWatch&) -> OtherRun { throw InputError("rho", "is too small", "make it larger"); });
-  while (!fails.done()) std::this_thread::yield();
-  CHECK_THROWS_AS(fails.take(), InputError);
-}
