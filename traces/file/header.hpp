@@ -41,7 +41,7 @@ enum class Convention : std::uint8_t {
 };
 
 struct Header {
-  std::string writer;     ///< who wrote it: "zstep 0.1.0", or a student's program
+  std::string writer;     ///< who wrote it: "zstep 0.2.0", or a student's program
   std::string algorithm;  ///< the method's id: "z-buffer"
   std::string title;      ///< the method's title: "Z-buffer"
   Conventions conventions;
