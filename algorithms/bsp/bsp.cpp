@@ -1,7 +1,7 @@
 #include "algorithms/bsp/bsp.hpp"
 
 #include "algorithms/pieces/pieces.hpp"
-#include "algorithms/scan_conversion/for_each_span.hpp"
+#include "algorithms/scan_conversion/spans.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::bsp {

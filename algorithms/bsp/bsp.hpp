@@ -8,7 +8,7 @@
 
 #include "algorithms/bsp/build.hpp"
 #include "algorithms/bsp/traverse.hpp"
-#include "algorithms/catalog/option.hpp"
+#include "algorithms/catalog/catalog.hpp"
 
 namespace zstep::bsp {
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "algorithms/pieces/split.hpp"
+#include "algorithms/pieces/pieces.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
 

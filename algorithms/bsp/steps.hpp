@@ -1,7 +1,7 @@
 // The steps of building a BSP tree, of going through it, and of drawing with it.
 #pragma once
-#include "algorithms/pieces/steps.hpp"
-#include "algorithms/viewing/steps.hpp"
+#include "algorithms/pieces/pieces.hpp"
+#include "algorithms/viewing/vertices.hpp"
 
 #define ZSTEP_MODULE bsp_build
 #define ZSTEP_FIRST_STEP 64

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "algorithms/pieces/plane.hpp"
+#include "algorithms/pieces/pieces.hpp"
 #include "algorithms/viewing/clip.hpp"
 #include "traces/events/vocabulary.hpp"
 

@@ -11,8 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/scene/facets.hpp"
-#include "algorithms/scene/files/number.hpp"
+#include "algorithms/scene/builder.hpp"
 #include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/load.hpp"
 #include "traces/error.hpp"

@@ -1,6 +1,7 @@
+
 #include "algorithms/depth_sort/painter.hpp"
 
-#include "algorithms/depth_sort/drawing_list.hpp"
+#include "algorithms/depth_sort/depth_sort.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::painter {

@@ -6,9 +6,16 @@
 // intersect, polygons that overlap each other in a ring. It is kept here to be seen failing; depth_sort.hpp mends it.
 #pragma once
 
-#include "algorithms/depth_sort/painter_steps.hpp"
+#include "algorithms/pieces/pieces.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
+
+// The steps of the naive painter's algorithm.
+
+#define ZSTEP_MODULE painter
+#define ZSTEP_FIRST_STEP 64
+#define ZSTEP_STEPS "algorithms/depth_sort/painter_steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::painter {
 

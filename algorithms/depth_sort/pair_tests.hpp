@@ -1,10 +1,25 @@
 // The tests of depth sort between two pieces, as the events that they are recorded as.
 #pragma once
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+
 #include "algorithms/pieces/pieces.hpp"
 #include "traces/events/vocabulary.hpp"
 
 namespace zstep::depth_sort {
+
+// Do the projections of two polygons overlap?
+
+/// What is no wider or no higher than this is no overlap but a touch, in px. Pixel centres within 1.5/256 px of an edge
+/// may go either way, so nothing that counts is lost.
+inline constexpr double touch = 1e-6;
+
+/// A point inside both outlines by the even-odd rule, z left out of account; none if they do not overlap or only touch.
+/// Outlines may be concave and cross themselves.
+std::optional<glm::dvec2> common_point(std::span<const glm::dvec3> p, std::span<const glm::dvec3> q);
 
 /// Tests 1 and 2: do the extents along an axis overlap? Extents that touch do not.
 ExtentTest extent_test(const pieces::Pieces& all, std::int32_t p, std::int32_t q, Axis axis);

@@ -1,11 +1,10 @@
+
 #include "algorithms/floating_horizon/floating_horizon.hpp"
 
 #include <limits>
 #include <utility>
 
 #include "algorithms/floating_horizon/horizons.hpp"
-#include "algorithms/floating_horizon/order.hpp"
-#include "algorithms/floating_horizon/interval.hpp"
 #include "traces/formulas/of_curves.hpp"
 #include "traces/record/all_recorders.hpp"
 

@@ -16,10 +16,17 @@
 
 #include <array>
 
-#include "algorithms/catalog/option.hpp"
-#include "algorithms/floating_horizon/steps.hpp"
+#include "algorithms/viewing/vertices.hpp"
+#include "algorithms/catalog/catalog.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
+
+// The steps of the floating horizon.
+
+#define ZSTEP_MODULE floating_horizon
+#define ZSTEP_FIRST_STEP 64
+#define ZSTEP_STEPS "algorithms/floating_horizon/steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::floating_horizon {
 

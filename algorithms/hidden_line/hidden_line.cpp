@@ -1,7 +1,7 @@
+
 #include "algorithms/hidden_line/hidden_line.hpp"
 
 #include "algorithms/hidden_line/cover.hpp"
-#include "algorithms/hidden_line/grid.hpp"
 #include "algorithms/pieces/pieces.hpp"
 #include "traces/record/all_recorders.hpp"
 

@@ -14,10 +14,18 @@
 
 #include <array>
 
-#include "algorithms/catalog/option.hpp"
-#include "algorithms/hidden_line/steps.hpp"
+#include "algorithms/hidden_line/lines.hpp"
+#include "algorithms/pieces/pieces.hpp"
+#include "algorithms/catalog/catalog.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
+
+// The steps of hidden-line removal.
+
+#define ZSTEP_MODULE hidden_line
+#define ZSTEP_FIRST_STEP 64
+#define ZSTEP_STEPS "algorithms/hidden_line/steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::hidden_line {
 

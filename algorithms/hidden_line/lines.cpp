@@ -1,3 +1,4 @@
+
 #include "algorithms/hidden_line/lines.hpp"
 
 #include <algorithm>

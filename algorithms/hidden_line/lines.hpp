@@ -4,10 +4,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "algorithms/hidden_line/line_steps.hpp"
 #include "algorithms/viewing/vertices.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
+
+// The steps that wireframe and hidden lines share.
+
+#define ZSTEP_MODULE lines
+#define ZSTEP_FIRST_STEP 56
+#define ZSTEP_STEPS "algorithms/hidden_line/line_steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::lines {
 

@@ -1,3 +1,4 @@
+
 #include "algorithms/hidden_line/wireframe.hpp"
 
 #include "algorithms/hidden_line/lines.hpp"

@@ -6,10 +6,17 @@
 
 #include <array>
 
-#include "algorithms/catalog/option.hpp"
-#include "algorithms/hidden_line/wireframe_steps.hpp"
+#include "algorithms/hidden_line/lines.hpp"
+#include "algorithms/catalog/catalog.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
+
+// The steps of the wireframe.
+
+#define ZSTEP_MODULE wireframe
+#define ZSTEP_FIRST_STEP 64
+#define ZSTEP_STEPS "algorithms/hidden_line/wireframe_steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::wireframe {
 

@@ -1,3 +1,4 @@
+
 #include "algorithms/interpolation/interpolation.hpp"
 
 #include <algorithm>

@@ -8,10 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/interpolation/steps.hpp"
+#include "algorithms/z_buffer/z_buffer.hpp"
 #include "algorithms/scan_conversion/numbers.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
+
+// The steps of the Z-buffer that goes by planes: one more than the others.
+
+#define ZSTEP_MODULE interpolation
+#define ZSTEP_FIRST_STEP 72
+#define ZSTEP_STEPS "algorithms/interpolation/steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::interpolation {
 

@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "algorithms/pieces/plane.hpp"
+#include "algorithms/pieces/pieces.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "traces/formulas/eye_rays.hpp"
 #include "traces/formulas/outlines.hpp"

@@ -1,13 +1,13 @@
+
 #include "algorithms/ray_casting/space.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <span>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "traces/record/all_recorders.hpp"
 

@@ -1,10 +1,10 @@
+
 #include "algorithms/ray_tracing/ray_tracing.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "algorithms/ray_casting/first_hit.hpp"
-#include "algorithms/ray_tracing/optics.hpp"
+#include "algorithms/ray_casting/ray_casting.hpp"
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "traces/record/all_recorders.hpp"
 

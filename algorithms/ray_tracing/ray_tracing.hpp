@@ -11,13 +11,35 @@
 #pragma once
 
 #include <array>
+#include <glm/vec3.hpp>
+#include <optional>
 
-#include "algorithms/catalog/option.hpp"
-#include "algorithms/ray_tracing/steps.hpp"
+#include "algorithms/ray_casting/space.hpp"
+#include "traces/formulas/light.hpp"
+#include "algorithms/catalog/catalog.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 
+// The steps of ray tracing.
+
+#define ZSTEP_MODULE ray_tracing
+#define ZSTEP_FIRST_STEP 64
+#define ZSTEP_STEPS "algorithms/ray_tracing/steps.def"
+#include "traces/record/declare_steps.hpp"
+
 namespace zstep::ray_tracing {
+
+// How light goes on where it meets a face: the formulas (traces/formulas/light.hpp) on the engine's vectors.
+
+inline glm::dvec3 mirrored(glm::dvec3 along, glm::dvec3 normal) {
+  const auto way = formulas::mirrored<double>({along.x, along.y, along.z}, {normal.x, normal.y, normal.z});
+  return {way.x, way.y, way.z};
+}
+
+inline std::optional<glm::dvec3> refracted(glm::dvec3 along, glm::dvec3 normal, double n_1, double n_2) {
+  const auto way = formulas::refracted<double>({along.x, along.y, along.z}, {normal.x, normal.y, normal.z}, n_1, n_2);
+  return way ? std::optional(glm::dvec3(way->x, way->y, way->z)) : std::nullopt;
+}
 
 inline constexpr std::array options{
     Option{"boxes", "none|facet|hierarchy|grid", "hierarchy", "what spares a ray the test of every facet"},

@@ -1,3 +1,4 @@
+
 #include "algorithms/scan_conversion/edge_table.hpp"
 
 #include <algorithm>

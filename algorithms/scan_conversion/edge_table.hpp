@@ -8,10 +8,16 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/scan_conversion/steps.hpp"
 #include "algorithms/viewing/vertices.hpp"
 #include "traces/formulas/lines.hpp"
 #include "traces/record/recorder.hpp"
+
+// The steps of scan conversion with an edge table and an active edge list.
+
+#define ZSTEP_MODULE scan_conversion
+#define ZSTEP_FIRST_STEP 24
+#define ZSTEP_STEPS "algorithms/scan_conversion/steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::scan_conversion {
 

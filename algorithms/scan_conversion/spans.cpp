@@ -1,3 +1,4 @@
+
 #include "algorithms/scan_conversion/spans.hpp"
 
 #include <algorithm>

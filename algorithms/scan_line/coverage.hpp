@@ -6,7 +6,7 @@
 // 1/8 where they lie; implied edges are smoothed as well. Shares mix the colours' numbers from 0 to 255 as they are.
 #pragma once
 
-#include "algorithms/scan_line/sweep.hpp"
+#include "algorithms/scan_line/front.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::scan_line {

@@ -1,3 +1,4 @@
+
 #include "algorithms/scan_line/front.hpp"
 
 #include <algorithm>

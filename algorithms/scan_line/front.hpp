@@ -5,15 +5,46 @@
 // penetrate each other and the interval is split at the implied edge (Bouknight 1970; Foley et al., section 15.6).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
 
-#include "algorithms/scan_line/steps.hpp"
-#include "algorithms/scan_line/tables.hpp"
+#include "algorithms/pieces/pieces.hpp"
+#include "algorithms/scan_conversion/active_edges.hpp"
+
+// The steps of the scan-line method.
+
+#define ZSTEP_MODULE scan_line
+#define ZSTEP_FIRST_STEP 64
+#define ZSTEP_STEPS "algorithms/scan_line/steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::scan_line {
+
+// What the scan-line method keeps of all polygons at once.
+
+struct Tables {
+  pieces::Pieces polygons;           ///< the polygon table: a piece is a polygon as far as it is in view
+  scan_conversion::EdgeTable edges;  ///< the global edge table
+  std::vector<std::int32_t> owner;   ///< of each edge, by number: the row of the polygon table
+
+  std::int32_t owner_of(std::int32_t edge) const { return owner[static_cast<std::size_t>(edge)]; }
+  double x_of(std::int32_t edge) const { return edges.edges[static_cast<std::size_t>(edge)].x; }
+};
+
+/// Fills the edge table and its owners from the polygon table.
+template <Recorder R>
+void fill_edge_table(Tables& tables, const viewing::Vertices& vertices, const Raster& raster,
+                     Conventions::Coverage coverage, R& record) {
+  for (std::size_t piece = 0; piece < tables.polygons.pieces.size(); ++piece) {
+    const pieces::Piece& row = tables.polygons.pieces[piece];
+    scan_conversion::add_edges(tables.edges, row.polygon, row.outline, vertices, raster, coverage, record);
+    tables.owner.resize(tables.edges.edges.size(), static_cast<std::int32_t>(piece));
+  }
+  fill_buckets(tables.edges);
+}
 
 /// Part of scan line y, from x_left to x_right, within the raster. The pixels whose centres lie on it are first … last:
 /// a centre on the left end counts, one on the right end does not; one on an implied edge is a tie and goes to the
@@ -75,5 +106,46 @@ class Coherence {
   std::vector<Seen> seen_;            // by place
   std::map<std::pair<std::int32_t, std::int32_t>, bool> apart_;
 };
+
+// The sweep along a scan line: across the active edges from left to right, with an in/out flag for each polygon.
+
+/// What a sweep looks for: the pixels, so that intervals without a pixel's centre need no depth, or every length of
+/// line.
+enum class Wanted : std::uint8_t { pixels, lengths };
+
+/// Finds what is seen on scan line y and calls seen(const Visible&) for each part, from left to right. `coherence` may
+/// be null. Flags are out before the first edge and after the last, as every outline is crossed an even number of
+/// times.
+template <Recorder R, class Seen>
+void sweep(const Tables& tables, const std::vector<std::int32_t>& active, double y, std::int32_t width, Wanted wanted,
+           Coherence* coherence, R& record, Seen&& seen) {
+  std::vector<std::int32_t> inside;  // the polygons whose flag is true
+  std::vector<Visible> visible;
+  if (coherence) coherence->begin_line(active);
+
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const std::int32_t piece = tables.owner_of(active[i]);
+    const auto flag = std::find(inside.begin(), inside.end(), piece);
+    const bool enters = flag == inside.end();
+    record(step::flip, FlagFlip{active[i], piece, enters});
+    if (enters) inside.push_back(piece);
+    else inside.erase(flag);
+
+    if (i + 1 == active.size()) break;
+    const Interval interval = interval_between(y, tables.x_of(active[i]), tables.x_of(active[i + 1]), width);
+    if (!(interval.x_left < interval.x_right)) continue;  // two edges at one x, or outside the raster
+    const auto row = static_cast<std::int32_t>(y), flags = static_cast<std::int32_t>(inside.size());
+    record(step::flags, SpanFlags{row, interval.x_left, interval.x_right, interval.first, interval.last, flags});
+    if (inside.empty() || (wanted == Wanted::pixels && interval.last < interval.first)) continue;
+
+    const bool known =
+        coherence && flags > 1 && coherence->as_before(tables.polygons, i, inside, interval, visible, record);
+    if (!known) {
+      find_front(tables.polygons, inside, interval, visible, record);
+      if (coherence) coherence->keep(tables.polygons, i, visible);
+    }
+    for (const Visible& part : visible) seen(part);
+  }
+}
 
 }  // namespace zstep::scan_line

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "algorithms/scene/files/tokens.hpp"
-#include "algorithms/scene/limits.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "traces/error.hpp"

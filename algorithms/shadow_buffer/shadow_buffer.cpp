@@ -1,7 +1,7 @@
+
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 
 #include <cmath>
-
 #include <glm/mat4x4.hpp>
 
 #include "algorithms/viewing/camera.hpp"

@@ -7,11 +7,18 @@
 
 #include <array>
 
-#include "algorithms/catalog/option.hpp"
-#include "algorithms/shadow_buffer/steps.hpp"
+#include "algorithms/z_buffer/z_buffer.hpp"
+#include "algorithms/catalog/catalog.hpp"
 #include "traces/formulas/light.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
+
+// The steps of the shadow buffer. Those of the Z-buffer, which it runs twice, have the numbers from 64.
+
+#define ZSTEP_MODULE shadow_buffer
+#define ZSTEP_FIRST_STEP 80
+#define ZSTEP_STEPS "algorithms/shadow_buffer/steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::shadow_buffer {
 

@@ -1,3 +1,4 @@
+
 #include "algorithms/transparency/transparency.hpp"
 
 #include <cmath>
@@ -5,7 +6,7 @@
 
 #include "algorithms/bsp/build.hpp"
 #include "algorithms/bsp/traverse.hpp"
-#include "algorithms/scan_conversion/for_each_span.hpp"
+#include "algorithms/scan_conversion/spans.hpp"
 #include "algorithms/viewing/clip.hpp"
 #include "traces/formulas/light.hpp"
 #include "traces/record/all_recorders.hpp"

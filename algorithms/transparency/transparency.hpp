@@ -12,10 +12,18 @@
 #include <array>
 #include <cstdint>
 
-#include "algorithms/catalog/option.hpp"
-#include "algorithms/transparency/steps.hpp"
+#include "algorithms/bsp/steps.hpp"
+#include "algorithms/catalog/catalog.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
+
+// The steps of drawing what is transparent. Those of building a BSP tree and of going through it have the numbers from
+// 64.
+
+#define ZSTEP_MODULE transparency
+#define ZSTEP_FIRST_STEP 96
+#define ZSTEP_STEPS "algorithms/transparency/steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::transparency {
 

@@ -1,3 +1,4 @@
+
 #include "algorithms/viewing/vertices.hpp"
 
 #include "traces/record/all_recorders.hpp"

@@ -1,3 +1,4 @@
+
 #include "algorithms/z_buffer/z_buffer.hpp"
 
 #include "algorithms/scan_conversion/spans.hpp"

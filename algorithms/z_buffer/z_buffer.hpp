@@ -7,9 +7,17 @@
 // depth is z* of 003 unless z_v of 000 is asked for, and a pixel is covered as the run's conventions say.
 #pragma once
 
-#include "algorithms/z_buffer/steps.hpp"
+#include "algorithms/scan_conversion/edge_table.hpp"
+#include "algorithms/viewing/vertices.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
+
+// The steps of the Z-buffer.
+
+#define ZSTEP_MODULE z_buffer
+#define ZSTEP_FIRST_STEP 64
+#define ZSTEP_STEPS "algorithms/z_buffer/steps.def"
+#include "traces/record/declare_steps.hpp"
 
 namespace zstep::z_buffer {
 

@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <toml++/toml.h>
 
-#include "algorithms/scene/scene_file/toml_depth.hpp"
+#include "algorithms/scene/scene_file/toml_text.hpp"
 #include "sim/classroom/evaluate.hpp"
 #include "traces/error.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/load.hpp"
 #include "traces/math/portable_math.hpp"
 

@@ -10,9 +10,8 @@
 
 #include "algorithms/scene/files/bytes.hpp"
 #include "algorithms/scene/load.hpp"
-#include "algorithms/scene/scene_file/keys.hpp"
+#include "algorithms/scene/scene_file/toml_text.hpp"
 #include "algorithms/scene/scene_file/read_view.hpp"
-#include "algorithms/scene/scene_file/toml_depth.hpp"
 #include "sim/homework/own_scenes.hpp"
 #include "sim/homework/plain_scene.hpp"
 #include "traces/error.hpp"

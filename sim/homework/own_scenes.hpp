@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "algorithms/scene/load.hpp"
-#include "algorithms/scene/scene_file/keys.hpp"
+#include "algorithms/scene/scene_file/toml_text.hpp"
 #include "sim/homework/homework.hpp"
 #include "sim/homework/seeds.hpp"
 

@@ -13,8 +13,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "algorithms/pieces/plane.hpp"
-#include "algorithms/scene/facets.hpp"
+#include "algorithms/pieces/pieces.hpp"
+#include "algorithms/scene/builder.hpp"
 #include "algorithms/viewing/clip.hpp"
 #include "traces/error.hpp"
 #include "traces/events/vocabulary.hpp"

@@ -9,7 +9,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/mesh.hpp"
 
 namespace zstep::viewer {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "algorithms/scene/facets.hpp"
+#include "algorithms/scene/builder.hpp"
 #include "tests/embree/intersect.hpp"
 
 namespace zstep::test {

@@ -6,10 +6,9 @@
 #include <string_view>
 
 #include "algorithms/scene/builder.hpp"
-#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/load.hpp"
-#include "algorithms/scene/mesh.hpp"
 #include "traces/error.hpp"
 
 using namespace zstep;

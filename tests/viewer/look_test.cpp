@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <imgui_internal.h>
 
-#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "sim/classroom/lesson.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/pane.hpp"

@@ -1,3 +1,4 @@
+
 #include "algorithms/scene/files/bytes.hpp"
 
 #include "traces/file/input.hpp"

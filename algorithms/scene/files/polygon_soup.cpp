@@ -1,3 +1,4 @@
+
 #include "algorithms/scene/files/polygon_soup.hpp"
 
 #include <fmt/format.h>

@@ -7,9 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/scene/files/number.hpp"
-#include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/files/tokens.hpp"
+#include "algorithms/scene/files/read_mesh.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::scene {

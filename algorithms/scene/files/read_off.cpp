@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/scene/files/binary_reader.hpp"
-#include "algorithms/scene/files/number.hpp"
-#include "algorithms/scene/files/read_mesh.hpp"
+#include "algorithms/scene/files/bytes.hpp"
 #include "algorithms/scene/files/tokens.hpp"
+#include "algorithms/scene/files/read_mesh.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::scene {

@@ -5,10 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/scene/files/number.hpp"
-#include "algorithms/scene/files/point_merger.hpp"
-#include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/files/tokens.hpp"
+#include "algorithms/scene/files/polygon_soup.hpp"
+#include "algorithms/scene/files/read_mesh.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::scene {

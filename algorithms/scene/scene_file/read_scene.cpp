@@ -1,27 +1,143 @@
+// scale, rotate and translate of a [[mesh]].
+
 #include "algorithms/scene/scene_file/read_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "algorithms/scene/builder.hpp"
-#include "algorithms/scene/built_in/built_in.hpp"
-#include "algorithms/scene/colors.hpp"
-#include "algorithms/scene/files/number.hpp"
-#include "algorithms/scene/files/point_merger.hpp"
-#include "algorithms/scene/scene_file/keys.hpp"
-#include "algorithms/scene/scene_file/placement.hpp"
-#include "algorithms/scene/scene_file/read_parts.hpp"
-#include "algorithms/scene/scene_file/read_view.hpp"
+#include "algorithms/scene/scene_file/toml_text.hpp"
+#include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 #include "algorithms/scene/surface/surface_scene.hpp"
-#include "algorithms/scene/scene_file/toml_depth.hpp"
+#include "algorithms/scene/built_in/built_in.hpp"
+#include "algorithms/scene/mesh.hpp"
+#include "algorithms/scene/files/tokens.hpp"
+#include "algorithms/scene/files/polygon_soup.hpp"
+#include "algorithms/scene/scene_file/read_view.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::scene {
+
+/// Scaled first (a number or [x, y, z]), then rotated (degrees about the x axis, then y, then z), then translated.
+Placement read_placement(Keys& keys, const std::string& file);
+
+namespace {
+
+/// Counter-clockwise about the axis, seen from its tip. Right angles are exact, so that a turned cube stays a cube.
+glm::dmat3 rotation(int axis, double degrees) {
+  int quadrant = 0;
+  const double rest = std::remquo(degrees, 90.0, &quadrant) * (3.14159265358979323846 / 180);
+  double c = portable::cos(rest), s = portable::sin(rest);
+  for (int i = 0; i < (quadrant & 3); ++i) {
+    const double old = c;
+    c = -s;
+    s = old;
+  }
+  glm::dmat3 turn(1);
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  turn[u][u] = c;
+  turn[u][v] = s;
+  turn[v][u] = -s;
+  turn[v][v] = c;
+  return turn;
+}
+
+}  // namespace
+
+Placement read_placement(Keys& keys, const std::string& file) {
+  Placement placement;
+  if (const toml::node* node = keys.find("scale")) {
+    const glm::dvec3 scale =
+        node->is_number() ? glm::dvec3(number_in(*node, file, "scale")) : point_in(*node, file, "scale");
+    if (scale.x == 0 || scale.y == 0 || scale.z == 0)
+      fail_at(*node, file, "a scale of 0 makes the mesh flat", "use another");
+    for (int axis = 0; axis < 3; ++axis) placement.linear[axis][axis] = scale[axis];
+  }
+  if (const auto angles = keys.point("rotate"))
+    for (int axis = 0; axis < 3; ++axis) placement.linear = rotation(axis, (*angles)[axis]) * placement.linear;
+  placement.offset = keys.point("translate").value_or(glm::dvec3(0));
+  return placement;
+}
+
+// [light], [surface] and the keys of materials.
+
+/// opacity, reflectance and refraction, as far as they stand there.
+MaterialKeys read_material(Keys& keys, const std::string& file);
+
+/// The [light] of `top`, if there is one; window, near and far are 0 where they are to come from the extent.
+std::optional<Light> read_light(Keys& top, const std::string& file, bool screen);
+
+/// The formula, ranges and numbers of samples of a [surface]; what is not there is as in default_surface.
+Surface read_surface(Keys& keys, const std::string& file);
+
+namespace {
+
+/// A number from `least` to `most`.
+std::optional<double> number_between(Keys& keys, const std::string& file, std::string_view key, double least,
+                                     double most) {
+  const auto value = keys.number(key);
+  if (value && !(*value >= least && *value <= most))
+    fail_at(*keys.find(key), file, fmt::format("{} is {}", key, *value),
+            fmt::format("it goes from {} to {}", least, most));
+  return value;
+}
+
+/// key = [low, high]
+void read_range(Keys& keys, const std::string& file, std::string_view key, double& low, double& high) {
+  const toml::array* list = keys.array(key);
+  if (list == nullptr) return;
+  if (list->size() != 2) fail_at(*list, file, fmt::format("{} is no range", key), "write [-3, 3]");
+  low = number_in((*list)[0], file, key);
+  high = number_in((*list)[1], file, key);
+  if (!(low < high))
+    fail_at(*list, file, fmt::format("{} goes from {} to {}", key, low, high), "write the smaller number first");
+}
+
+}  // namespace
+
+MaterialKeys read_material(Keys& keys, const std::string& file) {
+  return {number_between(keys, file, "opacity", 0, 1), number_between(keys, file, "reflectance", 0, 1),
+          number_between(keys, file, "refraction", least_refraction, most_refraction)};
+}
+
+std::optional<Light> read_light(Keys& top, const std::string& file, bool screen) {
+  const toml::table* table = top.table("light");
+  if (table == nullptr) return std::nullopt;
+  if (screen) fail_at(*table, file, "a light cannot stand in a scene in screen coordinates", "use world coordinates");
+  Keys keys(*table, file, "[light]");
+  Light light;
+  const auto position = keys.point("position");
+  light.target = keys.point("target").value_or(light.target);
+  light.window = keys.positive("window").value_or(0);
+  light.near = keys.positive("near").value_or(0);
+  light.far = keys.positive("far").value_or(0);
+  keys.finish();
+  if (!position) fail_at(*table, file, "the light has no position", "add position = [x, y, z]");
+  light.position = *position;
+  if (!(glm::length(light.target - light.position) > 1e-12 * (glm::length(light.target) + glm::length(light.position))))
+    fail_at(*keys.find("position"), file, "the light stands at its target", "move one of them");
+  if (light.far > 0 && !(light.far > light.near))
+    fail_at(*keys.find("far"), file, "far is not greater than near", "give the greater distance to far");
+  return light;
+}
+
+Surface read_surface(Keys& keys, const std::string& file) {
+  Surface surface = default_surface();
+  surface.formula = keys.text("formula").value_or("");
+  read_range(keys, file, "x", surface.x_min, surface.x_max);
+  read_range(keys, file, "z", surface.z_min, surface.z_max);
+  const auto most = static_cast<std::int32_t>(most_surface_samples);
+  surface.columns = keys.whole("columns", 1, most).value_or(surface.columns);
+  surface.rows = keys.whole("rows", 1, most).value_or(surface.rows);
+  return surface;
+}
 
 namespace {
 

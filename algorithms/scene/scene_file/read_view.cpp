@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "algorithms/scene/limits.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "algorithms/viewing/camera.hpp"
 
 namespace zstep::scene {

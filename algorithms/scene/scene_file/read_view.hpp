@@ -1,7 +1,7 @@
 // [raster], [camera] and [options] of a scene file.
 #pragma once
 
-#include "algorithms/scene/scene_file/keys.hpp"
+#include "algorithms/scene/scene_file/toml_text.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::scene {

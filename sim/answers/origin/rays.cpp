@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "algorithms/ray_casting/geometry.hpp"
-#include "algorithms/ray_tracing/optics.hpp"
+#include "algorithms/ray_tracing/ray_tracing.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "traces/formulas/facet_planes.hpp"
 #include "traces/formulas/of_colors.hpp"

@@ -10,7 +10,7 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "algorithms/viewing/view_factors.hpp"
+#include "algorithms/viewing/camera.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/viewer/panes/vertex_stages.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "algorithms/depth_sort/overlap.hpp"
+#include "algorithms/depth_sort/pair_tests.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 
 using namespace zstep;

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/floating_horizon/order.hpp"
+#include "algorithms/floating_horizon/horizons.hpp"
 #include "algorithms/viewing/vertices.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/unit/algorithms/floating_horizon/surfaces.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "algorithms/pieces/split.hpp"
+#include "algorithms/pieces/pieces.hpp"
 
 using namespace zstep;
 using namespace zstep::pieces;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "algorithms/ray_casting/ray_casting.hpp"
-#include "algorithms/ray_tracing/optics.hpp"
 #include "algorithms/ray_tracing/ray_tracing.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/unit/algorithms/scenes.hpp"

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "algorithms/scene/built_in/built_in.hpp"
-#include "algorithms/scene/facets.hpp"
+#include "algorithms/scene/builder.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/mesh.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"

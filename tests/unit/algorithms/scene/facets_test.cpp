@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "algorithms/scene/builder.hpp"
-#include "algorithms/scene/facets.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
 #include "tests/unit/algorithms/scenes.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "algorithms/scene/builder.hpp"
-#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
 #include "tests/unit/algorithms/scene/mesh_texts.hpp"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
 #include "tests/where.hpp"

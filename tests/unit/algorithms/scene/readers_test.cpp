@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/scene/files/number.hpp"
+#include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "tests/unit/algorithms/scene/mesh_texts.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/scene_file/read_scene.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/scene_file/read_scene.hpp"
-#include "algorithms/scene/surface/formula.hpp"
+#include "algorithms/scene/surface/surface_scene.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
 #include "traces/limits.hpp"
 #include "traces/math/portable_math.hpp"

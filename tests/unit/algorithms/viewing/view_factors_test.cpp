@@ -9,7 +9,6 @@
 #include <glm/vec4.hpp>
 
 #include "algorithms/viewing/camera.hpp"
-#include "algorithms/viewing/view_factors.hpp"
 
 using namespace zstep;
 

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "algorithms/scene/load.hpp"
-#include "algorithms/warnock/area.hpp"
 #include "algorithms/warnock/warnock.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/unit/algorithms/scenes.hpp"

@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "algorithms/z_buffer/steps.hpp"
+#include "algorithms/z_buffer/z_buffer.hpp"
 #include "traces/error.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
