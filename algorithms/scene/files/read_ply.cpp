@@ -276,9 +276,9 @@ bool has(const PlyElement& element, Use use) {
 }
 
 template <class Values>
-class Reader {
+class PlyReader {
  public:
-  Reader(const PlyHeader& header, Values values) : header_(header), values_(std::move(values)) {}
+  PlyReader(const PlyHeader& header, Values values) : header_(header), values_(std::move(values)) {}
 
   PolygonSoup read() {
     for (const PlyElement& element : header_.elements)
@@ -408,8 +408,8 @@ PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
       throw InputError(fmt::format("{}:{}", name, element.line), "the triangle strips have no list vertex_indices",
                        "add: property list int int vertex_indices");
   }
-  if (header.encoding == PlyHeader::Encoding::ascii) return Reader(header, AsciiValues(bytes, name, header)).read();
-  return Reader(header, BinaryValues(bytes, name, header)).read();
+  if (header.encoding == PlyHeader::Encoding::ascii) return PlyReader(header, AsciiValues(bytes, name, header)).read();
+  return PlyReader(header, BinaryValues(bytes, name, header)).read();
 }
 
 }  // namespace zstep::scene
