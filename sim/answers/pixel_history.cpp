@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 
 #include "sim/answers/why_not_parts.hpp"
-#include "sim/truth/facet_at.hpp"
+#include "sim/truth/sight.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/rejects.hpp"
-#include "traces/events/fields.hpp"
 #include "traces/error.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::answers {
 

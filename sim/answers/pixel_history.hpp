@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/answers/facets_near.hpp"
 #include "sim/answers/visits.hpp"
 #include "traces/replay/replay.hpp"
 

@@ -1,7 +1,12 @@
+// A polygon on the whole picture: where it is seen, or why nowhere.
+
 #include "sim/answers/why_not.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 
 #include "sim/answers/why_not_parts.hpp"
@@ -127,6 +132,175 @@ std::optional<std::int32_t> polygon_called(const Scene& scene, const std::string
   const auto [end, error] = std::from_chars(first, last, number);
   if (error != std::errc() || end != last || number < 0 || number >= count) return std::nullopt;
   return number;
+}
+
+namespace {
+
+/// Without links to steps that are not recorded, and in order.
+Verdict tidied(Verdict verdict) {
+  std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
+  std::stable_sort(verdict.chain.begin(), verdict.chain.end(),
+                   [](const Link& a, const Link& b) { return a.step < b.step; });
+  return verdict;
+}
+
+/// A pixel whose centre the polygon covers, and how deep it and what is seen there are.
+struct Covered {
+  Trace::Pixel pixel{};
+  double gap = 0;  ///< z_v of the polygon minus that of what is seen
+  std::int32_t owner = no_polygon;
+};
+
+std::vector<Covered> covered(const Asked& q, const std::vector<FacetThere>& facets, const Picture& picture) {
+  Scene alone = q.scene;
+  alone.facets.clear();
+  for (const FacetThere& there : facets)
+    if (!there.rejected() && !there.away) alone.facets.push_back(q.scene.facets[static_cast<std::size_t>(there.facet)]);
+  if (alone.facets.empty()) return {};
+  const compare::Truth truth(alone, false);
+  std::vector<Covered> all;
+  for (std::int32_t y = 0; y < truth.height(); ++y)
+    for (std::int32_t x = 0; x < truth.width(); ++x)
+      for (const compare::Candidate& candidate : truth.at(x, y)) {
+        if (!candidate.covers) continue;
+        const std::size_t at = picture.at(x, y);
+        const double seen = std::isinf(picture.depth[at])
+                                ? no_depth
+                                : view_depth(q.scene.camera, q.trace.header().conventions, picture.depth[at]);
+        all.push_back({{x, y}, candidate.z - seen, picture.polygon[at]});
+        break;
+      }
+  return all;
+}
+
+/// Was the recording cut off before the pixel was settled? Nothing was drawn there, or only what lies behind.
+bool is_pending(const Asked& q, const Covered& one) {
+  return !q.trace.whole() && (one.owner == no_polygon || one.gap < 0);
+}
+
+/// "to Q at 12 pixels, to R at 3 pixels", the most first, where `to` is "to ".
+std::string losses(const Asked& q, const std::vector<Covered>& all, const char* to) {
+  std::map<std::int32_t, std::size_t> count;
+  for (const Covered& one : all) ++count[one.owner];
+  std::vector<std::pair<std::int32_t, std::size_t>> sorted(count.begin(), count.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  constexpr std::size_t named = 4;
+  std::string text;
+  std::size_t rest = 0;
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    if (k >= named) rest += sorted[k].second;
+    else
+      text += fmt::format("{}{}{} at {}", text.empty() ? "" : ", ", to, q.label(sorted[k].first),
+                          count_text(sorted[k].second, "pixel", "pixels"));
+  }
+  if (rest > 0) text += fmt::format(", {}others at {}", to, count_text(rest, "pixel", "pixels"));
+  return text;
+}
+
+/// "it covers 9 pixels and loses them all, to Q at 9 pixels", as far as the recording goes.
+std::string fate(const Asked& q, const std::vector<Covered>& all) {
+  std::vector<Covered> lost;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(lost),
+               [&](const Covered& one) { return !is_pending(q, one); });
+  const std::size_t pending = all.size() - lost.size();
+  const std::string covers = "it covers " + count_text(all.size(), "pixel", "pixels");
+  if (pending == 0)
+    return fmt::format("{} and loses {}, {}", covers, all.size() == 1 ? "it" : "them all", losses(q, all, "to "));
+  if (lost.empty()) return fmt::format("{}, but the recording was cut off before its turn there", covers);
+  return fmt::format(
+      "{}; the recording was cut off before its turn at {}, and at the {} it lies behind what was drawn by then, {}",
+      covers, grouped(static_cast<std::int64_t>(pending)), lost.size() == 1 ? "other" : "others", losses(q, lost, ""));
+}
+
+/// The first pixel whose centre the facet surely covers, whatever way it faces.
+std::optional<Trace::Pixel> covered_pixel(const Asked& q, std::int32_t facet) {
+  Scene alone = q.scene;
+  alone.facets = {q.scene.facets[static_cast<std::size_t>(facet)]};
+  const compare::Truth truth(alone, false);
+  for (std::int32_t y = 0; y < truth.height(); ++y)
+    for (std::int32_t x = 0; x < truth.width(); ++x)
+      for (const compare::Candidate& candidate : truth.at(x, y))
+        if (candidate.covers && candidate.sure()) return Trace::Pixel{x, y};
+  return std::nullopt;
+}
+
+/// Where its facets were rejected one and all; else nullopt.
+std::optional<Verdict> gone_as_a_whole(Asked& q, std::vector<FacetThere> facets) {
+  for (FacetThere& there : facets) {
+    if (!there.rejected() && !there.away) return std::nullopt;
+    // Over the whole picture it does not matter whether this one pixel would be covered.
+    there.cut_at.reset();
+    if (there.rejected() && !there.surely) there.surely = covered_pixel(q, there.facet);
+    if (there.at) there.at->candidate.covers = there.away || there.reason == Reject::back_facing;
+  }
+  q.where = "anywhere";
+  return why_by_facets(q, facets);
+}
+
+Verdict filled(Asked& q, const Picture& picture) {
+  std::size_t count = 0;
+  std::optional<Trace::Pixel> first;
+  for (std::int32_t y = 0; y < picture.height; ++y)
+    for (std::int32_t x = 0; x < picture.width; ++x) {
+      if (picture.polygon[picture.at(x, y)] != q.polygon) continue;
+      if (!first) first = Trace::Pixel{x, y};
+      ++count;
+    }
+  if (first)
+    return with_pixel(
+        q, *first, fmt::format("{} is seen at {}; the first of them:", q.name, count_text(count, "pixel", "pixels")));
+
+  const std::vector<FacetThere> facets = facets_there(q);
+  if (auto verdict = gone_as_a_whole(q, facets)) {
+    verdict->pixel.reset();
+    return *verdict;
+  }
+  if (q.trace.whole() &&
+      std::all_of(facets.begin(), facets.end(), [&](const FacetThere& there) { return never_begun(q, there); })) {
+    q.where = "anywhere";
+    Verdict verdict = facets.empty() ? *why_by_facets(q, facets) : not_begun(q);
+    verdict.pixel.reset();
+    return verdict;
+  }
+  std::vector<Covered> all = covered(q, facets, picture);
+  if (all.empty()) {
+    q.where = "anywhere";
+    Verdict verdict = q.verdict(Why::not_covered, facets.empty() ? 0 : facets.front().mark,
+                                "as it is drawn it covers no pixel's centre");
+    verdict.pixel.reset();
+    for (const FacetThere& there : facets)
+      verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
+    return verdict;
+  }
+  const Covered best =
+      *std::min_element(all.begin(), all.end(), [](const Covered& a, const Covered& b) { return a.gap < b.gap; });
+  Verdict verdict = why_not(q.trace, q.polygon, best.pixel, q.replay());
+  const std::string covers = count_text(all.size(), "pixel", "pixels");
+  verdict.sentence =
+      (verdict.kind == Why::mixed
+           ? fmt::format("{} takes no pixel for itself; it covers {}. Where it is nearest: ", q.name, covers)
+           : fmt::format("{} is not seen anywhere: {}. Where it comes nearest to being seen: ", q.name, fate(q, all))) +
+      verdict.sentence;
+  return verdict;
+}
+
+}  // namespace
+
+std::string count_text(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", grouped(static_cast<std::int64_t>(count)), count == 1 ? one : many);
+}
+
+Verdict with_pixel(const Asked& q, Trace::Pixel pixel, const std::string& whole) {
+  Verdict verdict = why_not(q.trace, q.polygon, pixel);
+  verdict.sentence = whole + " " + verdict.sentence;
+  return verdict;
+}
+
+Verdict why_not(const Trace& trace, std::int32_t polygon, Replay* replay) {
+  Asked q(trace, replay, polygon, {0, 0});
+  if (of_curves(trace)) return tidied(curves_anywhere(q));
+  if (of_lines(trace)) return tidied(lines_anywhere(q));
+  return tidied(filled(q, Picture(q.state_at(trace.size()).picture)));
 }
 
 }  // namespace zstep::answers

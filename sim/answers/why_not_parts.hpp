@@ -11,7 +11,7 @@
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/visits.hpp"
 #include "sim/answers/why_not.hpp"
-#include "sim/truth/facet_at.hpp"
+#include "sim/truth/sight.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/replay/replay.hpp"

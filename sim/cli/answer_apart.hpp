@@ -6,7 +6,7 @@
 
 #include "sim/cli/messages.hpp"
 #include "sim/cli/watch.hpp"
-#include "sim/homework/child.hpp"
+#include "sim/homework/run_programs.hpp"
 
 namespace zstep::cli {
 

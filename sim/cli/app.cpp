@@ -1,17 +1,17 @@
+
 #include "sim/cli/app.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fmt/format.h>
 #include <memory>
 #include <new>
 #include <system_error>
 #include <utility>
-
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
@@ -20,6 +20,7 @@
 #include "sim/words/link.hpp"
 #include "traces/file/output.hpp"
 #include "traces/outcome.hpp"
+
 #if ZSTEP_HAS_VIEWER
 #include "sim/viewer/settings.hpp"
 #endif
@@ -214,6 +215,32 @@ int run(const std::vector<std::string>& words, Commands commands) {
   note_input(viewer::settings_path());
 #endif
   return after_printing(run_command(words, commands));
+}
+
+void add_all_commands(CLI::App& app, Action& action) {
+  add_list(app, action);
+  add_lesson(app, action);
+  add_view(app, action);
+  add_render(app, action);
+  add_record(app, action);
+  add_info(app, action);
+  add_dump(app, action);
+  add_find(app, action);
+  add_history(app, action);
+  add_why_not(app, action);
+  add_explain(app, action);
+  add_check(app, action);
+  add_diff(app, action);
+  add_homework(app, action);
+  add_grade(app, action);
+  add_error(app, action);
+  add_header(app, action);
+  add_query(app, action);
+  add_export(app, action);
+  add_import(app, action);
+  add_publish(app, action);
+  add_compare_methods(app, action);
+  add_completion(app, action);
 }
 
 }  // namespace zstep::cli

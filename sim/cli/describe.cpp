@@ -1,10 +1,21 @@
+// zstep completion: scripts that teach a shell to complete zstep's command lines, made from the commands' declarations.
+
 #include "sim/cli/describe.hpp"
 
-#include "traces/events/fields.hpp"
-
+#include <algorithm>
 #include <array>
-
 #include <fmt/format.h>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/scene/load.hpp"
+#include "sim/classroom/lesson.hpp"
+#include "sim/cli/commands.hpp"
+#include "sim/cli/words.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::cli {
 
@@ -93,6 +104,232 @@ std::string fields_text(const Event& event) {
     }
   }
   return text;
+}
+
+namespace {
+
+struct OptionWords {
+  std::vector<std::string> names;  ///< "--depth", "-o"
+  std::string help;
+  bool takes_value = false;
+  bool takes_file = false;
+  std::vector<std::string> values;  ///< what may follow, where that is known
+};
+
+struct CommandWords {
+  std::string name, help;
+  std::vector<OptionWords> options;
+  std::vector<std::string> places;  ///< words that may stand as its argument
+  bool takes_file = false;
+};
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const BuiltIn& scene : built_in_scenes()) names.emplace_back(scene.name);
+  return names;
+}
+
+/// The words behind a type name: "pseudodepth|view" are themselves, METHOD and SCENE are looked up.
+std::vector<std::string> words_behind(std::string_view type) {
+  std::vector<std::string> words;
+  while (!type.empty()) {
+    const std::size_t bar = std::min(type.find('|'), type.size());
+    const std::string_view word = type.substr(0, bar);
+    type.remove_prefix(std::min(bar + 1, type.size()));
+    if (word == "METHOD") {
+      for (const Method& m : methods()) words.emplace_back(m.id);
+    } else if (word == "SCENE") {
+      for (std::string& name : scene_names()) words.push_back(std::move(name));
+    } else if (word == "NAME") {
+      for (const Lesson& lesson : all_lessons()) words.push_back(lesson.id);
+    } else if (word.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string_view::npos) {
+      words.emplace_back(word);
+    }
+  }
+  return words;
+}
+
+bool names_file(std::string_view type) {
+  return type.find("FILE") != std::string_view::npos || type.find("MESH") != std::string_view::npos;
+}
+
+CommandWords words_of_command(const CLI::App& command) {
+  CommandWords words{command.get_name(), command.get_description(), {}, {}, false};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string type = option->get_type_name();
+    if (option->get_positional()) {
+      words.places = words_behind(type);
+      words.takes_file = names_file(type);
+      continue;
+    }
+    OptionWords entry{{}, option->get_description(), option->get_items_expected_max() > 0, names_file(type), {}};
+    if (entry.takes_value) entry.values = words_behind(type);
+    for (const std::string& name : option->get_lnames()) entry.names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) entry.names.push_back("-" + name);
+    words.options.push_back(std::move(entry));
+  }
+  return words;
+}
+
+std::vector<CommandWords> all_commands(const CLI::App& app) {
+  std::vector<CommandWords> commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(words_of_command(*command));
+  return commands;
+}
+
+std::string joined(const std::vector<std::string>& words, std::string_view between = " ") {
+  return fmt::format("{}", fmt::join(words, between));
+}
+
+/// For a shell's single quotes.
+std::string shell_quoted(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string bash_script(const std::vector<CommandWords>& commands) {
+  std::string values, arguments, names;
+  for (const CommandWords& command : commands) {
+    names += (names.empty() ? "" : " ") + command.name;
+    std::vector<std::string> options;
+    for (const OptionWords& option : command.options) {
+      options.insert(options.end(), option.names.begin(), option.names.end());
+      if (!option.takes_value) continue;
+      std::vector<std::string> patterns;
+      for (const std::string& name : option.names) patterns.push_back(command.name + ":" + name);
+      const std::string what =
+          option.takes_file ? "files=1" : fmt::format("words={}", shell_quoted(joined(option.values)));
+      values += fmt::format("    {}) {} ;;\n", joined(patterns, "|"), what);
+    }
+    arguments += fmt::format("        {}) options={}; words={};{} ;;\n", command.name, shell_quoted(joined(options)),
+                             shell_quoted(joined(command.places)), command.takes_file ? " files=1" : "");
+  }
+  return fmt::format(R"(# bash completion for zstep. To use it now:   source <(zstep completion bash)
+# In every shell:   zstep completion bash > ~/.local/share/bash-completion/completions/zstep
+_zstep() {{
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} command= options= words= files= word
+  for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
+    [[ $word == -* ]] || {{ command=$word; break; }}
+  done
+  case $command:$previous in
+{}    *)
+      case $command in
+        '') options='--help --version'; words='{}' ;;
+{}      esac
+      [[ $current == -* ]] && words=$options files= ;;
+  esac
+  COMPREPLY=($(compgen -W "$words" -- "$current"))
+  if [[ $files ]]; then
+    compopt -o filenames 2> /dev/null
+    local IFS=$'\n'
+    COMPREPLY+=($(compgen -f -- "$current"))
+  fi
+}}
+complete -F _zstep zstep ./zstep
+)",
+                     values, names, arguments);
+}
+
+/// A zsh description may not hold an unescaped bracket or colon.
+std::string zsh_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '[' || c == ']' || c == ':' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string zsh_values(bool file, const std::vector<std::string>& words) {
+  if (file && !words.empty())
+    return fmt::format("_alternative \"words:name:({})\" \"files:file:_files\"", joined(words));
+  return file ? "_files" : words.empty() ? " " : fmt::format("({})", joined(words));
+}
+
+std::string zsh_script(const std::vector<CommandWords>& commands) {
+  std::string names, cases;
+  for (const CommandWords& command : commands) {
+    names += fmt::format("    {}\n", shell_quoted(command.name + ":" + command.help));
+    cases += fmt::format("    {})\n      _arguments \\\n", command.name);
+    for (const OptionWords& option : command.options)
+      for (const std::string& name : option.names)
+        cases += fmt::format(
+            "        {} \\\n",
+            shell_quoted(name + "[" + zsh_text(option.help) + "]" +
+                         (option.takes_value ? ":value:" + zsh_values(option.takes_file, option.values) : "")));
+    cases +=
+        fmt::format("        {} ;;\n", shell_quoted("*:argument:" + zsh_values(command.takes_file, command.places)));
+  }
+  return fmt::format(R"(#compdef zstep
+# zsh completion for zstep. To use it now:   source <(zstep completion zsh)
+# In every shell:   zstep completion zsh > "${{fpath[1]}}/_zstep"
+_zstep() {{
+  local -a commands
+  commands=(
+{}  )
+  if (( CURRENT == 2 )); then
+    _describe command commands
+    return
+  fi
+  local command=$words[2]
+  shift words
+  (( CURRENT-- ))
+  case $command in
+{}  esac
+}}
+if [[ $funcstack[1] == _zstep ]]; then _zstep "$@"; else compdef _zstep zstep; fi
+)",
+                     names, cases);
+}
+
+std::string fish_script(const std::vector<CommandWords>& commands) {
+  std::string text =
+      "# fish completion for zstep. To use it now:   zstep completion fish | source\n"
+      "# In every shell:   zstep completion fish > ~/.config/fish/completions/zstep.fish\n"
+      "complete -c zstep -n __fish_use_subcommand -f\n"
+      "complete -c zstep -n __fish_use_subcommand -l version -d 'Print the version'\n";
+  for (const CommandWords& command : commands) {
+    const std::string condition = fmt::format("complete -c zstep -n '__fish_seen_subcommand_from {}'", command.name);
+    text += fmt::format("complete -c zstep -n __fish_use_subcommand -a {} -d {}\n", command.name,
+                        shell_quoted(command.help));
+    if (!command.takes_file) text += condition + " -f\n";
+    if (!command.places.empty()) text += fmt::format("{} -a {}\n", condition, shell_quoted(joined(command.places)));
+    for (const OptionWords& option : command.options) {
+      text += condition;
+      for (const std::string& name : option.names)
+        text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+      if (option.takes_file) text += " -r -F";
+      else if (option.takes_value)
+        text += option.values.empty() ? " -x" : " -x -a " + shell_quoted(joined(option.values));
+      text += " -d " + shell_quoted(option.help) + "\n";
+    }
+  }
+  return text;
+}
+
+int completion(const CLI::App& app, const std::string& shell) {
+  const std::vector<CommandWords> commands = all_commands(app);
+  fmt::print("{}", shell == "bash"  ? bash_script(commands)
+                   : shell == "zsh" ? zsh_script(commands)
+                                    : fish_script(commands));
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_completion(CLI::App& app, Action& action) {
+  const auto shell = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("completion", "Print a script that lets a shell complete zstep's commands");
+  const auto take = [shell](const std::string& text) {
+    const std::vector<std::string> shells{"bash", "zsh", "fish"};
+    *shell = shells.at(parse_choice("zstep completion", text, shells));
+  };
+  command->add_option_function<std::string>("shell", take, "The shell")->type_name("bash|zsh|fish")->required();
+  command->footer(
+      "Examples:\n  source <(zstep completion bash)\n  zstep completion fish > ~/.config/fish/completions/zstep.fish");
+  command->callback([&app, shell, &action] { action = [&app, shell] { return completion(app, *shell); }; });
 }
 
 }  // namespace zstep::cli

@@ -1,12 +1,17 @@
 // zstep diff: where do two runs part?
+
 #include "sim/cli/diff.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <vector>
-
 #include <fmt/format.h>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
@@ -15,11 +20,20 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/cost/depth_bounds.hpp"
+#include "sim/cost/bounds.hpp"
 #include "sim/image/file.hpp"
+#include "sim/image/npy.hpp"
+#include "sim/image/pfm.hpp"
+#include "sim/pages/page.hpp"
 #include "sim/pages/pictures.hpp"
+#include "sim/words/markup.hpp"
+#include "sim/words/numbers.hpp"
+#include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
+#include "traces/events/fields.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/replay/replay.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -167,6 +181,139 @@ void add_diff(CLI::App& app, Action& action) {
       "  zstep diff right.ztrace run.jsonl --view\n"
       "  zstep diff run.ztrace depths.npy --html page.html");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+// The page of zstep diff: one file that opens from disk, with the pictures in it.
+
+namespace {
+
+std::string side(std::string_view name, const CauseSide& of) {
+  if (of.step == 0) return fmt::format("<tr><th>{}</th><td>no such step</td></tr>\n", name);
+  std::string fields;
+  for (const std::string& field : of.fields) fields += fmt::format("<br><code>{}</code>", markup(field));
+  return fmt::format("<tr><th>{}</th><td>{}{}</td></tr>\n", name, markup(of.where), fields);
+}
+
+}  // namespace
+
+std::string diff_page(const DiffText& text, const diff::DiffReport& report, const PicturePair& pictures) {
+  std::string page = page_begin(text.name_a + " and " + text.name_b);
+  page += fmt::format("<h1>Where two runs part</h1>\n<p>A: <code>{}</code><br>B: <code>{}</code></p>\n",
+                      markup(text.name_a), markup(text.name_b));
+  for (const std::string& note : text.notes) page += fmt::format("<p>{}</p>\n", markup(note));
+  page += fmt::format("<p>{}</p>\n", markup(text.pictures));
+  for (const std::string& sentence : text.seen) page += fmt::format("<p>{}</p>\n", markup(sentence));
+  page += figure(pictures.a, "A", "the picture of A");
+  page += figure(pictures.b, "B", "the picture of B");
+  page += figure(pictures.map, "Where they differ: the darker, the more", "the pixels that differ, dark on white");
+  for (std::size_t i = 0; i < text.causes.size(); ++i) {
+    const CauseText& cause = text.causes[i];
+    page += fmt::format("<h2>{}. {}{}</h2>\n<p>{}.{}{}</p>\n<table>\n{}{}</table>\n", i + 1, markup(cause.step),
+                        cause.subject.empty() ? "" : ", " + markup(cause.subject), markup(cause.what),
+                        cause.follows.empty() ? "" : " " + markup(cause.follows), cause.follows.empty() ? "" : ".",
+                        side("A", cause.a), side("B", cause.b));
+    for (const CauseSide* of : {&cause.a, &cause.b})
+      if (of->step != 0) page += fmt::format("<p><code>{}</code></p>\n", markup(of->command));
+  }
+  if (text.causes.size() < report.causes.size())
+    page += fmt::format("<p>… and {} more.</p>\n",
+                        grouped(static_cast<std::int64_t>(report.causes.size() - text.causes.size())));
+  std::string rows;
+  for (std::size_t kind = 0; kind < kind_count; ++kind) {
+    const diff::KindDifference& row = report.kinds[kind];
+    if (row.same + row.rounding + row.different + row.only_a + row.only_b == 0) continue;
+    rows += fmt::format("<tr><td>{}</td>", kind_names()[kind]);
+    for (const std::int64_t count : {row.same, row.rounding, row.different, row.only_a, row.only_b})
+      rows += fmt::format("<td class=\"n\">{}</td>", count);
+    rows += "</tr>\n";
+  }
+  if (!rows.empty())
+    page +=
+        "<h2>By kind of step</h2>\n<table>\n<tr><th>steps</th><th>same</th><th>rounding</th><th>different</th>"
+        "<th>only A</th><th>only B</th></tr>\n" +
+        rows + "</table>\n";
+  return page.append(page_end);
+}
+
+// zstep diff of a run and a picture, or a table of depths, of another program.
+
+void check_sizes(std::int32_t width_a, std::int32_t height_a, std::int32_t width_b, std::int32_t height_b,
+                 const std::string& b) {
+  if (width_a == width_b && height_a == height_b) return;
+  throw InputError(b, fmt::format("is {}x{} pixels, but A is {}x{}", width_b, height_b, width_a, height_a),
+                   "compare runs and pictures of the same size");
+}
+
+void write_diff_page(const DiffOptions& options, const DiffText& text, const diff::DiffReport& report,
+                     const PicturePair& pictures) {
+  if (options.page.empty()) return;
+  const std::string page = diff_page(text, report, pictures);
+  write_file(options.page, std::span(reinterpret_cast<const std::uint8_t*>(page.data()), page.size()));
+  if (!options.json) say_written(options.page, "one page");
+}
+
+int diff_with_picture(const DiffOptions& options) {
+  const Trace a = open_trace(options.a);
+  Replay end(a);
+  end.go_to(a.size());
+  const Picture& picture = end.state().picture;
+  const Raster& raster = a.scene().raster;
+  const std::string extension = std::filesystem::path(options.b).extension().string();
+  PicturePair pictures;
+  pictures.a = image_of(picture, a.scene(), 1);
+  Precision precision = precision_of(a);
+  bool float32 = extension == ".pfm";
+  if (extension == ".png") {
+    pictures.b = read_png(options.b);
+    check_sizes(raster.width, raster.height, pictures.b.width, pictures.b.height, options.b);
+    pictures.difference = diff::compare_colors(pictures.a.rgb, pictures.b.rgb);
+  } else {
+    std::vector<double> depths;
+    std::int32_t width = 0, height = 0;
+    if (extension == ".pfm") {
+      const Pfm table = read_pfm(options.b);
+      depths.assign(table.values.begin(), table.values.end());
+      width = table.width, height = table.height;
+    } else {
+      const Npy table = read_npy(options.b);
+      std::visit([&](const auto& values) { depths.assign(values.begin(), values.end()); }, table.values);
+      width = table.width, height = table.height;
+      float32 = std::holds_alternative<std::vector<float>>(table.values);
+      if (std::holds_alternative<std::vector<std::int32_t>>(table.values))
+        throw InputError(options.b, "has whole numbers", "give depths as float32 or float64");
+    }
+    if (float32) precision.relative = std::max(precision.relative, formulas::rounding_of_float32);
+    precision.depths =
+        compare::held_to_bounds(a, float32 ? NumberFormat::float32 : a.header().conventions.number_format).depths;
+    check_sizes(raster.width, raster.height, width, height, options.b);
+    const auto same = [](double z) { return z; };
+    if (raster.y_up && precision.depths) {  // tables of depths have the top row first
+      auto turned = std::make_shared<DepthBounds>(*precision.depths);
+      turned->of_pixel = top_row_first<double>(turned->of_pixel, raster.width, raster.height, true, same);
+      precision.depths = std::move(turned);
+    }
+    pictures.difference =
+        diff::compare_depths(top_row_first<double>(picture.depth, raster.width, raster.height, raster.y_up, same),
+                             depths, precision, diff::buffers_of(a, picture).empty);
+  }
+  pictures.map = map_of(pictures.difference.apart, raster.width, raster.height, false);
+  diff::DiffReport report;
+  report.precision = precision;
+  const DiffText text{printable(a.name()), printable(options.b), {}, {}, pictures_text(pictures.difference)};
+  write_diff_page(options, text, report, pictures);
+  const diff::BufferDifference& found = pictures.difference;
+  if (options.json) {
+    print_diff_json(text, report, found);
+  } else {
+    fmt::print("A: {}\nB: {}\n{}\n", text.name_a, text.name_b, text.pictures);
+    if (found.first) {
+      const auto x = *found.first % raster.width, row = *found.first / raster.width;
+      const auto y = raster.y_up ? raster.height - 1 - row : row;
+      fmt::print("The first from the top is ({}, {}):\n  zstep explain {} {} {}\n", x, y,
+                 printable(shell_word(options.a)), x, y);
+    }
+  }
+  return found.colors + found.depths == 0 ? exit_code::done : exit_code::finding;
 }
 
 }  // namespace zstep::cli

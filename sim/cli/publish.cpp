@@ -16,7 +16,7 @@
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
-#include "sim/pages/publish.hpp"
+#include "sim/pages/page.hpp"
 #include "traces/error.hpp"
 #include "traces/file/without_paths.hpp"
 #include "traces/text.hpp"

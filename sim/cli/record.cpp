@@ -1,9 +1,12 @@
 // zstep record: the run, step by step, into a file.
+
+#include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
 #include <memory>
 #include <optional>
-
-#include <fmt/format.h>
+#include <utility>
+#include <vector>
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
@@ -12,6 +15,8 @@
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/scenes/save_scene.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/file/trace.hpp"
 #include "traces/outcome.hpp"
 #include "traces/record/trace_recorder.hpp"
 
@@ -97,6 +102,104 @@ void add_record(CLI::App& app, Action& action) {
       "  zstep record bunny.obj --fit --interpolation increments -o bunny.ztrace\n"
       "  zstep view run.ztrace");
   command->callback([options, &action] { action = [options] { return record(*options); }; });
+}
+
+// zstep render: the picture, without a trace.
+
+namespace {
+
+struct RenderOptions {
+  RunOptions run;
+  Outputs outputs;
+};
+
+std::int64_t polygons_seen(const Picture& picture, std::size_t polygons) {
+  std::vector<char> seen(polygons, 0);
+  for (const std::int32_t polygon : picture.polygon)
+    if (polygon != no_polygon) seen.at(static_cast<std::size_t>(polygon)) = 1;
+  return std::count(seen.begin(), seen.end(), 1);
+}
+
+int render(const RenderOptions& options) {
+  Outputs outputs = options.outputs;
+  check_outputs(outputs, {options.run.scene});
+  const Run run = prepare_within_budget(options.run);
+  check_gives(outputs, *run.method);
+  if (!outputs.any()) {
+    outputs.image = file_stem(run.scene) + ".png";
+    check_outputs(outputs, {options.run.scene});
+  }
+  write_scene_asked(outputs, run.scene, run.conventions, *run.method);
+  NullRecorder nothing;
+  const Picture picture = run.method->render(run.scene, run.conventions, nothing);
+  write_outputs(outputs, picture, run.scene, run.conventions);
+  if (run.method->gives == Gives::lines || run.method->gives == Gives::mixtures) {
+    const auto drawn =
+        std::count_if(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; });
+    fmt::print("{}: {} drawn by {}\n", run.scene.name, counted(drawn, "pixel", "pixels"), run.method->title);
+    return exit_code::done;
+  }
+  const std::size_t polygons = run.scene.polygons.size();
+  fmt::print("{}: {} of {} seen by {}\n", run.scene.name, grouped(polygons_seen(picture, polygons)),
+             counted(static_cast<std::int64_t>(polygons), "polygon", "polygons"), run.method->title);
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Draw a scene or a mesh and write the picture");
+  add_scene(*command, options->run);
+  add_outputs(*command, options->outputs);
+  add_run_options(*command, options->run);
+  add_limit_options(*command);
+  command->footer(
+      "Without any --save… the picture goes to NAME.png in the current folder. Existing files are replaced.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep render teapot --size 640x480\n"
+      "  zstep render pyramid --save p.png --enlarge 8\n"
+      "  zstep render bunny.obj --fit --rho 3 --theta 45 --phi 70 --save bunny.png --save-depth bunny.npy");
+  command->callback([options, &action] { action = [options] { return render(*options); }; });
+}
+
+// zstep import: JSON Lines, as students' programs write them, into a trace.
+
+namespace {
+
+struct ImportOptions {
+  std::string from, to;
+};
+
+int import_trace(const ImportOptions& options) {
+  const bool standard_input = options.from == "-" || options.from == "/dev/stdin";
+  check_outputs({}, {standard_input ? "/dev/stdin" : options.from}, {options.to});
+  InputFile from = standard_input ? InputFile::standard_input() : InputFile(options.from);
+  if (const auto cut = import_jsonl(std::move(from), options.to)) complain_incomplete(*cut);
+  say_written(options.to, counted(Trace::open(options.to).size(), "step", "steps"));
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ImportOptions>();
+  CLI::App* command = app.add_subcommand("import", "Turn JSON Lines into a trace");
+  command->add_option("jsonl", options->from, "The JSON Lines file, or - for standard input")
+      ->type_name("FILE.jsonl")
+      ->required();
+  command->add_option("-o,--output", options->to, "The trace to write")
+      ->type_name("FILE.ztrace")
+      ->required()
+      ->group("Output");
+  command->footer(
+      "An existing file is replaced; nothing is written when the input has a mistake.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep import homework.jsonl -o homework.ztrace\n"
+      "  python3 my_zbuffer.py | zstep import - -o homework.ztrace");
+  command->callback([options, &action] { action = [options] { return import_trace(*options); }; });
 }
 
 }  // namespace zstep::cli

@@ -5,7 +5,7 @@
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
-#include "sim/cli/compare.hpp"
+#include "sim/cli/compare_methods.hpp"
 #include "sim/cli/open.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/traces.hpp"

@@ -1,14 +1,14 @@
+
 #include "sim/cost/growth.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-
 #include <fmt/format.h>
+#include <optional>
 
 #include "sim/cost/book_table.hpp"
 #include "sim/cost/measure.hpp"
-#include "sim/cost/work.hpp"
+#include "sim/cost/operations.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"

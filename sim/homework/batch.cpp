@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/homework/child.hpp"
 #include "sim/homework/kept_result.hpp"
 #include "sim/homework/pictures.hpp"
 #include "sim/homework/reports.hpp"

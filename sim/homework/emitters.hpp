@@ -3,13 +3,27 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "traces/events/fields.hpp"
+#include "traces/file/header.hpp"
 #include "traces/record/step.hpp"
 
 namespace zstep::homework {
+
+// The fields of the steps that a program prints, as the vocabulary has them: emitters and the schema are made from it.
+
+struct StepFields {
+  std::string step, meaning;
+  std::span<const FieldOfKind> fields;
+};
+StepFields fields_of_step(const StepInfo& step);
+
+/// JSON Schema (draft 2020-12) of one line of a run that prints these steps: a step, or the header that may come first.
+std::string run_schema(const std::vector<StepInfo>& steps);
 
 enum class Language : std::uint8_t { c, python, javascript, java };
 

@@ -10,9 +10,9 @@
 
 #include "algorithms/scene/files/bytes.hpp"
 #include "algorithms/scene/load.hpp"
-#include "algorithms/scene/scene_file/toml_text.hpp"
 #include "algorithms/scene/scene_file/read_view.hpp"
-#include "sim/homework/own_scenes.hpp"
+#include "algorithms/scene/scene_file/toml_text.hpp"
+#include "sim/homework/new_homework.hpp"
 #include "sim/homework/plain_scene.hpp"
 #include "traces/error.hpp"
 #include "traces/record/trace_recorder.hpp"

@@ -1,22 +1,30 @@
-#include "sim/homework/sandbox.hpp"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "sim/homework/sandbox.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
-
+#include <cstring>
+#include <dirent.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <map>
+#include <optional>
+#include <poll.h>
+#include <set>
+#include <string>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+#include <vector>
 
-#include "sim/homework/sandbox_files.hpp"
+#include "sim/homework/folders.hpp"
 #include "sim/homework/sandbox_process.hpp"
-#include "sim/homework/sandbox_usage.hpp"
 #include "traces/error.hpp"
 #include "traces/text.hpp"
 
@@ -234,6 +242,146 @@ Ended run_in_sandbox(const std::string& command, const fs::path& program, const 
   const bool walls = has_walls();
   const Stage stage(program, name, scene, limits);
   return run_on(stage, command, walls, out, limits, tick);
+}
+
+namespace {
+
+struct Line {
+  pid_t process = 0, parent = 0;
+  std::uint64_t pages = 0, ticks = 0, of_children = 0;  ///< of children: that it has waited for
+};
+
+/// /proc/N/stat; false where the process is gone, or ended and only waits to be noticed.
+bool read_line(const char* name, Line& line) {
+  std::FILE* file = std::fopen((std::string("/proc/") + name + "/stat").c_str(), "r");
+  if (file == nullptr) return false;
+  char text[1024];
+  const std::size_t length = std::fread(text, 1, sizeof text - 1, file);
+  std::fclose(file);
+  text[length] = 0;
+  const char* after_name = std::strrchr(text, ')');  // the name itself may hold anything
+  if (after_name == nullptr) return false;
+  char state = 0;
+  int parent = 0;
+  unsigned long own = 0, system = 0, pages = 0;
+  long of_children = 0, system_of_children = 0;
+  const int found = std::sscanf(
+      after_name + 1, " %c %d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu %ld %ld %*d %*d %*d %*d %*u %*u %lu", &state,
+      &parent, &own, &system, &of_children, &system_of_children, &pages);
+  if (found != 7 || state == 'Z') return false;
+  const std::uint64_t waited_for =
+      static_cast<std::uint64_t>(of_children) + static_cast<std::uint64_t>(system_of_children);
+  line = {static_cast<pid_t>(std::atoi(name)), parent, pages, own + system + waited_for, waited_for};
+  return true;
+}
+
+/// The proportional set size that /proc/N/smaps_rollup tells, in bytes.
+std::optional<std::uint64_t> proportional_memory(pid_t process) {
+  std::FILE* file = std::fopen(("/proc/" + std::to_string(process) + "/smaps_rollup").c_str(), "r");
+  if (file == nullptr) return std::nullopt;
+  char line[256];
+  unsigned long kib = 0;
+  bool found = false;
+  while (!found && std::fgets(line, sizeof line, file) != nullptr) found = std::sscanf(line, "Pss: %lu kB", &kib) == 1;
+  std::fclose(file);
+  return found ? std::optional(std::uint64_t{kib} << 10) : std::nullopt;
+}
+
+}  // namespace
+
+Usage usage_below(pid_t process, std::uint64_t allowed) {
+  Usage usage;
+  DIR* all = opendir("/proc");
+  if (all == nullptr) return usage;
+  std::multimap<pid_t, Line> by_parent;
+  std::uint64_t ended = 0;
+  while (const dirent* entry = readdir(all)) {
+    Line line;
+    if (entry->d_name[0] < '1' || entry->d_name[0] > '9' || !read_line(entry->d_name, line)) continue;
+    by_parent.emplace(line.parent, line);
+    if (line.process == process) ended = line.of_children;
+  }
+  closedir(all);
+  static const auto page = static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  static const auto ticks_a_second = static_cast<double>(sysconf(_SC_CLK_TCK));
+  usage.seconds = static_cast<double>(ended) / ticks_a_second;
+  std::vector<pid_t> open{process};
+  std::set<pid_t> seen{process};
+  std::vector<std::pair<pid_t, std::uint64_t>> pages_of;
+  while (!open.empty()) {
+    const auto [first, last] = by_parent.equal_range(open.back());
+    open.pop_back();
+    for (auto at = first; at != last; ++at) {
+      const Line& line = at->second;
+      if (!seen.insert(line.process).second) continue;  // numbers are used again
+      usage.processes.push_back(line.process);
+      usage.memory += line.pages * page;
+      pages_of.emplace_back(line.process, line.pages);
+      usage.seconds += static_cast<double>(line.ticks) / ticks_a_second;
+      open.push_back(line.process);
+    }
+  }
+  if (usage.memory <= allowed) return usage;
+  usage.memory = 0;
+  for (const auto& [one, pages] : pages_of) usage.memory += proportional_memory(one).value_or(pages * page);
+  return usage;
+}
+
+namespace {
+
+constexpr std::array open_places{"/dev/shm", "/tmp", "/var/tmp", "/run/lock", "/dev/mqueue"};
+
+/// Goes through what is in a folder, with no path longer than a name: `visit` is given each name and what it is, and
+/// says whether to go on into it. False where it is nested too deep.
+template <class Visit>
+bool walk(int in, const char* name, int depth, const Visit& visit) {
+  const int folder = openat(in, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  DIR* const entries = folder < 0 ? nullptr : fdopendir(folder);
+  if (entries == nullptr) {
+    if (folder >= 0) close(folder);
+    return true;
+  }
+  bool well = depth <= deepest_folders;
+  while (const dirent* entry = well ? readdir(entries) : nullptr) {
+    if (std::strcmp(entry->d_name, ".") == 0 || std::strcmp(entry->d_name, "..") == 0) continue;
+    struct stat status {};
+    if (fstatat(folder, entry->d_name, &status, AT_SYMLINK_NOFOLLOW) != 0) continue;
+    const bool into = visit(entry->d_name, status);
+    if (into && S_ISDIR(status.st_mode)) well = walk(folder, entry->d_name, depth + 1, visit);
+  }
+  closedir(entries);
+  return well;
+}
+
+}  // namespace
+
+bool writes_too_much(std::optional<unsigned> user, const std::filesystem::path& folder, const Limits& limits) {
+  std::uint64_t bytes = 0;
+  int files = 0;
+  const auto is_much = [&] { return bytes > Limits::bytes(limits.files) || files > most_files; };
+  const auto count = [&](const char*, const struct stat& status) {
+    if (is_much() || (user && status.st_uid != *user)) return false;
+    constexpr std::uint64_t block = 512;
+    bytes += static_cast<std::uint64_t>(status.st_blocks) * block;
+    ++files;
+    return true;
+  };
+  if (!walk(AT_FDCWD, folder.c_str(), 0, count)) return true;
+  if (user)
+    for (const char* place : open_places)
+      if (!walk(AT_FDCWD, place, 0, count)) return true;
+  return is_much();
+}
+
+void remove_files_of(unsigned user) {
+  for (const char* place : open_places) {
+    std::vector<std::string> names;
+    walk(AT_FDCWD, place, 0, [&](const char* name, const struct stat& status) {
+      if (status.st_uid == user) names.emplace_back(name);
+      return false;
+    });
+    for (const std::string& name : names) remove_all_of(std::filesystem::path(place) / name);
+  }
 }
 
 }  // namespace zstep::homework

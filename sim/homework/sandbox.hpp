@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <sys/types.h>
+#include <vector>
 
 namespace zstep::homework {
 
@@ -45,5 +48,27 @@ std::string not_protected();
 Ended run_in_sandbox(const std::string& command, const std::filesystem::path& program, const std::string& name,
                      const std::string& scene, const std::filesystem::path& out, const Limits& limits,
                      const std::function<void()>& tick);
+
+// What a process and all that it has started take.
+
+struct Usage {
+  std::vector<pid_t> processes;  ///< those below this one, as the system lists them; none where it has no /proc
+  std::uint64_t memory = 0;      ///< bytes, of all of them
+  double seconds = 0;  ///< of the processor, of all of them and of those that they, or this one, have waited for
+};
+/// Memory that several processes share counts once, in parts: their proportional set size. The system needs a while to
+/// tell it, so it is asked only where all of their pages are more than `allowed`; where it does not tell, those count.
+Usage usage_below(pid_t process, std::uint64_t allowed = ~std::uint64_t{0});
+
+// What the programs of a user write where everybody may: counted while they run, removed after them.
+
+/// Files and folders of a program may be nested so deep, and there may be so many of them.
+inline constexpr int most_files = 10000, deepest_folders = 200;
+
+/// Whether a user has more in a folder, and in those where everybody may write (/tmp, /dev/shm …), than `limits` allow.
+/// Without a user of their own, programs are looked for in the folder alone.
+bool writes_too_much(std::optional<unsigned> user, const std::filesystem::path& folder, const Limits& limits);
+/// Removes what a user has where everybody may write.
+void remove_files_of(unsigned user);
 
 }  // namespace zstep::homework

@@ -10,11 +10,11 @@
 
 #include "algorithms/scene/files/bytes.hpp"
 #include "sim/homework/assess.hpp"
-#include "sim/homework/handout_words.hpp"
+#include "sim/homework/folders.hpp"
+#include "sim/homework/handout.hpp"
 #include "sim/homework/losses.hpp"
 #include "sim/homework/new_homework.hpp"
 #include "sim/homework/run_programs.hpp"
-#include "sim/homework/temporary_folder.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/pages/rows.hpp"
+#include "sim/pages/page.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 

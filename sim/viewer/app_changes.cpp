@@ -1,16 +1,19 @@
 // What if: what a reader changes of the run, and how the window stays where it was.
+
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "algorithms/catalog/catalog.hpp"
+#include "sim/query/columns.hpp"
 #include "sim/scenes/save_scene.hpp"
 #include "sim/viewer/app.hpp"
-#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
+#include "sim/viewer/panes/workspace.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {
@@ -199,6 +202,233 @@ void App::look_as(const App& before) {
 #else
   ImGui::GetIO().MousePos = mouse, ImGui::GetIO().MouseDown[0] = down;
 #endif
+}
+
+// Two runs in one window: where the panes of either are.
+
+/// A pane of another run. What a reader does in it, zooming and selecting, this run takes; then it is true.
+bool App::draw_beside(Ui& b, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size) {
+  const std::optional<Cell> selected = b.session.selected;
+  b.mouse_help.clear();
+  b.pointed_next.reset();
+  const RasterView view = b.view = ui_.view;
+  ImGui::PushID(&b);
+  draw_pane(b, pane, title, at, size);
+  ImGui::PopID();
+  if (!b.mouse_help.empty()) ui_.mouse_help = b.mouse_help;
+  if (b.pointed_next) ui_.pointed_next = b.pointed_next;
+  if (b.session.selected == selected && b.view == view) return false;
+  ui_.view = b.view;
+  if (b.session.selected != session_.selected) session_.select(b.session.selected);
+  return true;
+}
+
+/// A pane of either run.
+void App::draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size) {
+  const std::string title = fmt::format("{}: {}", first ? "A" : "B", pane.title);
+  if (first) draw_pane(ui_, pane, title, at, size);
+  else draw_beside(*other_ui_, pane, title, at, size);
+}
+
+/// The frames of both side by side, and their depth buffers, in one row or two, whichever shows larger pixels; below
+/// them what the method lives by, with what both have of it.
+void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
+  Layout& l = settings_.layout;
+  const float gap = std::round(ui_.em * 0.35f);
+  const Header &header = session_.header(), &other = against_->session().header();
+  const Pane *depths = depth_pane_of(header), *other_depths = depth_pane_of(other);
+  const Docked dock = docked(size, {0, 0}, size, 2);  // always below: the frames want all of the width
+  if (dock.side != Docked::Side::nowhere) {
+    drawer_at_ = {{at.x, at.y + size.y - dock.room}, {size.x, dock.room}};
+    pull_drawer(dock, size);
+    size.y -= dock.room + gap;
+  }
+  const bool narrow = size.x < ui_.em * 44 || size.y < ui_.em * 21;
+  const Workspace stage = workspace(header, lead());
+  const float left = narrow ? 0 : std::round(size.x * l.left);
+  if (!narrow) {
+    // A class needs no code beside two runs.
+    const float code = ui_.presenter ? 0 : std::round(size.y * 0.34f),
+                said = std::round((size.y - code - (ui_.presenter ? gap : 2 * gap)) / 2);
+    float y = at.y;
+    if (!ui_.presenter) {
+      draw_pane(pseudo_code_pane, {at.x, y}, {left, code});
+      y += code + gap;
+    }
+    draw_of(true, happened_pane, {at.x, y}, {left, said});
+    draw_of(false, happened_pane, {at.x, y + said + gap}, {left, at.y + size.y - y - said - gap});
+    splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
+    l.left = std::clamp(l.left, 0.1f, 0.55f);
+  }
+  const float x = narrow ? at.x : at.x + left + gap, middle = at.x + size.x - x;
+  const float upper = narrow ? size.y : std::round((size.y - gap) * l.both);
+  std::vector<std::pair<bool, const Pane*>> panes{{true, &frame_pane}, {false, &frame_pane}};
+  if (depths && other_depths && !narrow) panes.insert(panes.end(), {{true, depths}, {false, other_depths}});
+  const Raster& raster = session_.scene().raster;
+  const auto pixel = [&](int columns, int rows) {
+    return std::min((middle / static_cast<float>(columns) - 3 * ui_.em) / static_cast<float>(raster.width),
+                    (upper / static_cast<float>(rows) - 4 * ui_.em) / static_cast<float>(raster.height));
+  };
+  const int count = static_cast<int>(panes.size());
+  const int rows = count > 2 && pixel(2, 2) > pixel(4, 1) ? 2 : 1, columns = count / rows;
+  for (int i = 0; i < count; ++i) {
+    const auto part = [gap](float from, float room, int place, int parts) {
+      const float each = (room - gap * static_cast<float>(parts - 1)) / static_cast<float>(parts);
+      return std::make_pair(std::round(from + static_cast<float>(place) * (each + gap)), std::floor(each));
+    };
+    const auto [px, width] = part(x, middle, i % columns, columns);
+    const auto [py, height] = part(at.y, upper, i / columns, rows);
+    const auto& [first, pane] = panes[static_cast<std::size_t>(i)];
+    draw_of(first, *pane, {px, py}, {width, height});
+  }
+  if (narrow) return;
+  // What leads is here the slice, or what the method lives by; the frames have the stage.
+  std::vector<Pane> below;
+  for (const std::vector<Pane>* some : {&stage.leading, &stage.small})
+    for (const Pane& pane : *some)
+      if (pane.id != frame_pane.id && !(depths && pane.id == depths->id)) below.push_back(pane);
+  std::stable_partition(below.begin(), below.end(), [&](const Pane& pane) { return pane.id == lead(); });
+  draw_small(below, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
+  splitter("both", {x, at.y + upper}, {middle, gap}, false, l.both, size.y - gap);
+}
+
+// What is asked of the trace by a key or a click, and where its answers lead: pixel history, the origin of a number,
+// SQL.
+
+void App::open_history() {
+  const auto cell = session_.selected ? session_.selected : session_.current_cell();
+  if (!cell) return say("Click a pixel first; then H tells all that happened to it.");
+  look_at_history(*cell);
+  if (history_.empty()) return say(fmt::format("Nothing reached pixel ({}, {}).", cell->x, cell->y));
+  session_.select(*cell);
+  open(Drawer::history);
+  pick_visit_before();
+}
+
+void App::look_at_history(Cell cell) {
+  history_of_ = cell;
+  try {
+    if (!facets_near_) facets_near_.emplace(session_.trace());
+    history_ = answers::pixel_history(session_.trace(), *facets_near_, {cell.x, cell.y});
+  } catch (const InputError& error) {
+    history_.clear();
+    say(error.what());
+  }
+}
+
+/// The last that is not after where the reader stands.
+void App::pick_visit_before() {
+  picked = 0;
+  for (std::size_t i = 0; i < history_.size(); ++i)
+    if (history_[i].step <= session_.position()) picked = static_cast<int>(i);
+  scroll_to_picked = true;
+}
+
+const answers::Visit& App::told_visit(std::size_t visit) {
+  session_.look_elsewhere([&](Replay& replay) { answers::tell(replay, history_[visit]); });
+  return history_[visit];
+}
+
+void App::open_explain(const answers::Question& question, const std::string& written) {
+  answers::Chain chain;
+  try {
+    session_.look_elsewhere(
+        [&](Replay& replay) { chain = answers::explain_value(session_.trace(), replay, question); });
+  } catch (const InputError& error) {
+    return say(error.what());
+  }
+  if (chain.links.empty()) return say("The trace does not say where this number comes from.");
+  chain_ = std::move(chain);
+  open(Drawer::explain);
+  if (!written.empty()) picked = static_cast<int>(answers::link_shown_as(chain_, written));
+  scroll_to_picked = true;
+}
+
+void App::explain_step() {
+  // Of the pixel that is selected, where the step is about another one.
+  if (const auto& cell = session_.selected; cell && cell != session_.current_cell()) {
+    if (!std::isfinite(session_.state().picture.depth[session_.state().picture.at(cell->x, cell->y)]))
+      return say(fmt::format("Pixel ({}, {}) has no depth at this step.", cell->x, cell->y));
+    return open_explain(answers::of_pixel(session_.position(), {cell->x, cell->y}));
+  }
+  if (session_.position() == 0)
+    return say("Nothing has happened yet; Shift+E tells where the number of a step comes from.");
+  open_explain({session_.position()});
+}
+
+void App::go_to_origin(std::size_t link) {
+  picked = static_cast<int>(link);
+  if (link >= chain_.links.size()) return;
+  if (chain_.links[link].step > 0) session_.go_to(chain_.links[link].step);
+  else
+    say("This is in the scene itself" +
+        (chain_.links[link].source.empty() ? "." : ": " + chain_.links[link].source + "."));
+}
+
+void App::copy_origin() {
+  const auto place = static_cast<std::size_t>(std::max(0, picked));
+  if (place >= chain_.links.size() || chain_.links[place].values.empty()) return;
+  const answers::ChainValue& value = chain_.links[place].values.front();
+  requests.clipboard = value.condition || !value.word.empty() ? answers::result_text(value) : exact(value.value);
+  say("Copied: " + *requests.clipboard);
+}
+
+bool App::pick_visit(SDL_Keycode code, unsigned) {
+  if (code == SDLK_RETURN) return go_to_visit(static_cast<std::size_t>(picked)), true;
+  return pick_among(history_.size(), code);
+}
+
+bool App::pick_origin(SDL_Keycode code, unsigned modifiers) {
+  if (code == SDLK_c && modifiers == Chord::ctrl) return copy_origin(), true;
+  if (code == SDLK_RETURN) return go_to_origin(static_cast<std::size_t>(picked)), true;
+  return pick_among(chain_.links.size(), code);
+}
+
+bool App::edit_query(SDL_Keycode code, unsigned) {
+  if (code == SDLK_TAB) return paint_answer(), true;
+  if (code == SDLK_RETURN) return ask_typed(), true;
+  return pick_among(inquiry_.rows().size(), code);
+}
+
+void App::go_to_visit(std::size_t visit) {
+  picked = static_cast<int>(visit);
+  if (visit < history_.size()) session_.go_to(history_[visit].step);
+}
+
+void App::ask_typed() {
+  if (typed == inquiry_.sql() && !inquiry_.rows().empty()) return go_to_row(static_cast<std::size_t>(picked));
+  if (!ends_waiting) return ask_now();
+  asking_ = 2;
+}
+
+void App::ask_now() {
+  inquiry_.ask(typed, ends_waiting);
+  picked = 0;
+  if (ui_.heat && !pixel_overlay_.shown()) ui_.heat = inquiry_.heat();
+}
+
+std::string App::tables() const {
+  std::string names;
+  for (const std::uint8_t kind : query::kinds_in(session_.trace()))
+    names += (names.empty() ? "" : ", ") + query::all_tables()[kind].name;
+  return names;
+}
+
+void App::go_to_row(std::size_t row) {
+  picked = static_cast<int>(row);
+  const auto step = inquiry_.step_of(row);
+  const auto pixel = inquiry_.pixel_of(row);
+  if (step) session_.go_to(*step);
+  if (pixel) session_.select(*pixel);
+  if (!step && !pixel) say("This row has no step, x or y to go to.");
+}
+
+void App::paint_answer() {
+  const bool of_answer = ui_.heat && !pixel_overlay_.shown();
+  if (of_answer || inquiry_.heat()) end_painting();
+  if (of_answer) return;
+  if (inquiry_.heat()) ui_.heat = inquiry_.heat();
+  else say("Only an answer with columns x and y can be painted.");
 }
 
 }  // namespace zstep::viewer

@@ -1,5 +1,5 @@
 #include "sim/viewer/board.hpp"
-#include "sim/viewer/draw/strokes.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
 // The one table of everything a reader can do: keys, the key sheet, the palette and the menu come from it.
 #pragma once
 
+#include <SDL.h>
 #include <span>
 #include <string>
 #include <vector>
-
-#include <SDL.h>
 
 namespace zstep::viewer {
 

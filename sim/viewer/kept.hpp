@@ -15,7 +15,6 @@
 #include "sim/image/png.hpp"
 #include "sim/viewer/charts/chart.hpp"
 #include "sim/viewer/draw/canvas.hpp"
-#include "sim/viewer/draw/depth_scale.hpp"
 #include "sim/viewer/draw/fonts.hpp"
 #include "sim/viewer/draw/theme.hpp"
 #include "sim/viewer/model/inquiry.hpp"

@@ -11,7 +11,7 @@
 #include "sim/image/png.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/description.hpp"
-#include "sim/viewer/progress_file.hpp"
+#include "sim/viewer/settings.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/viewer/notes_window.hpp"
+#include "sim/viewer/notes.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/viewer/system.hpp"

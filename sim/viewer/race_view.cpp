@@ -1,16 +1,20 @@
 // The race in the window: each run's picture and what it has done, the clock below them, and what keys do meanwhile.
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <utility>
-
+#include <exception>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <utility>
 
+#include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/lists.hpp"
-#include "sim/viewer/panes/strip.hpp"
+#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/panes/chart_picture.hpp"
+#include "sim/viewer/panes/strip_marks.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
@@ -356,6 +360,130 @@ void App::draw_race(ImVec2 at, ImVec2 size) {
   if (race_->shows_growth) draw_growth(middle, room);
   else draw_racers(middle, room);
   draw_race_clock({at.x, at.y + size.y - foot}, size.x);
+}
+
+// Who runs in a race: methods and their options, found by name, in or out by Enter or a click.
+
+std::vector<const compare::Entrant*> App::found_entrants() const {
+  const std::string part = lower(typed);
+  std::vector<const compare::Entrant*> found;
+  for (const compare::Entrant& one : race_->race.all())
+    if (lower(one.title + "\n" + one.text).find(part) != std::string::npos) found.push_back(&one);
+  return found;
+}
+
+void App::turn_racer(const std::string& entrant) {
+  wrong.clear();
+  std::vector<std::string> chosen = race().chosen();
+  const auto place = std::find(chosen.begin(), chosen.end(), entrant);
+  if (place != chosen.end()) chosen.erase(place);
+  else chosen.push_back(entrant);
+  try {
+    if (chosen.size() < Race::least) wrong = "Two at least: choose another one first.";
+    else if (chosen.size() > Race::most) wrong = "Four at most: take one out first.";
+    else race().choose(chosen), race_->looks.clear();
+  } catch (const std::exception& error) {
+    wrong = error.what();
+  }
+}
+
+bool App::pick_racer(SDL_Keycode code) {
+  const std::vector<const compare::Entrant*> found = found_entrants();
+  if (code != SDLK_RETURN) return pick_among(found.size(), code);
+  if (static_cast<std::size_t>(picked) < found.size()) turn_racer(found[static_cast<std::size_t>(picked)]->text);
+  return true;
+}
+
+void draw_racers_list(App& app) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  begin_overlay(app, "who runs", {ui.em * 30, ui.em * 30});
+  flow(ui, "Who runs? Two to four: methods, and their options.", {.font = ui.fonts.bold});
+  app.draw_field("Type a part of a name");
+  if (!app.wrong.empty()) say_wrong(ui, app.wrong);
+  const std::string how = "Enter or a click: in, or out. Esc: to the race.";
+  const float foot = flow_height(ui, how, {}) + ui.em * 0.5f, line = std::round(ui.em * 1.4f);
+  const std::vector<std::string> chosen = app.race().chosen();
+  const auto found = app.found_entrants();
+  const compare::Entrant* clicked = nullptr;
+  ImGui::BeginChild("entrants", {ImGui::GetContentRegionAvail().x, ImGui::GetContentRegionAvail().y - foot}, false,
+                    ImGuiWindowFlags_NoNav);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const ListRow row = list_row(app, k, line);
+    if (row.clicked) clicked = found[k];
+    if (!row.visible) continue;
+    const bool in = std::find(chosen.begin(), chosen.end(), found[k]->text) != chosen.end();
+    const float indent = ui.em * (found[k]->changes.empty() ? 1.6f : 3.0f),
+                y = row.at.y + std::round((line - ui.em) / 2) - 1;
+    if (in) draw_text(ui, {row.at.x + ui.em * 0.4f, y}, ui.fonts.bold, c.good, "\u2713");
+    draw_text(ui, {row.at.x + indent, y}, in ? ui.fonts.bold : ui.fonts.text, c.text,
+              fitted(ui, in ? ui.fonts.bold : ui.fonts.text, found[k]->title, row.end.x - row.at.x - indent));
+  }
+  app.scroll_to_picked = false;
+  if (found.empty()) say_empty(ui, "No method that can draw this scene has this in its name.");
+  ImGui::EndChild();
+  flow(ui, how, {.color = c.muted});
+  ImGui::End();
+  if (clicked) app.turn_racer(clicked->text);
+}
+
+// Where the costs of the methods of a race cross as the number of polygons grows, as a chart.
+
+namespace {
+
+using compare::Measure;
+
+LineChart growth_chart(const GrowthChart& growth, Measure measure) {
+  LineChart chart;
+  chart.x_title = "polygons";
+  chart.y_title = measure == Measure::time ? "milliseconds" : std::string(word_of(measure));
+  chart.x_ticks.assign(compare::growth_sizes.begin(), compare::growth_sizes.end());
+  const double unit = measure == Measure::time ? 1e3 : 1;
+  // Shapes and colours of their own: a disc, a square, a triangle, a diamond.
+  constexpr std::array<int, Race::most> looks{LineChart::plain_look, 1, 2, 6 + LineChart::muted_look};
+  for (const compare::GrowthLine& line : growth.lines) {
+    LineChart::Line drawn{line.title, {}, false, looks[static_cast<std::size_t>(&line - growth.lines.data())]};
+    for (const compare::GrowthPoint& point : line.points)
+      drawn.points.emplace_back(point.polygons, unit * point.by(measure));
+    if (!drawn.points.empty()) chart.lines.push_back(std::move(drawn));
+  }
+  for (const compare::Crossing& crossing : compare::crossings(growth.lines, measure))
+    chart.now.push_back({{crossing.polygons, unit * crossing.cost}, "about " + grouped(crossing.rounded())});
+  return chart;
+}
+
+}  // namespace
+
+void App::draw_growth(ImVec2 at, ImVec2 size) {
+  const Theme& c = ui_.colors();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, c.pane);
+  ImGui::SetCursorScreenPos(at);
+  ImGui::BeginChild("costs", size, false,
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysUseWindowPadding);
+  const Measure measure = race().clock();
+  const GrowthChart& growth = race_->growth;
+  const auto measured = [](const compare::GrowthLine& line) { return line.points.size() > 1; };
+  flow(
+      ui_,
+      fmt::format(
+          "{} against the number of polygons: random triangles on {} \u00d7 {} pixels, whose areas add up to "
+          "{:g} times that whatever their number.{}",
+          measure == Measure::time    ? "Time"
+          : measure == Measure::steps ? "Steps"
+                                      : "Operations",
+          compare::growth_side, compare::growth_side, compare::growth_layers,
+          measure == Measure::time ? " Measured on this machine without a recording; the median of several runs." : ""),
+      {.color = c.muted});
+  if (growth.at_work) {
+    flow(ui_, fmt::format("Measuring {}; Esc ends it.", growth.next_text()), {.color = c.now, .font = ui_.fonts.bold});
+  } else {
+    if (button(ui_, growth.lines.empty() ? "Measure (Enter)" : "Measure again (Enter)")) race_->growth.begin(race());
+    if (!growth.lines.empty()) flow(ui_, compare::tell_growth(growth.lines, measure), {});
+  }
+  if (std::any_of(growth.lines.begin(), growth.lines.end(), measured))
+    draw_line_chart(ui_, "costs of the race", growth_chart(growth, measure));
+  ImGui::EndChild();
+  frame_box(ui_, at, {at.x + size.x, at.y + size.y}, c.rule);
 }
 
 }  // namespace zstep::viewer

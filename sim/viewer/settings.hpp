@@ -70,4 +70,48 @@ bool is_own_file(std::string_view line);
 /// False when it could not be written.
 bool save_settings(const std::filesystem::path& path, const Settings& settings);
 
+// All that stays from run to run in one file, which a reader can carry to another computer or browser: settings, how
+// far lessons were read, and their bookmarks.
+//
+//     # zstep: settings, progress and bookmarks
+//     [viewer.ini]
+//     dark = 1
+//     lesson z-buffer = 4
+//     [lessons/z-buffer.marks]
+//     219 the first tie
+//
+// Below a name in brackets stands what the file of that name in kept_folder() says.
+
+/// Its name where it is saved, and how the name of one ends.
+constexpr const char* progress_file_name = "zstep-progress.ini";
+bool is_progress_file(const std::string& path);
+
+/// What the folder keeps, in this form.
+std::string progress_text(const std::filesystem::path& folder);
+
+/// Takes over what such a file says: its settings, of each lesson and each trace the place that is further, and the
+/// bookmarks whose names are not there yet, which are written to `folder`. Returns what the settings are then. Throws
+/// InputError, and has changed nothing, where the file is none or what is kept cannot be read.
+Settings take_progress(const std::filesystem::path& file, const std::filesystem::path& folder, const Settings& here);
+
+// Files of the reader's own on the start page: those that were opened before, and those that a typed path may mean.
+
+class OwnFiles {
+ public:
+  /// Which of these, the newest last, are still there.
+  void look_for(const std::vector<std::string>& opened_before);
+
+  /// What may be meant by what is typed, the likeliest first: files that were opened before and have it in their paths;
+  /// what the folder it names, or else the current one, has whose name begins so, folders first; and last the path
+  /// itself, where it is one or a formula. A folder ends in "/".
+  std::vector<const Offer*> find(const std::string& typed);
+
+ private:
+  std::vector<Offer> before_, listed_;
+  std::string listed_for_;
+};
+
+/// Whether choosing it leads into a folder.
+bool is_folder(const Offer& offer);
+
 }  // namespace zstep::viewer

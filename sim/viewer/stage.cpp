@@ -11,7 +11,7 @@
 
 #include "sim/places/search.hpp"
 #include "sim/viewer/panes/workspace.hpp"
-#include "sim/viewer/progress_file.hpp"
+#include "sim/viewer/settings.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"

@@ -236,7 +236,7 @@ TEST_CASE("law: what C libraries compute differently is asked of none: pictures 
   // Square roots, roundings and remainders are the same in all of them.
   const std::regex asks(
       R"(\bstd::(sin|cos|tan|a(sin|cos|tan2?)|(sin|cos|tan)h|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot|[tl]gamma|erfc?)\()");
-  // Dear ImGui's lines are as thick as the processor estimates (sim/viewer/draw/strokes.hpp).
+  // Dear ImGui's lines are as thick as the processor estimates (sim/viewer/draw/canvas.hpp).
   const std::regex strokes(R"(->(Add(Line|Polyline|Circle|CircleFilled|Ngon|NgonFilled|Ellipse|Bezier)|PathArcTo)\()");
   int files = 0;
   for (const char* folder : {"traces", "algorithms", "sim"})

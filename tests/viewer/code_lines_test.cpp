@@ -7,7 +7,7 @@
 
 #include "sim/classroom/lesson.hpp"
 #include "sim/classroom/markdown.hpp"
-#include "sim/viewer/panes/code_lines.hpp"
+#include "sim/viewer/panes/pseudo_code.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;

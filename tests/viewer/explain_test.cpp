@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "sim/viewer/panes/exact_line.hpp"
+#include "sim/viewer/panes/happened.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 

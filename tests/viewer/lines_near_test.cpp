@@ -5,7 +5,7 @@
 #include <string>
 
 #include "algorithms/catalog/catalog.hpp"
-#include "sim/viewer/model/lines_near.hpp"
+#include "sim/viewer/model/label_spots.hpp"
 
 using namespace zstep;
 using viewer::lines_near;

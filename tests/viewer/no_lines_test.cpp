@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "sim/viewer/model/no_lines.hpp"
+#include "sim/viewer/model/label_spots.hpp"
 #include "sim/words/explain.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/viewer/words/some_runs.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/ranges.h>
 
-#include "sim/viewer/notes_window.hpp"
+#include "sim/viewer/notes.hpp"
 #include "sim/viewer/pictures.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"

@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
-#include "sim/viewer/panes/here_lines.hpp"
-#include "sim/viewer/panes/room_pen.hpp"
-#include "sim/viewer/panes/scene_picking.hpp"
-#include "sim/viewer/panes/vertex_stages.hpp"
+#include "sim/viewer/panes/happened.hpp"
+#include "sim/viewer/panes/scene_in_space.hpp"
+#include "sim/viewer/panes/scene_outside.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 

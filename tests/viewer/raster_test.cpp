@@ -5,8 +5,8 @@
 #include <doctest/doctest.h>
 
 #include "sim/classroom/lesson.hpp"
-#include "sim/viewer/panes/raster_canvas.hpp"
 #include "sim/viewer/panes/raster_pane.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"

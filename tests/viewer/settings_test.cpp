@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include "sim/places/bookmarks.hpp"
-#include "sim/viewer/progress_file.hpp"
 #include "sim/viewer/settings.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "sim/viewer/emblems.hpp"
-#include "sim/viewer/progress_file.hpp"
+#include "sim/viewer/settings.hpp"
 #include "sim/viewer/stage.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sim/classroom/lesson.hpp"
-#include "sim/viewer/panes/span_ends.hpp"
+#include "sim/viewer/panes/sweep.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/viewer/window.hpp"
 #include "tests/viewer/drive.hpp"

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "sim/classroom/lesson.hpp"
-#include "sim/viewer/title_names.hpp"
+#include "sim/viewer/window.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"
 

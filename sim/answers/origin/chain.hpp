@@ -7,9 +7,20 @@
 #include <utility>
 #include <vector>
 
+#include "sim/answers/origin/formula.hpp"
 #include "traces/formulas/rounding.hpp"
 
 namespace zstep::answers {
+
+// What the fields of an event follow from, by the formulas of traces/formulas.
+
+struct Derivation {
+  std::string_view field;  ///< of the event
+  Formula formula;
+};
+
+/// Of each field that a formula gives, in the order in which they are given.
+std::vector<Derivation> derivations_of(const Event& event, const formulas::Situation& before);
 
 /// A number in a formula. It is one of the chain's own, or a plain one (a row, a size of the raster, an entry of a
 /// matrix).

@@ -1,14 +1,12 @@
+
 #include "sim/answers/origin/exact.hpp"
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <fmt/format.h>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
-
-#include "sim/answers/origin/enclosed.hpp"
 #include "traces/file/records.hpp"
 #include "traces/formulas/rounding.hpp"
 

@@ -1,7 +1,7 @@
 // Where the operands of a formula come from: the step that last wrote each place.
 #include <algorithm>
 
-#include "sim/answers/origin/derivations.hpp"
+#include "sim/answers/origin/chain.hpp"
 #include "sim/answers/origin/fields.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"

@@ -14,8 +14,7 @@
 #include <fmt/format.h>
 
 #include "sim/answers/origin/chain.hpp"
-#include "sim/answers/origin/derivations.hpp"
-#include "sim/answers/origin/find_origins.hpp"
+#include "sim/answers/origin/find.hpp"
 #include "sim/answers/origin/formula.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"

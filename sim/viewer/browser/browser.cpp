@@ -11,7 +11,7 @@
 
 #include "sim/viewer/field.hpp"
 #include "sim/viewer/loop.hpp"
-#include "sim/viewer/progress_file.hpp"
+#include "sim/viewer/settings.hpp"
 #include "sim/viewer/system.hpp"
 
 // clang-format off

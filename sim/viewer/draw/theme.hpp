@@ -2,6 +2,7 @@
 // (filled corner), selected (double frame).
 #pragma once
 
+#include <array>
 #include <imgui.h>
 
 #include "sim/viewer/draw/canvas.hpp"
@@ -24,5 +25,20 @@ const Theme& dark_theme();
 
 constexpr Pixel32 to_pixel(ImU32 c) { return 0xff000000u | (c & 0xffu) << 16 | (c & 0xff00u) | (c >> 16 & 0xffu); }
 constexpr ImU32 to_im(Pixel32 c) { return 0xff000000u | (c & 0xffu) << 16 | (c & 0xff00u) | (c >> 16 & 0xffu); }
+
+// Depth as colour: near bright yellow, far dark blue, evenly spaced for the eye and safe for colour-blind readers.
+
+class DepthScale {
+ public:
+  DepthScale();
+  /// `t` from 0 (nearest) to 1 (farthest), clamped.
+  Pixel32 at(double t) const;
+
+ private:
+  std::array<Pixel32, 256> table_{};
+};
+
+/// Black or white, whichever has the higher contrast with this colour: at least 4.5 : 1.
+ImU32 ink_on(Pixel32 background);
 
 }  // namespace zstep::viewer

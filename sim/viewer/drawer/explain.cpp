@@ -1,12 +1,16 @@
 // Where a number comes from: a line for each step that it passed through, and of the one picked its formulas with all
 // digits.
+
 #include <algorithm>
 #include <cmath>
-
 #include <fmt/format.h>
+#include <tuple>
 
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/lists.hpp"
+#include "sim/viewer/panes/happened.hpp"
+#include "sim/viewer/panes/typeset.hpp"
+#include "sim/words/explain.hpp"
 #include "sim/words/hex.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -91,6 +95,132 @@ void draw_explain(App& app) {
   flow(ui, "Enter or a click goes to its step.", {.color = ui.colors().muted});
   ImGui::EndChild();
   if (clicked) app.go_to_origin(*clicked);
+}
+
+// All that happened to one pixel: a line for each polygon that reached it, and of the one picked the reason with its
+// numbers.
+
+namespace {
+
+/// Where the columns of the list begin, in pixels from its left. Where it is narrow, what is compared is told of the
+/// one that is picked alone.
+struct VisitColumns {
+  float polygon = 0, depth = 0, against = 0, of = 0, outcome = 0;
+  bool compared = true;
+};
+
+VisitColumns columns_of(App& app, float room) {
+  const Ui& ui = app.ui();
+  std::int64_t last_step = 0;
+  float polygon = ui.em * 3, depth = ui.em * 4, against = ui.em * 4, of = ui.em * 2;
+  for (const answers::Visit& visit : app.history()) {
+    last_step = std::max(last_step, visit.step);
+    const auto name_width = [&](std::int32_t who) {
+      return who == no_polygon ? 0 : text_size(ui, ui.fonts.bold, polygon_label(app.session().scene(), who)).x + ui.em;
+    };
+    polygon = std::max(polygon, name_width(visit.polygon));
+    if (visit.stored) of = std::max(of, name_width(visit.stored_polygon));
+    if (visit.z) depth = std::max(depth, text_size(ui, ui.fonts.mono, depth_in_list(*visit.z)).x);
+    if (visit.stored && visit.stored_polygon == no_polygon)
+      of = std::max(of, text_size(ui, ui.fonts.text, "background").x);
+    if (visit.stored) against = std::max(against, text_size(ui, ui.fonts.mono, depth_in_list(*visit.stored)).x);
+  }
+  VisitColumns columns;
+  columns.polygon = step_column(ui, last_step);
+  columns.depth = columns.polygon + polygon + ui.em;
+  columns.against = columns.depth + depth + ui.em;
+  columns.of = columns.against + against + ui.em;
+  columns.outcome = columns.of + of + ui.em;
+  columns.compared = columns.outcome + 8 * ui.em <= room;
+  if (!columns.compared) columns.outcome = columns.depth;
+  return columns;
+}
+
+void draw_polygon(App& app, ImVec2 at, float y, float height, std::int32_t polygon) {
+  if (polygon == no_polygon) return;
+  Ui& ui = app.ui();
+  const Scene& scene = app.session().scene();
+  draw_swatch(ui, at, height, scene, polygon);
+  draw_text(ui, {at.x + ui.em, y}, ui.fonts.bold, ui.colors().text, polygon_label(scene, polygon));
+}
+
+void draw_headings(App& app, const VisitColumns& columns) {
+  const Ui& ui = app.ui();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool rays = app.session().trace().has(kind_of<RayBegin>);
+  for (const auto& [x, text, compared] : {std::tuple{ui.em * 0.5f, "step", false},
+                                          {columns.polygon, "polygon", false},
+                                          {columns.depth, rays ? "t" : "depth", true},
+                                          {columns.against, "against", true},
+                                          {columns.of, "of", true},
+                                          {columns.outcome, "outcome", false}})
+    if (columns.compared || !compared) draw_text(ui, {at.x + x, at.y}, ui.fonts.small, ui.colors().muted, text);
+  ImGui::Dummy({1, std::round(ui.fonts.small->FontSize * 1.4f)});
+}
+
+/// One line of the list; true when clicked.
+bool draw_visit(App& app, std::size_t place, const VisitColumns& columns) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  const answers::Visit& visit = app.history()[place];
+  const float height = std::round(ui.em * 1.4f);
+  const auto [at, end, clicked, visible] = list_row(app, place, height);
+  if (!visible) return clicked;
+  const float y = at.y + ui.em * 0.15f;
+  draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, c.muted, grouped(visit.step));
+  draw_polygon(app, {at.x + columns.polygon, at.y}, y, height, visit.polygon);
+  const bool stored = columns.compared && visit.stored;
+  if (columns.compared && visit.z)
+    draw_text(ui, {at.x + columns.depth, y}, ui.fonts.mono, c.text, depth_in_list(*visit.z));
+  if (stored) draw_text(ui, {at.x + columns.against, y}, ui.fonts.mono, c.text, depth_in_list(*visit.stored));
+  if (stored && visit.stored_polygon == no_polygon)
+    draw_text(ui, {at.x + columns.of, y}, ui.fonts.text, c.muted, "background");
+  if (stored) draw_polygon(app, {at.x + columns.of, at.y}, y, height, visit.stored_polygon);
+  const bool to_come = app.is_to_come(visit.step);
+  const std::string outcome =
+      (to_come ? "to come: " : "") + answers::outcome_text(app.session().trace(), app.history(), visit);
+  draw_text(ui, {at.x + columns.outcome, y}, ui.fonts.text, to_come ? c.muted : c.text,
+            fitted(ui, ui.fonts.text, outcome, end.x - at.x - columns.outcome));
+  return clicked;
+}
+
+}  // namespace
+
+void draw_history(App& app) {
+  Ui& ui = app.ui();
+  const std::size_t count = app.history().size();
+  const auto to_come = static_cast<std::size_t>(std::count_if(
+      app.history().begin(), app.history().end(), [&](const answers::Visit& one) { return app.is_to_come(one.step); }));
+  const std::size_t so_far = count - to_come;
+  const std::string happened = so_far == 0   ? "nothing happened to it yet"
+                               : so_far == 1 ? "one thing happened to it"
+                                             : fmt::format("{} things happened to it", so_far);
+  flow(ui,
+       fmt::format("Pixel ({}, {}): {}{}.", app.history_of().x, app.history_of().y,
+                   count == 0 ? "nothing reaches it" : happened,
+                   to_come == 0 ? "" : fmt::format(", {} still to come", to_come)),
+       {.font = ui.fonts.bold});
+  if (count == 0) return say_empty(ui, "Another pixel that is selected is told of here.");
+  std::optional<std::size_t> clicked;
+  const bool beside = begin_first(ui, "visits", 0.66f, ui.em * (2.2f + 1.4f * static_cast<float>(count)));
+  const VisitColumns columns = columns_of(app, ImGui::GetContentRegionAvail().x);
+  draw_headings(app, columns);
+  for (std::size_t place = 0; place < count; ++place)
+    if (draw_visit(app, place, columns)) clicked = place;
+  app.scroll_to_picked = false;
+  ImGui::EndChild();
+  begin_second(ui, "why", beside);
+  if (const auto picked = static_cast<std::size_t>(std::max(0, app.picked)); picked < count) {
+    const answers::Visit& visit = app.told_visit(picked);
+    if (app.is_to_come(visit.step))
+      flow(ui, fmt::format("Still to come, at step {}:", grouped(visit.step)), {.color = ui.colors().muted});
+    flow(ui, visit.sentence, {});
+    for (const std::string& line : visit.formulas) set_formula(ui, line, {}, visit.owned);
+    key_to_owners(ui, visit.owned);
+  }
+  flow(ui, "Enter or a click goes there; Y asks why the one picked is not seen.", {.color = ui.colors().muted});
+  ImGui::EndChild();
+  if (clicked) app.go_to_visit(*clicked);
 }
 
 }  // namespace zstep::viewer

@@ -9,12 +9,12 @@
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/lists.hpp"
-#include "sim/viewer/panes/owner_key.hpp"
+#include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
-#include "traces/events/fields.hpp"
 #include "traces/error.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::viewer {
 namespace {

@@ -1,9 +1,12 @@
+
 #include "sim/viewer/model/label_spots.hpp"
-#include "traces/math/portable_math.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "sim/words/explain.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -97,6 +100,54 @@ void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const
 
 void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const Moment& moment) {
   find_label_spots(spots, map, moment.picture());
+}
+
+namespace {
+
+/// Marks the lines of the block in which a line stands; how many others there are.
+std::size_t show_block(const Page& page, std::size_t line, std::vector<bool>& shown) {
+  std::size_t first = line, last = line, others = 0;
+  while (first > 0 && page[first - 1].indent >= page[line].indent) --first;
+  while (last + 1 < page.size() && page[last + 1].indent >= page[line].indent) ++last;
+  for (std::size_t i = first; i <= last; ++i) {
+    if (page[i].indent != page[line].indent) continue;
+    shown[i] = true;
+    others += i != line;
+  }
+  return others;
+}
+
+}  // namespace
+
+std::vector<bool> lines_near(const Page& page, std::size_t now) {
+  std::vector<bool> shown(page.size(), false);
+  bool alone = show_block(page, now, shown) == 0;
+  for (std::size_t i = now + 1; i < page.size() && page[i].indent > page[now].indent; ++i) shown[i] = true;
+  std::uint8_t indent = page[now].indent;
+  for (std::size_t i = now; i-- > 0;) {
+    if (page[i].indent >= indent) continue;
+    indent = page[i].indent;
+    shown[i] = true;
+    if (alone) alone = show_block(page, i, shown) == 0;
+  }
+  return shown;
+}
+
+std::string why_no_lines(const Trace& trace, const ScanLineMarks::Interval& interval, std::int64_t position) {
+  if (!trace.has(kind_of<ScanLineBegin>)) return "this run records no scan lines";
+  if (trace.polygon_at_work(position) == no_polygon) return "no polygon is at work here, and so no scan line";
+  const std::string polygon = "polygon " + polygon_label(trace.scene(), interval.polygon);
+  const auto later = [&](const PolygonMark& mark) {
+    return mark.polygon == interval.polygon && mark.position > interval.first;
+  };
+  const auto rejected = [&](const RejectMark& mark) {
+    return mark.polygon == interval.polygon && mark.position > interval.first && mark.position <= interval.last;
+  };
+  if (const auto all = trace.rejects(); std::any_of(all.begin(), all.end(), rejected))
+    return polygon + " is not drawn here: no scan lines";
+  if (const auto all = trace.polygons(); std::any_of(all.begin(), all.end(), later))
+    return "no scan lines of " + polygon + " yet";
+  return polygon + " has no scan line in this run";  // whether it meets any, the run need not say
 }
 
 }  // namespace zstep::viewer

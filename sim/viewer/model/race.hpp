@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/cost/entrant.hpp"
+#include "sim/cost/comparison.hpp"
 #include "sim/cost/growth.hpp"
-#include "sim/cost/work.hpp"
+#include "sim/cost/operations.hpp"
 #include "sim/viewer/model/session.hpp"
 #include "sim/viewer/viewer.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/raster_canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"

@@ -1,17 +1,21 @@
 // Framebuffer and depth buffer.
+
 #include <algorithm>
 #include <cmath>
-
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/exact_line.hpp"
+#include "sim/viewer/panes/chart_picture.hpp"
+#include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/legend.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_pane.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/relief.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/file/records.hpp"
+#include "traces/formulas/resolution.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -200,5 +204,259 @@ const Pane* depth_pane_of(const Header& header) {
     if (pane->serves(header)) return pane;
   return nullptr;
 }
+
+// Which depths the depth buffer can hold between the near plane and the far one: how far apart they are, and how far
+// apart at the pixel at work.
+
+namespace {
+
+/// The depth at work, or at the pixel that is pointed at or selected, where there is one between the planes.
+std::optional<double> depth_now(const Ui& ui) {
+  const Session& s = ui.session;
+  const auto chosen = ui.pointed ? ui.pointed : s.selected;
+  std::optional<double> z;
+  if (chosen) {
+    const Picture& picture = s.picture();
+    if (picture.depth.empty()) return std::nullopt;
+    z = picture.depth[picture.at(chosen->x, chosen->y)];
+  } else if (s.state().machine.fragment && s.state().machine.pass != Pass::light) {
+    z = s.state().machine.fragment->z;
+  }
+  if (!z || !std::isfinite(*z)) return std::nullopt;
+  const Camera& camera = s.scene().camera;
+  const double z_v = view_depth(camera, s.header().conventions, *z);
+  return z_v >= camera.near && z_v <= camera.far ? std::optional(z_v) : std::nullopt;
+}
+
+bool has_no_planes(Ui& ui) { return ui.session.scene().camera.kind == Camera::Kind::screen; }
+
+void draw_depth_units(Ui& ui) {
+  const Scene& scene = ui.session.scene();
+  const Conventions& conventions = ui.session.header().conventions;
+  if (has_no_planes(ui))
+    return say_empty(ui, "Empty: this scene's points are on the screen already; it has no near and no far plane.");
+  const Conventions* other = ui.other ? &ui.other->session.header().conventions : nullptr;
+  const bool same_format = other && other->number_format == conventions.number_format;
+  if (same_format && other->depth == conventions.depth) other = nullptr;
+  const auto named = [&](const char* run, const Conventions& of) {
+    return fmt::format("{}: {}", run, same_format ? word_of(of.depth) : word_of(of.number_format));
+  };
+  LineChart chart = other ? unit_chart(scene, {{named("A", conventions), conventions}, {named("B", *other), *other}})
+                          : unit_chart(scene, {{"", conventions}});
+  for (std::size_t i = 0; i < chart.lines.size(); ++i)
+    chart.lines[i].look = i == 0 ? LineChart::plain_look : static_cast<int>(i);
+  chart.x_title = fmt::format("z_v, from near = {:g} to far = {:g}", scene.camera.near, scene.camera.far);
+  chart.y_title = other ? "distance in z_v to the next depth"
+                        : fmt::format("distance in z_v to the next depth of {}", word_of(conventions.number_format));
+  // A power of ten too near to one of the planes would have its number written over.
+  const double near = scene.camera.near, far = scene.camera.far;
+  std::erase_if(chart.x_ticks, [&](double tick) {
+    constexpr double share = 0.08;
+    const double at = portable::log(tick / near) / portable::log(far / near);
+    return at < share || at > 1 - share;
+  });
+  chart.x_ticks.insert(chart.x_ticks.begin(), near);
+  chart.x_ticks.push_back(far);
+  if (const auto z_v = depth_now(ui)) {
+    const double unit = formulas::resolution(scene, conventions, *z_v);
+    if (unit > 0) chart.now.push_back({{*z_v, unit}, fmt::format("z_v = {}: {}", number(*z_v), number(unit))});
+  }
+  draw_line_chart(ui, "depths of the buffer", chart);
+  if (ImGui::IsWindowHovered())
+    ui.mouse_help = "What the depth buffer cannot tell apart, near to far. Point at a pixel to see its depth.";
+}
+
+/// "65 536 depths, half of them before z_v = 1.98"
+std::string note_of_depth_units(Ui& ui) {
+  const Scene& scene = ui.session.scene();
+  const Conventions& conventions = ui.session.header().conventions;
+  if (has_no_planes(ui)) return "empty: points on the screen have no near and no far plane";
+  const double count = 1 + formulas::depths_between(scene, conventions, scene.camera.near, scene.camera.far);
+  const std::string many = count < 1e9 ? grouped(std::llround(count)) : fmt::format("{:.1e}", count);
+  return fmt::format("{} depths, half before z_v = {}", many, number(formulas::middle_depth(scene, conventions)));
+}
+
+bool serves_depth_units(const Header& header) { return has_step_of<DepthCompare>(header); }
+
+}  // namespace
+
+const Pane depth_units_pane{"depth_units",
+                            "DEPTHS OF THE BUFFER",
+                            draw_depth_units,
+                            note_of_depth_units,
+                            serves_depth_units,
+                            0.5f,
+                            false,
+                            nullptr,
+                            true,
+                            has_no_planes,
+                            &depth_error_pane};
+
+// How errors of depth add up: along the span at work, and along its left edge. What rounding alone does: each depth is
+// held against what its own formula gives without any.
+
+namespace {
+
+std::optional<Drift> drift_of(Ui& ui, std::optional<Cell> chosen) { return drift_at(ui.moment(), ui.errors, chosen); }
+std::optional<Cell> chosen_in(const Ui& ui) { return ui.pointed ? ui.pointed : ui.session.selected; }
+
+const char* unit_of(const Header& header) { return bits_of(header.conventions.number_format) > 0 ? "units" : "ulps"; }
+
+/// The span filled and solid, the edge hollow and dashed; the second run has marks and colours of its own.
+void add_lines(LineChart& chart, const Drift& drift, const std::string& run, int look) {
+  LineChart::Line edge{run + "edge", {}, true, look + 1}, span{run + "span", {}, false, look};
+  for (const oracle::DepthError& depth : drift.edge) edge.points.emplace_back(depth.along_edge, depth.error);
+  for (const oracle::DepthError& depth : drift.span) span.points.emplace_back(depth.along_span, depth.error);
+  for (LineChart::Line* line : {&edge, &span})
+    if (!line->points.empty()) chart.lines.push_back(std::move(*line));
+}
+
+std::string what_of(const Ui& ui) {
+  const Header& header = ui.session.header();
+  return fmt::format("error of {} in {} of {}", depth_symbol(ui.session.scene(), header.conventions), unit_of(header),
+                     word_of(header.conventions.number_format));
+}
+
+LineChart chart_of(Ui& ui, const Drift& drift) {
+  LineChart chart;
+  chart.scale = LineChart::Scale::linear;
+  chart.y_title = what_of(ui);
+  if (ui.other && what_of(*ui.other) != chart.y_title)
+    chart.y_title = fmt::format("A: {}; B: {}", chart.y_title, what_of(*ui.other));
+  chart.x_title = "pixels, or lines, after the first";
+  chart.x_reach = {0, ui.errors.longest()};
+  chart.y_reach = {std::min(-1.0, ui.errors.least()), std::max(1.0, ui.errors.most())};
+  if (ui.other) {
+    if (const auto other = drift_of(*ui.other, chosen_in(ui))) {
+      add_lines(chart, *other, "B: ", 2);
+      chart.x_reach.y = std::max(chart.x_reach.y, static_cast<double>(ui.other->errors.longest()));
+      chart.y_reach.x = std::min(chart.y_reach.x, ui.other->errors.least());
+      chart.y_reach.y = std::max(chart.y_reach.y, ui.other->errors.most());
+    }
+  }
+  add_lines(chart, drift, ui.other ? "A: " : "", LineChart::plain_look);
+  const auto& last = drift.span.empty() ? drift.edge : drift.span;
+  if (last.empty() || drift.past) return chart;
+  const oracle::DepthError& now = last.back();
+  chart.now.push_back({{drift.span.empty() ? now.along_edge : now.along_span, now.error},
+                       fmt::format("x = {}: {}", now.x, number(now.error, 2, true))});
+  return chart;
+}
+
+void draw_depth_error(Ui& ui) {
+  if (ui.errors.too_long(ui.session.trace()))
+    return say_empty(ui, fmt::format("A long run: 'zstep error' finds the errors of its {} steps.",
+                                     grouped(ui.session.trace().size())));
+  const auto drift = drift_of(ui, chosen_in(ui));
+  if (!drift && ui.errors.of(ui.session.trace()).empty())
+    return say_empty(ui, "Empty: no depth of this trace can be held against an exact one.");
+  if (!drift)
+    return say_empty(ui,
+                     chosen_in(ui) ? "Empty: no span has reached this pixel." : "Empty: no span has been at work yet.");
+  draw_line_chart(ui, "error along span and edge", chart_of(ui, *drift));
+  if (ImGui::IsWindowHovered())
+    ui.mouse_help = "How rounding adds up along the span and along its left edge. Point at a pixel to see its span.";
+}
+
+/// Whatever pixel is pointed at: what leads does not change with the mouse.
+bool waits_for_depths(Ui& ui) { return !drift_of(ui, std::nullopt); }
+
+std::string note_of_depth_error(Ui& ui) {
+  if (ui.errors.too_long(ui.session.trace())) return "a long run: 'zstep error' finds its errors";
+  const auto drift = drift_of(ui, chosen_in(ui));
+  if (!drift && waits_for_depths(ui)) return "empty: no span has been at work yet";
+  if (!drift) return "";
+  const char* why = !drift->chosen ? "" : ui.pointed ? ", pointed at" : ", of the selected pixel";
+  return fmt::format("{} on scan line y = {}{}", drift->past ? "last span" : "span", drift->y, why);
+}
+
+bool serves_depth_error(const Header& header) {
+  return has_step_of<SpanBegin>(header) && (has_step_of<DepthInterpolate>(header) ||
+                                            has_step_of<DepthCompare>(header) || has_step_of<PixelPaint>(header));
+}
+
+}  // namespace
+
+const Pane depth_error_pane{"depth_error",
+                            "ERROR ALONG SPAN AND EDGE",
+                            draw_depth_error,
+                            note_of_depth_error,
+                            serves_depth_error,
+                            0.5f,
+                            false,
+                            nullptr,
+                            true,
+                            waits_for_depths,
+                            &depth_units_pane};
+
+// The shadow buffer: depths as the light sees them, with the place of the point under test.
+
+namespace {
+
+/// The range of the light's depths at this step: near is bright, as in the depth buffer.
+void paint_shadow_buffer(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c,
+                         const DepthScale& scale) {
+  const Picture& light = now.state().light;
+  const DepthRange range = fitted_range(light, now.header());
+  std::vector<Pixel32> cells(light.depth.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    cells[i] = std::isfinite(light.depth[i]) ? scale.at(range.share(light.depth[i])) : hatched_cell;
+  paint_raster(canvas, map, cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
+}
+
+/// A ring of two colours round the cell: it shows on every depth.
+void mark_point(Ui& ui, const RasterMap& map, ImVec2 origin, const ShadowCompare& at) {
+  const double column = std::round(at.x_light), row = std::round(at.y_light);
+  if (!(column >= 0 && column < map.width && row >= 0 && row < map.height)) return;
+  const float half = static_cast<float>(std::max(map.cell / 2, 4.0));
+  const ImVec2 centre{origin.x + static_cast<float>(map.px(column)), origin.y + static_cast<float>(map.py(row))};
+  frame_box(ui, {centre.x - half - 2, centre.y - half - 2}, {centre.x + half + 2, centre.y + half + 2},
+            IM_COL32(255, 255, 255, 255), 2);
+  frame_box(ui, {centre.x - half, centre.y - half}, {centre.x + half, centre.y + half}, ui.colors().now, 2);
+}
+
+std::string verdict(const ShadowCompare& at, const State& state) {
+  const double column = std::round(at.x_light), row = std::round(at.y_light);
+  if (!(column >= 0 && column < state.light.width && row >= 0 && row < state.light.height))
+    return "beside the light's window: dark";
+  const double stored =
+      state.light.depth[state.light.at(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row))];
+  const auto [z, shadow] = tell_apart(at.z_light, stored);
+  return fmt::format("cell ({}, {}): point {}, stored {}: {}", column, row, z, shadow, at.lit ? "lit" : "dark");
+}
+
+void draw_shadow_buffer(Ui& ui) {
+  const State& state = ui.session.state();
+  if (state.machine.pass == Pass::light)
+    return say_empty(ui, "The light's picture is being made; it stands where the eye's will.");
+  if (state.light.depth.empty()) return say_empty(ui, "Empty: the light has not looked yet.");
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float caption = 2.4f * ui.line();
+  const int width = static_cast<int>(room.x), height = static_cast<int>(room.y - caption);
+  if (width < 16 || height < 16) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  const RasterMap map(Raster{state.light.width, state.light.height, false}, {}, width, height);
+  const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "shadow", width, height, paint_shadow_buffer, map, ui.moment(),
+                                            ui.colors(), ui.depth_scale);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
+                                       {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  ImGui::Dummy({room.x, static_cast<float>(height)});
+  if (!state.machine.shadow) return;
+  mark_point(ui, map, at, *state.machine.shadow);
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  flow(ui, verdict(*state.machine.shadow, state), {ui.colors().text, 0, ui.fonts.small, 0});
+  number_at(ui, below, {below.x + room.x, ImGui::GetCursorScreenPos().y},
+            answers::made_by<ShadowCompare>(ui.session.position(), "lit"));
+}
+
+std::string note_of_shadow_buffer(Ui& ui) { return ui.session.state().machine.shadow ? "what the light sees" : ""; }
+
+bool serves_shadow_buffer(const Header& header) { return has_step_of<ShadowCompare>(header); }
+
+}  // namespace
+
+const Pane shadow_buffer_pane{
+    "shadow_buffer", "SHADOW BUFFER", draw_shadow_buffer,     note_of_shadow_buffer, serves_shadow_buffer, 0.5f, false,
+    always<15>,      false,           none_yet<ShadowCompare>};
 
 }  // namespace zstep::viewer

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/viewer/charts/paper.hpp"
+#include "sim/viewer/charts/sheet.hpp"
 
 namespace zstep::viewer {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/raster_canvas.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {

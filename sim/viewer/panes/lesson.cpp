@@ -1,13 +1,167 @@
 // The lesson's narration beside the trace; its questions ask for a prediction before the step that answers them.
-#include <cmath>
 
+#include "sim/viewer/panes/lesson.hpp"
+
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
+#include "sim/classroom/marking.hpp"
 #include "sim/viewer/commands.hpp"
-#include "sim/viewer/panes/marking.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
+namespace {
+
+bool has(const std::vector<std::int32_t>& all, std::int32_t one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+/// "pixel (3, 2)", "scan line 2", "B".
+std::string name_of(const Scene& scene, const Marking& marking, std::int32_t what) {
+  switch (marking.kind) {
+    case Marking::Kind::pixels:
+      return fmt::format("pixel ({}, {})", what % scene.raster.width, what / scene.raster.width);
+    case Marking::Kind::scan_line:
+      return fmt::format("scan line {}", what);
+    case Marking::Kind::order:
+      break;
+  }
+  return polygon_label(scene, what);
+}
+
+/// What is wrong with marks that were checked; at most one of them by name.
+std::string what_is_wrong(const Scene& scene, const Marking& marking, const std::vector<std::int32_t>& made,
+                          const MarksJudged& judged) {
+  if (marking.kind == Marking::Kind::order) {
+    if (judged.wrong.empty()) return fmt::format("So far it is right; {} more to come.", judged.missing.size());
+    const auto place = std::find(made.begin(), made.end(), judged.wrong.front()) - made.begin() + 1;
+    return fmt::format("{} is not number {}.", name_of(scene, marking, judged.wrong.front()), place);
+  }
+  if (marking.kind == Marking::Kind::scan_line)
+    return fmt::format("It is not {}.", name_of(scene, marking, judged.wrong.front()));
+  const std::size_t wrong = judged.wrong.size(), right = made.size() - wrong, all = marking.right.size();
+  std::string told = right == 0 ? "None of these belongs to it." : fmt::format("{} of {} are marked.", right, all);
+  if (wrong > 0 && right > 0)
+    told += wrong == 1 ? fmt::format(" One does not belong to it: {}.", name_of(scene, marking, judged.wrong.front()))
+                       : fmt::format(" {} do not belong to it and are crossed out.", wrong);
+  return told;
+}
+
+/// The polygons of an order, each with the place that it was given.
+void draw_choices(Ui& ui, const Marking& marking) {
+  Session& s = ui.session;
+  const std::vector<std::int32_t> choices = choices_of(marking), &made = s.marks().made;
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    const auto there = std::find(made.begin(), made.end(), choices[k]);
+    const std::string place = there == made.end() ? "" : fmt::format("   {}.", there - made.begin() + 1);
+    ImGui::PushID(static_cast<int>(k));
+    if (button(ui, fmt::format("({}) {}{}", k + 1, name_of(s.scene(), marking, choices[k]), place),
+               there != made.end()))
+      s.mark(choices[k]);
+    ImGui::PopID();
+  }
+}
+
+/// Four angles at the corners of a box, dark within light, so that they are seen on every colour.
+void brackets(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float thin = std::max(1.0f, ui.thin), line = std::round(2 * thin);
+  const float arm = std::max(line, std::round(std::min(b.x - a.x, b.y - a.y) * 0.3f));
+  for (const auto& [color_now, grow] : {std::pair{ui.colors().pane, thin}, std::pair{color, 0.0f}})
+    for (const bool right : {false, true})
+      for (const bool below : {false, true}) {
+        const float x = right ? b.x : a.x, y = below ? b.y : a.y, sx = right ? -1.0f : 1.0f, sy = below ? -1.0f : 1.0f;
+        const auto fill = [&](float wide, float high) {
+          const ImVec2 p{x - sx * grow, y - sy * grow}, q{x + sx * (wide + grow), y + sy * (high + grow)};
+          list->AddRectFilled({std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)},
+                              color_now);
+        };
+        fill(arm, line), fill(line, arm);
+      }
+}
+
+void cross_out(const Ui& ui, ImVec2 a, ImVec2 b) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float thin = std::max(1.0f, ui.thin);
+  for (const auto& [color, wide] : {std::pair{ui.colors().pane, 4 * thin}, std::pair{ui.colors().bad, 2 * thin}}) {
+    stroke_line(list, {a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, color, wide);
+    stroke_line(list, {a.x + 2, b.y - 2}, {b.x - 2, a.y + 2}, color, wide);
+  }
+}
+
+void dot(const Ui& ui, ImVec2 a, ImVec2 b) {
+  const ImVec2 middle{std::round((a.x + b.x) / 2), std::round(a.y + (b.y - a.y) * 0.82f)};
+  const float radius = std::max(2.0f, std::round(std::min(b.x - a.x, b.y - a.y) * 0.11f));
+  fill_circle(ImGui::GetWindowDrawList(), middle, radius + std::max(1.0f, ui.thin), ui.colors().pane);
+  fill_circle(ImGui::GetWindowDrawList(), middle, radius, ui.colors().good);
+}
+
+}  // namespace
+
+void draw_marking(Ui& ui, const Marking& marking) {
+  Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const Session::Marks& marks = s.marks();
+  flow_markdown(ui, marking.text);
+  if (marking.kind == Marking::Kind::order) draw_choices(ui, marking);
+  for (std::size_t k = 0; k < std::min(marks.hints, marking.hints.size()); ++k)
+    flow_markdown(ui, "*Hint:* " + marking.hints[k]);
+  const MarksJudged judged = judge_marks(marking, marks.made);
+  const bool done = marks.checked && judged.done();
+  if (done) {
+    flow(ui, "\u2713 Right.", {.color = c.good, .font = ui.fonts.bold});
+    flow_markdown(ui, marking.why);
+  } else if (marks.checked) {
+    flow_markdown(ui, "**\u2717 Not yet.** " + what_is_wrong(s.scene(), marking, marks.made, judged));
+  }
+  if (!done && marks.shown) {
+    std::string right;
+    for (const std::int32_t what : marking.right)
+      right += (right.empty() ? "" : ", ") + name_of(s.scene(), marking, what);
+    if (marking.kind == Marking::Kind::pixels) flow(ui, "Each pixel that belongs to it has a dot.", {});
+    else flow(ui, fmt::format("It is {}.", right), {});
+    flow_markdown(ui, marking.why);
+  }
+  if (done) return;
+  ImGui::Dummy({1, ui.em * 0.2f});
+  if (button(ui, "Check (Ctrl+Enter)", false, !marks.made.empty())) s.check_marks();
+  if (marks.shown) return;
+  const bool hints_left = marks.hints < marking.hints.size();
+  if (button(ui, hints_left ? "A hint (Ctrl+H)" : "Show it (Ctrl+H)")) s.help_with_marks();
+}
+
+void draw_hand_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const Marking& marking = *s.marking();
+  const Session::Marks& marks = s.marks();
+  const MarksJudged judged = judge_marks(marking, marks.made);
+  const Raster& raster = s.scene().raster;
+  const bool line = marking.kind == Marking::Kind::scan_line;
+  const auto box = [&](std::int32_t what) {
+    const std::int32_t y = line ? what : what / raster.width, first = line ? 0 : what % raster.width,
+                       end = line ? raster.width : first + 1;
+    return std::pair{
+        ImVec2{origin.x + static_cast<float>(map.column_begin(first)), origin.y + static_cast<float>(map.row_begin(y))},
+        ImVec2{origin.x + static_cast<float>(map.column_begin(end)) - 1,
+               origin.y + static_cast<float>(map.row_end(y)) - 1}};
+  };
+  for (const std::int32_t what : marks.made) {
+    const auto [a, b] = box(what);
+    const bool wrong = marks.checked && has(judged.wrong, what);
+    brackets(ui, a, b, wrong ? c.bad : marks.checked ? c.good : c.text);
+    if (wrong) cross_out(ui, a, b);
+  }
+  if (!marks.shown) return;
+  for (const std::int32_t what : marking.right) {
+    const auto [a, b] = box(what);
+    dot(ui, a, b);
+  }
+}
+
 namespace {
 
 void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "sim/viewer/draw/strokes.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/taken_places.hpp"
 #include "sim/words/explain.hpp"

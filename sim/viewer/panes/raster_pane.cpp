@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/draw/strokes.hpp"
-#include "sim/viewer/panes/here_lines.hpp"
-#include "sim/viewer/panes/marking.hpp"
-#include "sim/viewer/panes/span_ends.hpp"
+#include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/happened.hpp"
+#include "sim/viewer/panes/lesson.hpp"
+#include "sim/viewer/panes/sweep.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
 

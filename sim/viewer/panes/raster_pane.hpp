@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/viewer/panes/raster_canvas.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/ui.hpp"
 

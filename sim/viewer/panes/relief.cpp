@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/room_pen.hpp"
+#include "sim/viewer/panes/scene_in_space.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 
 namespace zstep::viewer {

@@ -8,8 +8,6 @@
 
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
-#include "sim/viewer/panes/scene_pieces.hpp"
-#include "sim/viewer/panes/vertex_stages.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"

@@ -1,11 +1,59 @@
 // What stands in the room of a scene beside its polygons, and what the step at work does there.
 #pragma once
 
+#include <array>
+#include <glm/vec3.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "sim/viewer/panes/room_pen.hpp"
+#include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
+
+// A pen that draws into the room of a scene that is seen from outside.
+
+inline constexpr double as_near = 1e-3;  ///< what lies in a polygon's plane is not hidden by it
+
+/// Which polygon is seen at each pixel, and its depth.
+Picture polygons_seen(const Outside& outside, const Scene& polygons);
+/// The same into a picture whose memory is kept from frame to frame.
+void see_polygons(const Outside& outside, const Scene& polygons, Picture& seen);
+/// Each polygon in its colour, and `paper` where none is seen, on a canvas of the picture's size.
+void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel32>& colors, Pixel32 paper);
+
+/// Draws lines and planes into the room: what a polygon hides of them is faint. Thicknesses in thin lines.
+class RoomPen {
+ public:
+  RoomPen(ChartPicture& picture, const Picture& seen, const Room& of, const Outside& outside, const Theme& theme,
+          double thin)
+      : room(of), colors(theme), picture_(picture), seen_(seen), outside_(outside), thin_(thin) {}
+
+  void line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness = 1, bool dashed = false);
+  void around(const std::vector<glm::dvec3>& corners, ImU32 color, double thickness = 1, bool dashed = false);
+  void around(const std::array<glm::dvec3, 4>& corners, ImU32 color, double thickness = 1, bool dashed = false) {
+    around(std::vector(corners.begin(), corners.end()), color, thickness, dashed);
+  }
+  /// `shape` as of Canvas::mark.
+  void dot(glm::dvec3 at, double radius, int shape, ImU32 color);
+  void word(glm::dvec3 at, const std::string& text, ImU32 color);
+  /// A plane that one sees through; a convex outline. `share` of 255.
+  void veil(const std::vector<glm::dvec3>& corners, ImU32 color, unsigned share);
+  void veil(const std::array<glm::dvec3, 4>& corners, ImU32 color, unsigned share) {
+    veil(std::vector(corners.begin(), corners.end()), color, share);
+  }
+
+  const Room& room;
+  const Theme& colors;
+
+ private:
+  bool hidden(const Outside::Spot& a, const Outside::Spot& b) const;
+
+  ChartPicture& picture_;
+  const Picture& seen_;
+  const Outside& outside_;
+  double thin_;
+};
 
 /// Edges, axes, the eye with its window and planes, the lamp; then what is at work. `cell`: the pixel; `viewing`: 1 … 4
 /// for the axes before and after T_1 … T_4, 0 for the world's.

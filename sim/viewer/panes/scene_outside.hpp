@@ -1,9 +1,29 @@
 // The scene's pane as seen from outside: polygons, the run's eye, and what the step at work does in space.
 #pragma once
 
+#include "sim/viewer/model/scene_parts.hpp"
 #include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
+
+// Vertices and edges in the scene that is seen from outside: which one the mouse would pick, and how the picked one is
+// shown.
+
+/// What a click there would pick: a vertex within reach, or else an edge; what is seen before what a polygon hides.
+ScenePart part_under(const Ui& ui, const Outside& outside, const Room& room, const Picture& seen, ImVec2 mouse,
+                     ImVec2 at);
+/// Draws what is picked filled, and what would be picked hollow; picks it on a click. True where there is something
+/// under the mouse.
+bool pick_parts(Ui& ui, const Room& room, const Picture& seen, ImVec2 size, ImVec2 at);
+
+// What the scene's pane shows of pieces: those that cutting made, and the pair under test.
+
+/// The piece that the step is about, or that is being drawn; -1 if none.
+std::int32_t piece_shown(const Moment& now);
+/// Over the wireframe.
+void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin);
+/// P with its letter to its left, Q to its right; and where their projections were found to overlap.
+void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin);
 
 /// Whether the scene is seen so: as the reader chose; else unless pieces are compared on the raster, as in depth sort,
 /// or there are too many polygons to be drawn at every move.

@@ -1,8 +1,8 @@
+
 #include "sim/viewer/panes/strip_marks.hpp"
 
 #include <algorithm>
 #include <cmath>
-
 #include <fmt/format.h>
 
 #include "sim/words/numbers.hpp"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/draw/strokes.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/viewer/panes/tables.hpp"

@@ -1,17 +1,144 @@
+// Matrices and columns of numbers in square brackets.
+
 #include "sim/viewer/panes/typeset.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "sim/viewer/draw/strokes.hpp"
-#include "sim/viewer/panes/owner_key.hpp"
-#include "sim/viewer/panes/typeset_boxes.hpp"
+#include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/happened.hpp"
 #include "sim/words/owners.hpp"
 
 namespace zstep::viewer {
+
+std::string below_symbol(const words::Notation& symbol) {
+  std::string text = symbol.below;
+  std::replace(text.begin(), text.end(), '_', ',');
+  return text;
+}
+
+float gap_at_bar(const Ui& ui) { return std::round(ui.em * 0.12f) + 1; }
+
+bool opens_bracket(const words::Notation& part) {
+  return part.kind == words::Notation::Kind::text &&
+         (part.text == "(" || part.text == "\u230a" || part.text == "\u2308");
+}
+bool closes_bracket(const words::Notation& part) {
+  return part.kind == words::Notation::Kind::text &&
+         (part.text == ")" || part.text == "\u230b" || part.text == "\u2309");
+}
+
+namespace {
+
+/// Room for its parts, once their own is known.
+void enclose_parts(const Ui& ui, FormulaBox& box) {
+  const float underlined = box.what.polygon != no_polygon ? underline_height(ui) : 0;
+  if (box.what.kind == words::Notation::Kind::fraction) {
+    const FormulaBox &over = box.parts[0], &under = box.parts[1];
+    box.width = std::max(over.width, under.width) + 2 * gap_at_bar(ui);
+    box.above = over.above + over.below + gap_at_bar(ui);
+    box.below = under.above + under.below + gap_at_bar(ui) + underlined;
+    return;
+  }
+  if (box.stacked) {
+    box.width = 0, box.above = box.parts.front().above, box.below = -box.above;
+    for (const FormulaBox& line : box.parts)
+      box.width = std::max(box.width, line.width), box.below += line.above + line.below;
+    return;
+  }
+  box.width = 0;
+  for (const FormulaBox& part : box.parts) {
+    box.width += part.width;
+    box.above = std::max(box.above, part.above), box.below = std::max(box.below, part.below);
+  }
+  // Brackets are as tall as what they are around.
+  if (box.above + box.below > 1.5f * ui.fonts.text->FontSize)
+    for (FormulaBox& part : box.parts)
+      if (opens_bracket(part.what) || closes_bracket(part.what)) part.above = box.above, part.below = box.below;
+  box.below += underlined;
+}
+
+/// The parts of a sum; what is wider than the room is taken apart into its factors.
+void add_terms(std::vector<FormulaBox>& terms, const FormulaBox& part, float room) {
+  if (part.what.kind != words::Notation::Kind::row || part.stacked || part.width <= room) return terms.push_back(part);
+  for (const FormulaBox& inner : part.parts) add_terms(terms, inner, room);
+}
+
+/// A sum above or below a fraction's bar that is wider than the room goes on in a line below, the sign in front.
+void stack_sum(const Ui& ui, FormulaBox& sum, float room) {
+  if (sum.width <= room || sum.what.kind != words::Notation::Kind::row || sum.stacked) return;
+  std::vector<FormulaBox> terms, lines;
+  const float beside_sign = room - text_size(ui, ui.fonts.text, "\u2212 ").x;
+  for (const FormulaBox& part : sum.parts) add_terms(terms, part, beside_sign);
+  const auto is_sign = [](const FormulaBox& term) { return term.what.text == " \u2212 " || term.what.text == " + "; };
+  for (std::size_t k = 0; k < terms.size();) {
+    // With the sign in front, and with what closes a bracket behind.
+    std::size_t end = k + 1;
+    while (end < terms.size() && !is_sign(terms[end]) &&
+           (is_sign(terms[end - 1]) || opens_bracket(terms[end - 1].what) || closes_bracket(terms[end].what)))
+      ++end;
+    float taken = 0;
+    for (std::size_t at = k; at < end; ++at) taken += terms[at].width;
+    if (lines.empty() || lines.back().width + taken > room) {
+      lines.push_back(FormulaBox{words::Notation{words::Notation::Kind::row}});
+      if (is_sign(terms[k]))
+        terms[k] = box_of(ui, words::Notation{words::Notation::Kind::text, terms[k].what.text.substr(1)});
+    }
+    for (; k < end; ++k) lines.back().parts.push_back(std::move(terms[k]));
+    enclose_parts(ui, lines.back());
+  }
+  sum.parts = std::move(lines), sum.stacked = true;
+  enclose_parts(ui, sum);
+}
+
+}  // namespace
+
+FormulaBox box_of(const Ui& ui, words::Notation what) {
+  const ImFont *text = ui.fonts.text, *small = ui.fonts.small;
+  FormulaBox box;
+  const float line = text->FontSize;
+  if (what.kind == words::Notation::Kind::row || what.kind == words::Notation::Kind::fraction) {
+    for (words::Notation& part : what.parts) box.parts.push_back(box_of(ui, std::move(part)));
+    what.parts.clear();
+    box.what = std::move(what);
+    enclose_parts(ui, box);
+    return box;
+  }
+  box.width = text_size(ui, text, what.text).x;
+  box.above = std::round(line * 0.55f), box.below = line - box.above;
+  if (!what.below.empty()) {
+    box.width += text_size(ui, small, below_symbol(what)).x + 1;
+    box.below += std::round(line * 0.2f);
+  } else if (what.polygon != no_polygon) {
+    box.below += std::round(ui.thin);
+  }
+  box.what = std::move(what);
+  return box;
+}
+
+void match_boxes(const Ui& ui, FormulaBox& one, FormulaBox& other) {
+  if (one.parts.size() != other.parts.size() || one.parts.empty()) {
+    one.width = other.width = std::max(one.width, other.width);
+    return;
+  }
+  for (std::size_t at = 0; at < one.parts.size(); ++at) match_boxes(ui, one.parts[at], other.parts[at]);
+  enclose_parts(ui, one), enclose_parts(ui, other);
+}
+
+void narrow_box(const Ui& ui, FormulaBox& box, float room) {
+  if (box.width <= room) return;
+  const bool fraction = box.what.kind == words::Notation::Kind::fraction;
+  for (FormulaBox& part : box.parts) {
+    if (fraction) stack_sum(ui, part, room - 2 * gap_at_bar(ui));
+    else narrow_box(ui, part, room - (box.width - part.width));
+  }
+  if (!box.parts.empty()) enclose_parts(ui, box);
+}
+
 namespace {
 
 using words::Notation;
@@ -263,6 +390,69 @@ void set_formula(Ui& ui, const std::string& line, const Flow& how, const std::ve
 
 float formula_height(Ui& ui, const std::string& line, const Flow& how) {
   return height_of(ui, rows_of(ui, line, width_for(ui, how), {}));
+}
+
+namespace {
+
+const ImFont* face_of(const Ui& ui, bool small) { return small ? ui.fonts.small : ui.fonts.text; }
+float row_height(const Ui& ui, bool small) { return std::round(face_of(ui, small)->FontSize * 1.3f); }
+float foot(const Ui& ui) { return std::round(ui.em * 0.3f); }  ///< of a bracket, and the room beside it
+
+/// An entry, with what stands behind its "_" below the line; its width. Draws nothing without a place.
+float set_entry(const Ui& ui, const std::string& entry, bool small, std::optional<ImVec2> at) {
+  const std::size_t bar = std::min(entry.find('_'), entry.size());
+  const ImFont* face = face_of(ui, small);
+  const std::string letter = entry.substr(0, bar), lower = entry.substr(std::min(bar + 1, entry.size()));
+  const float own = text_size(ui, face, letter).x;
+  if (at) draw_text(ui, *at, face, ui.colors().text, letter);
+  if (lower.empty()) return own;
+  if (at)
+    draw_text(ui, {at->x + own + 1, at->y + std::round(face->FontSize * 0.22f)}, ui.fonts.small, ui.colors().text,
+              lower);
+  return own + 1 + text_size(ui, ui.fonts.small, lower).x;
+}
+
+std::vector<float> widths_of(const Ui& ui, const Entries& rows, bool small) {
+  std::vector<float> widths;
+  for (const std::vector<std::string>& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], set_entry(ui, row[k], small, {}));
+  }
+  return widths;
+}
+
+}  // namespace
+
+ImVec2 matrix_size(const Ui& ui, const Entries& rows, bool small) {
+  float width = 2 * foot(ui);
+  const std::vector<float> widths = widths_of(ui, rows, small);
+  for (const float column : widths) width += column;
+  width += std::round(ui.em * 0.8f) * static_cast<float>(std::max<std::size_t>(widths.size(), 1) - 1);
+  return {width, row_height(ui, small) * static_cast<float>(rows.size())};
+}
+
+void set_matrix(Ui& ui, ImVec2 at, const Entries& rows, bool small) {
+  const std::vector<float> widths = widths_of(ui, rows, small);
+  const ImVec2 size = matrix_size(ui, rows, small);
+  const ImU32 color = ui.colors().text;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float thick = std::round(1.2f * ui.thin), arm = foot(ui) - 1;
+  for (const bool left : {true, false}) {
+    const float outer = left ? at.x : at.x + size.x - thick, inner = left ? at.x : at.x + size.x - arm;
+    list->AddRectFilled({outer, at.y}, {outer + thick, at.y + size.y}, color);
+    for (const float y : {at.y, at.y + size.y - thick})
+      list->AddRectFilled({inner, y}, {inner + arm, y + thick}, color);
+  }
+  const float top = std::round((row_height(ui, small) - face_of(ui, small)->FontSize) / 2) - 1;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    float right = at.x + foot(ui);
+    for (std::size_t k = 0; k < rows[r].size(); ++k) {
+      right += widths[k];
+      const float y = at.y + row_height(ui, small) * static_cast<float>(r) + top;
+      set_entry(ui, rows[r][k], small, ImVec2{right - set_entry(ui, rows[r][k], small, {}), y});
+      right += std::round(ui.em * 0.8f);
+    }
+  }
 }
 
 }  // namespace zstep::viewer

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/viewer/panes/code_lines.hpp"
+#include "sim/viewer/panes/pseudo_code.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {

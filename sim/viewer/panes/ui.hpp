@@ -12,7 +12,6 @@
 
 #include "sim/answers/explain_value.hpp"
 #include "sim/classroom/markdown.hpp"
-#include "sim/viewer/draw/depth_scale.hpp"
 #include "sim/viewer/draw/fonts.hpp"
 #include "sim/viewer/draw/renderer.hpp"
 #include "sim/viewer/draw/theme.hpp"

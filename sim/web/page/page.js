@@ -259,7 +259,7 @@ var Module = {
   preRun: [() => {
     Module.ENV.HOME = '/home/web_user';
     Module.ENV.ZSTEP_LESSONS = '/lessons';
-    // As sim/viewer/progress_file.hpp writes them: below a name in brackets what the file of that name says.
+    // As sim/viewer/settings.hpp writes them: below a name in brackets what the file of that name says.
     const [, ...parts] = (stored(keptKey) ?? '').split(/^\[((?:lessons\/)?[\w-]+\.\w+)\]\n/m);
     if (parts.length > 0) Module.FS.createPath('/', keptFolder + 'lessons', true, true);
     for (let k = 0; k < parts.length; k += 2) Module.FS.writeFile(keptFolder + parts[k], parts[k + 1]);

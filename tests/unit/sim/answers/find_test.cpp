@@ -7,7 +7,6 @@
 
 #include "algorithms/scene/load.hpp"
 #include "sim/answers/origin/find.hpp"
-#include "sim/answers/origin/find_origins.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/traces/some_trace.hpp"
 #include "traces/replay/replay.hpp"

@@ -1,5 +1,5 @@
 // What theory allows the depths of two runs that are compared.
-#include "sim/cost/depth_bounds.hpp"
+#include "sim/cost/bounds.hpp"
 
 #include <doctest/doctest.h>
 

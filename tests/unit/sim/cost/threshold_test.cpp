@@ -1,5 +1,5 @@
 // A threshold is looked for between samples, and is called the one only where all that was measured agrees.
-#include "sim/cost/threshold.hpp"
+#include "sim/cost/growth.hpp"
 
 #include <doctest/doctest.h>
 

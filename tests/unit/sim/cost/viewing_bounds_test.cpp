@@ -1,5 +1,5 @@
 // What rounding may do to a depth on the way of its polygon's vertices to the raster.
-#include "sim/cost/viewing_bounds.hpp"
+#include "sim/cost/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <doctest/doctest.h>
 
 #include "algorithms/scene/load.hpp"
-#include "sim/cost/depth_bounds.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"

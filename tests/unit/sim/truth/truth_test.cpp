@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "sim/truth/facet_at.hpp"
+#include "sim/truth/sight.hpp"
 #include "sim/truth/truth.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 

@@ -1,0 +1,429 @@
+// The rays of the pixel at work, seen from above: through the boxes or cells that they are held against, to what they
+// meet.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <optional>
+
+#include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/words/explain.hpp"
+#include "traces/math/portable_math.hpp"
+#include "sim/viewer/panes/tables.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// From above: what lies away from the eye is drawn upwards, or to the right where the pane is wider than high. A
+/// screen scene is seen along its rows: x and z.
+class Plan {
+ public:
+  Plan(const Scene& scene, ImVec2 at, ImVec2 size, float margin)
+      : screen_(scene.camera.kind == Camera::Kind::screen), wide_(size.x > size.y), at_(at) {
+    const glm::dmat4& view = scene.camera.view;
+    const glm::dvec2 away(view[0][2], view[1][2]), right(view[0][0], view[1][0]);
+    if (glm::length(away) > 1e-6) away_ = glm::normalize(away);
+    right_ = glm::length(right) > 1e-6 ? glm::normalize(right) : glm::dvec2(away_.y, -away_.x);
+    for (const glm::dvec3& point : scene.points) include(flat(point));
+    if (scene.camera.kind == Camera::Kind::perspective) include(flat(scene.camera.eye));
+    if (scene.light) include(flat(scene.light->position));
+    const glm::dvec2 span = glm::max(high_ - low_, glm::dvec2(1e-9));
+    scale_ = std::min((static_cast<double>(size.x) - 2 * static_cast<double>(margin)) / span.x,
+                      (static_cast<double>(size.y) - 2 * static_cast<double>(margin)) / span.y);
+    middle_ = 0.5 * (low_ + high_);
+    half_ = {0.5 * static_cast<double>(size.x), 0.5 * static_cast<double>(size.y)};
+  }
+
+  glm::dvec2 flat(glm::dvec3 point) const {
+    const double across = screen_ ? point.x : glm::dot(right_, glm::dvec2(point));
+    const double away = screen_ ? point.z : glm::dot(away_, glm::dvec2(point));
+    return wide_ ? glm::dvec2(away, -across) : glm::dvec2(across, away);
+  }
+  glm::dvec2 inside(glm::dvec3 point) const {
+    const glm::dvec2 p = (flat(point) - middle_) * scale_;
+    return {half_.x + p.x, half_.y - p.y};
+  }
+  ImVec2 place(glm::dvec3 point) const {
+    const glm::dvec2 p = inside(point);
+    return {at_.x + static_cast<float>(p.x), at_.y + static_cast<float>(p.y)};
+  }
+  /// Far enough for a ray that meets nothing to leave the pane.
+  double farthest() const { return 2 * glm::length(high_ - low_) + 1; }
+
+ private:
+  void include(glm::dvec2 p) { low_ = glm::min(low_, p), high_ = glm::max(high_, p); }
+
+  bool screen_, wide_;
+  ImVec2 at_;
+  glm::dvec2 right_{1, 0}, away_{0, 1}, middle_{0}, half_{0};
+  glm::dvec2 low_{std::numeric_limits<double>::infinity()}, high_{-std::numeric_limits<double>::infinity()};
+  double scale_ = 1;
+};
+
+void outline_box(const Plan& plan, glm::dvec3 low, glm::dvec3 high, ImU32 color, float thickness) {
+  const ImVec2 corners[4] = {plan.place({low.x, low.y, low.z}), plan.place({high.x, low.y, low.z}),
+                             plan.place({high.x, high.y, high.z}), plan.place({low.x, high.y, high.z})};
+  stroke_lines(ImGui::GetWindowDrawList(), corners, color, thickness, true);
+}
+
+void dash(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
+  const float length = portable::length(to.x - from.x, to.y - from.y), step = 9;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  for (float at = 0; at < length && at < 4000; at += step) {
+    const float a = at / length, b = std::min(at + 5, length) / length;
+    stroke_line(list, {from.x + (to.x - from.x) * a, from.y + (to.y - from.y) * a},
+                {from.x + (to.x - from.x) * b, from.y + (to.y - from.y) * b}, color, thickness);
+  }
+}
+
+void draw_boxes(const Ui& ui, const Plan& plan) {
+  const MethodState& machine = ui.session.state().machine;
+  const Theme& c = ui.colors();
+  constexpr std::size_t most_drawn = 400;
+  if (machine.boxes.size() <= most_drawn) {
+    for (const BoxRow& row : machine.boxes) {
+      const BoxMake& b = row.entry;
+      outline_box(plan, {b.x_min, b.y_min, b.z_min}, {b.x_max, b.y_max, b.z_max}, c.rule, ui.thin);
+    }
+  }
+  for (const BoxTest& test : machine.rays.boxes) {
+    const auto i = static_cast<std::size_t>(test.box);
+    if (test.box < 0 || i >= machine.boxes.size()) continue;
+    const BoxMake& b = machine.boxes[i].entry;
+    outline_box(plan, {b.x_min, b.y_min, b.z_min}, {b.x_max, b.y_max, b.z_max}, test.hit ? c.selected : c.muted,
+                (test.hit ? 2.5f : 1.0f) * ui.thin);
+  }
+}
+
+void draw_cells(const Ui& ui, const Plan& plan) {
+  const MethodState& machine = ui.session.state().machine;
+  if (!machine.grid) return;
+  const Theme& c = ui.colors();
+  const GridMake& g = *machine.grid;
+  const glm::dvec3 low(g.x_min, g.y_min, g.z_min);
+  const glm::dvec3 cell((g.x_max - g.x_min) / g.cells_x, (g.y_max - g.y_min) / g.cells_y,
+                        (g.z_max - g.z_min) / g.cells_z);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto corner = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+    return plan.place(low + cell * glm::dvec3(x, y, z));
+  };
+  const auto outline = [&](const CellVisit& visit, std::array<ImVec2, 4>& corners) {
+    const std::int32_t x = visit.cell_x, y = visit.cell_y, z = visit.cell_z;
+    corners = {corner(x, y, z), corner(x + 1, y, z), corner(x + 1, y + 1, z), corner(x, y + 1, z)};
+  };
+  std::array<ImVec2, 4> corners;
+  for (const CellVisit& visit : machine.rays.cells) {
+    outline(visit, corners);
+    list->AddConvexPolyFilled(corners.data(), 4, c.selected_soft);
+  }
+  for (std::int32_t x = 0; x <= g.cells_x; ++x)
+    stroke_line(list, corner(x, 0, 0), corner(x, g.cells_y, 0), c.rule, ui.thin);
+  for (std::int32_t y = 0; y <= g.cells_y; ++y)
+    stroke_line(list, corner(0, y, 0), corner(g.cells_x, y, 0), c.rule, ui.thin);
+  for (const CellVisit& visit : machine.rays.cells) {
+    outline(visit, corners);
+    stroke_lines(list, corners, c.selected, 2 * ui.thin, true);
+  }
+}
+
+/// The facets that the mark is for as thick lines.
+void mark_facet(const Ui& ui, const Plan& plan, std::int32_t number, ImU32 color, float thickness) {
+  const Scene& scene = ui.session.scene();
+  if (number < 0 || static_cast<std::size_t>(number) >= scene.facets.size()) return;
+  const Facet& facet = scene.facets[static_cast<std::size_t>(number)];
+  for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+    const auto corner = [&](std::int32_t i) {
+      return scene.points[static_cast<std::size_t>(
+          scene.corners[static_cast<std::size_t>(facet.first_corner + i % facet.corner_count)])];
+    };
+    stroke_line(ImGui::GetWindowDrawList(), plan.place(corner(k)), plan.place(corner(k + 1)), color,
+                thickness * ui.thin);
+  }
+}
+
+void draw_facets(const Ui& ui, const Plan& plan) {
+  const Scene& scene = ui.session.scene();
+  constexpr std::size_t most_drawn = 4000;
+  const std::size_t step = 1 + scene.facets.size() / most_drawn;
+  for (std::size_t i = 0; i < scene.facets.size(); i += step) {
+    const Polygon& polygon = scene.polygons[static_cast<std::size_t>(scene.facets[i].polygon)];
+    mark_facet(ui, plan, static_cast<std::int32_t>(i),
+               scene.facets.size() > 200 ? ui.colors().muted : to_im(opaque(polygon.color)),
+               scene.facets.size() > 200 ? 1.0f : 3.0f);
+  }
+}
+
+/// Letters beside their facets, clear of them and of what else lies there.
+void draw_names(const Ui& ui, const Plan& plan) {
+  const Scene& scene = ui.session.scene();
+  if (scene.facets.size() > 16) return;
+  for (const Facet& facet : scene.facets) {
+    glm::dvec3 sum(0);
+    for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+      sum += scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + k)])];
+    }
+    const std::string name = polygon_label(scene, facet.polygon);
+    const ImVec2 middle = plan.place(sum / static_cast<double>(facet.corner_count)),
+                 size = text_size(ui, ui.fonts.bold, name), at{middle.x - size.x - 5, middle.y - size.y - 2};
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + std::round(size.y * 0.18f)},  // as high as the letter is
+                                              {at.x + size.x, at.y + std::round(size.y * 0.85f)}, ui.colors().pane);
+    draw_text(ui, at, ui.fonts.bold, ui.colors().text, name);
+  }
+}
+
+/// Where a ray that is still waiting met something: its first child begins there.
+const RayBegin* first_child(const RayWork& rays, std::int32_t ray) {
+  for (const RayRow& row : rays.tree)
+    if (row.entry.parent == ray) return &row.entry;
+  return nullptr;
+}
+
+void draw_rays(const Ui& ui, const Plan& plan) {
+  const MethodState& machine = ui.session.state().machine;
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  for (const RayRow& row : machine.rays.tree) {
+    const RayBegin& ray = row.entry;
+    const glm::dvec3 from(ray.x_0, ray.y_0, ray.z_0), along(ray.dir_x, ray.dir_y, ray.dir_z);
+    const bool now = machine.rays.ray == ray.ray;
+    const bool met = row.end && row.end->nearest_facet >= 0;
+    const double speed = std::max(1e-12, glm::length(along));
+    const double t_end = met ? row.end->t : ray.role == RayRole::shadow ? 1 : plan.farthest() / speed;
+    const RayBegin* child = row.end ? nullptr : first_child(machine.rays, ray.ray);
+    const ImVec2 a = plan.place(from),
+                 b = plan.place(child ? glm::dvec3(child->x_0, child->y_0, child->z_0) : from + t_end * along);
+    const ImU32 color = now ? c.now : c.text;
+    if (ray.role == RayRole::shadow || (!met && !child)) dash(a, b, color, (now ? 2.0f : 1.2f) * ui.thin);
+    else stroke_line(list, a, b, color, (now ? 2.5f : 1.5f) * ui.thin);
+    if (met || child) fill_circle(list, b, 4, color);
+  }
+  for (const RayHit& hit : machine.rays.hits) {
+    const ImVec2 p = plan.place({hit.x_hit, hit.y_hit, hit.z_hit});
+    if (hit.inside) {
+      fill_circle(list, p, 5, hit.nearest ? c.now : c.pane);
+      stroke_circle(list, p, 5, c.now, 1.5f * ui.thin);
+    } else {
+      stroke_line(list, {p.x - 4, p.y - 4}, {p.x + 4, p.y + 4}, c.muted, 1.5f * ui.thin);
+      stroke_line(list, {p.x - 4, p.y + 4}, {p.x + 4, p.y - 4}, c.muted, 1.5f * ui.thin);
+    }
+  }
+}
+
+void draw_ray_plan(Ui& ui) {
+  const Session& s = ui.session;
+  const MethodState& machine = s.state().machine;
+  const Scene& scene = s.scene();
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
+  if (size.x < 40 || size.y < 40) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  if (scene.points.empty()) return say_empty(ui, "Empty: the scene has no points.");
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
+  const Plan plan(scene, at, size, ui.em * 1.4f);
+  draw_cells(ui, plan);
+  draw_boxes(ui, plan);
+  draw_facets(ui, plan);
+  if (machine.rays.plane_test && s.event() && holds<RayPlane>(s.event()->event)) {
+    mark_facet(ui, plan, machine.rays.plane_test->facet, ui.colors().now, 5);
+  }
+  draw_rays(ui, plan);
+  draw_names(ui, plan);
+  const auto label = [&](glm::dvec3 point, const std::string& word) {
+    const ImVec2 p = plan.place(point), width = text_size(ui, ui.fonts.text, word);
+    fill_circle(list, p, 4, ui.colors().text);
+    const float left = std::clamp(p.x + 7, at.x, at.x + size.x - width.x - 2);
+    draw_text(ui, {left, std::clamp(p.y - width.y, at.y, at.y + size.y - width.y)}, ui.fonts.text, ui.colors().text,
+              word);
+  };
+  if (scene.camera.kind == Camera::Kind::perspective) label(scene.camera.eye, "eye");
+  if (scene.light) label(scene.light->position, "light");
+  list->PopClipRect();
+}
+
+std::string note_of_ray_plan(Ui& ui) {
+  const RayWork& rays = ui.session.state().machine.rays;
+  if (rays.tree.empty()) return "from above";
+  const RayBegin& ray = rays.tree.front().entry;
+  return fmt::format("from above \u00b7 pixel ({}, {})", ray.x, ray.y);
+}
+
+bool serves_ray_plan(const Header& header) { return has_step_of<RayBegin>(header); }
+
+}  // namespace
+
+const Pane ray_plan_pane{"ray_plan", "RAYS",     draw_ray_plan, note_of_ray_plan,  serves_ray_plan, 0.38f,
+                         false,      always<15>, false,         none_yet<RayBegin>};
+
+// The rays of the pixel at work as tables: what the ray at work was held against, and the tree of rays.
+
+namespace {
+
+std::string facet_label(const Scene& scene, std::int32_t facet) {
+  if (facet < 0 || static_cast<std::size_t>(facet) >= scene.facets.size()) return "\u2013";
+  return polygon_label(scene, scene.facets[static_cast<std::size_t>(facet)].polygon);
+}
+
+template <class E>
+bool just(const Session& s) {
+  return s.event() && holds<E>(s.event()->event);
+}
+
+/// What the ray at work is about: where it was cast, and what for.
+std::string ray_at_work(const RayWork& rays) {
+  for (const RayRow& ray : rays.tree)
+    if (ray.entry.ray == rays.ray)
+      return fmt::format("{},{} {} ", ray.entry.x, ray.entry.y,
+                         words_of<RayRole>[static_cast<std::size_t>(ray.entry.role)]);
+  return "";
+}
+
+}  // namespace
+
+std::vector<TableRow> ray_test_rows(Ui& ui) {
+  const Session& s = ui.session;
+  const RayWork& rays = s.state().machine.rays;
+  const std::string ray = ray_at_work(rays);
+  std::vector<TableRow> rows;
+  for (const CellVisit& visit : rays.cells) {
+    TableRow row;
+    const auto asks = [&](const char* field) {
+      return answers::made_by<CellVisit>(
+          s.position(), field, {{"cell_x", visit.cell_x}, {"cell_y", visit.cell_y}, {"cell_z", visit.cell_z}});
+    };
+    row.cells = {fmt::format("cell {},{},{}", visit.cell_x, visit.cell_y, visit.cell_z),
+                 TableCell(visit.t_enter, asks("t_enter")), TableCell(visit.t_leave, asks("t_leave")),
+                 std::string("entered")};
+    row.about = ray + row.cells[0].text;
+    if (just<CellVisit>(s) && &visit == &rays.cells.back()) row.look = TableRow::Look::now;
+    rows.push_back(std::move(row));
+  }
+  for (const BoxTest& test : rays.boxes) {
+    TableRow row;
+    const bool meets = test.t_enter <= test.t_leave;
+    const auto asks = [&](const char* field) {
+      return answers::made_by<BoxTest>(s.position(), field, {{"box", test.box}});
+    };
+    row.cells = {fmt::format("box {}", test.box), TableCell(test.t_enter, asks("t_enter")),
+                 TableCell(test.t_leave, asks("t_leave")),
+                 TableCell::result_of(test.hit ? "met"
+                                      : meets  ? "too far"
+                                               : "missed")};
+    row.about = ray + row.cells[0].text;
+    if (!test.hit) row.look = TableRow::Look::gone;
+    if (just<BoxTest>(s) && &test == &rays.boxes.back()) row.look = TableRow::Look::now;
+    rows.push_back(std::move(row));
+  }
+  double kept = std::numeric_limits<double>::quiet_NaN();  // the smallest t so far
+  for (const RayHit& hit : rays.hits) {
+    TableRow row;
+    row.cells = {facet_label(s.scene(), hit.facet),
+                 TableCell(hit.t, answers::made_by<RayHit>(s.position(), "t", {{"facet", hit.facet}})), std::string(),
+                 TableCell::result_of(hit.nearest     ? "nearest so far"
+                                      : !hit.inside   ? "outside"
+                                      : hit.t == kept ? "inside, as near"
+                                                      : "inside, farther",
+                                      hit.nearest     ? "nearest"
+                                      : !hit.inside   ? "outside"
+                                      : hit.t == kept ? "as near"
+                                                      : "farther")};
+    row.about = ray + row.cells[0].text;
+    if (hit.nearest) kept = hit.t;
+    if (!hit.nearest) row.look = TableRow::Look::gone;
+    if (just<RayHit>(s) && &hit == &rays.hits.back()) row.look = TableRow::Look::now;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+namespace {
+
+void draw_tests(Ui& ui) {
+  if (ui.session.state().machine.rays.tree.empty()) return say_empty(ui, "Empty: no ray was cast yet.");
+  const std::vector<TableRow> rows = rows_of_both(ui, ray_test_rows);
+  if (rows.empty()) return say_empty(ui, "Empty: the ray met nothing yet between the near and the far plane.");
+  number_table(ui, "ray_tests", {"", "t", "t_leave", ""}, rows);
+}
+
+std::string note_tests(Ui& ui) {
+  const std::int64_t tested = ui.session.state().machine.rays.planes_tested;
+  return tested == 1 ? "1 plane met" : fmt::format("{} planes met", tested);
+}
+
+bool serves_tests(const Header& header) { return has_step_of<RayBegin>(header) && !has_step_of<ColorWrite>(header); }
+
+int depth_in(const RayWork& rays, const RayRow& row) {
+  int depth = 0;
+  std::int32_t parent = row.entry.parent;
+  for (std::size_t i = rays.tree.size(); i-- > 0 && parent >= 0;) {
+    if (rays.tree[i].entry.ray == parent) ++depth, parent = rays.tree[i].entry.parent;
+  }
+  return depth;
+}
+
+}  // namespace
+
+std::vector<TableRow> ray_tree_rows(Ui& ui) {
+  const Session& s = ui.session;
+  const RayWork& rays = s.state().machine.rays;
+  constexpr const char* roles[] = {"eye", "mirrored", "through", "to the light"};
+  constexpr const char* brief_roles[] = {"eye", "mirror", "through", "light"};
+  std::vector<TableRow> rows;
+  for (const RayRow& ray : rays.tree) {
+    TableRow row;
+    std::string branch;
+    for (int i = depth_in(rays, ray); i > 0; --i) branch += i == 1 ? "\u2514 " : "  ";
+    const auto role = static_cast<std::size_t>(ray.entry.role);
+    row.cells = {branch + roles[role]};
+    row.cells.back().brief = branch + brief_roles[role];
+    row.about = fmt::format("{},{} {}", ray.entry.x, ray.entry.y, row.cells[0].text);
+    if (ray.end) {
+      row.cells.push_back(TableCell::result_of(facet_label(s.scene(), ray.end->nearest_facet)));
+      if (ray.end->nearest_facet >= 0)
+        row.cells.emplace_back(ray.end->t, answers::made_by<RayEnd>(s.position(), "t", {{"ray", ray.entry.ray}}));
+      else row.cells.emplace_back(std::string());
+      if (ray.entry.role == RayRole::shadow) {
+        row.cells.push_back(TableCell::result_of(ray.end->nearest_facet >= 0 ? "dark" : "lit"));
+      } else {
+        const auto part = [](double v) {
+          return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0)));
+        };
+        const Color color{part(ray.end->red), part(ray.end->green), part(ray.end->blue)};
+        row.cells.emplace_back(fmt::format("{} {} {}", color.red, color.green, color.blue), to_im(opaque(color)));
+        row.cells.back().result = true;
+        row.cells.back().brief = fmt::format("{:02x}{:02x}{:02x}", color.red, color.green, color.blue);
+      }
+    } else {
+      row.cells.insert(row.cells.end(), {std::string("\u2026"), std::string(), std::string()});
+    }
+    if (rays.ray == ray.entry.ray) row.look = TableRow::Look::now;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+namespace {
+
+void draw_tree(Ui& ui) {
+  if (ui.session.state().machine.rays.tree.empty()) return say_empty(ui, "Empty: no ray was cast yet.");
+  number_table(ui, "ray_tree", {"ray", "meets", "t", "colour"}, rows_of_both(ui, ray_tree_rows));
+}
+
+std::string note_tree(Ui& ui) {
+  const std::size_t rays = ui.session.state().machine.rays.tree.size();
+  return rays == 1 ? "1 ray" : fmt::format("{} rays", rays);
+}
+
+bool serves_tree(const Header& header) { return has_step_of<RayBegin>(header) && has_step_of<ColorWrite>(header); }
+
+}  // namespace
+
+const Pane ray_tests_pane{"ray_tests", "THIS RAY", draw_tests, note_tests, serves_tests,
+                          0.3f,        true,       nullptr,    false,      none_yet<RayBegin>};
+const Pane ray_tree_pane{"ray_tree", "RAY TREE", draw_tree, note_tree, serves_tree,
+                         0.34f,      true,       nullptr,   false,     none_yet<RayBegin>};
+
+}  // namespace zstep::viewer
