@@ -198,7 +198,6 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
 }
 
 /// What is not finite becomes a word.
-Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value)); }
 
 /// Steps begin at 1: 0 is none.
 Json step_or_null(std::int64_t step) { return step > 0 ? Json(step) : Json(nullptr); }

@@ -145,10 +145,6 @@ std::string text_of(const answers::Chain& chain, const Exactness& exactness) {
 }
 
 /// A number that JSON can hold: what is not finite becomes a word.
-nlohmann::ordered_json json_number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(fmt::format("{}", value));
-}
-
 nlohmann::ordered_json json_of(const answers::Exact& exact) {
   if (!exact.known) return {{"not_exact", exact.why}};
   return {{"digits", exact.digits},

@@ -1,6 +1,7 @@
 #include "sim/cli/messages.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #if __has_include(<poll.h>)
 #include <fcntl.h>
@@ -94,6 +96,10 @@ int after_printing(int code) {
 #endif
   complain(fmt::format("standard output: cannot be written; {}", mend));
   return code == exit_code::mistake ? code : exit_code::exhausted;
+}
+
+nlohmann::ordered_json json_number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(fmt::format("{}", value));
 }
 
 }  // namespace zstep::cli

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace zstep::cli {
 
 /// docs/command-line.md has this table for who writes scripts.
@@ -40,5 +42,8 @@ void hold_standard_streams();
 /// The exit code of a command that ends with `code` once all that it printed is written: exit_code::exhausted, and a
 /// line that says why, where that cannot be.
 int after_printing(int code);
+
+/// As JSON has it, and what JSON has no number for (nan, inf) as its word.
+nlohmann::ordered_json json_number(double value);
 
 }  // namespace zstep::cli

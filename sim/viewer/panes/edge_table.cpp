@@ -235,7 +235,7 @@ TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
   return row;
 }
 
-std::vector<TableRow> rows_of(Ui& ui) {
+std::vector<TableRow> active_rows(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
   std::vector<TableRow> rows;
@@ -264,7 +264,7 @@ std::vector<TableRow> rows_of(Ui& ui) {
 void draw_active_edges(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
-  const std::vector<TableRow> rows = rows_of_both(ui, rows_of);
+  const std::vector<TableRow> rows = rows_of_both(ui, active_rows);
   if (rows.empty())
     return say_empty(ui, machine.scan_line
                              ? fmt::format("Empty: no edge crosses scan line {} at this moment.", *machine.scan_line)
