@@ -11,6 +11,7 @@
 #include "sim/answers/origin/chain.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/messages.hpp"
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/table.hpp"
 #include "sim/cli/traces.hpp"

@@ -14,6 +14,7 @@
 #include "sim/answers/why_not.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/messages.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/table.hpp"
