@@ -304,6 +304,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
   at.look();
   filling.end(at);
   checker.report.coverage = filling.judges_all() && checker.wins.all_known();
+    at.passed(e);
   if (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceMake>))
     for (std::size_t polygon = 0; polygon < has_steps.size(); ++polygon)
       if (!has_steps[polygon]) checker.report.polygons_missing.push_back(static_cast<std::int32_t>(polygon));
