@@ -341,7 +341,7 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
                  : "behind";
       break;
     case Outcome::tie:
-      text = trace.header().declares(Convention::ties) ? "a tie: the first stays" : "a tie: the trace says not nearer";
+      text = keeps_first(trace.header()) ? "a tie: the first stays" : "a tie: the trace says not nearer";
       break;
     case Outcome::written:
     case Outcome::painted:

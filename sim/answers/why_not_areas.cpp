@@ -159,13 +159,12 @@ Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const V
                            fmt::format("the area is this pixel alone, and at its centre it is nearer than {} by "
                                        "\u0394{} = {}, but the area is given to {}",
                                        other, q.z, told(its - z), other))
-        : tie
-            ? q.verdict(Why::tie, leaf.decided,
-                        fmt::format("at the pixel's centre it is exactly as near as {}, which comes first in the file",
-                                    other))
-            : q.verdict(Why::lost, leaf.decided,
-                        fmt::format("the area is this pixel alone, and at its centre {} is nearer by \u0394{} = {}",
-                                    other, q.z, told(z - its)));
+        : tie  ? q.verdict(Why::tie, leaf.decided,
+                           fmt::format("at the pixel's centre it is exactly as near as {}, which {}", other,
+                                       kept_in_tie(q.trace.header(), owner.shows < q.polygon, "is painted")))
+               : q.verdict(Why::lost, leaf.decided,
+                           fmt::format("the area is this pixel alone, and at its centre {} is nearer by \u0394{} = {}",
+                                       other, q.z, told(z - its)));
     verdict.other = owner.shows, verdict.gap = z - its;
     verdict.formulas.push_back(difference(q.z, q.name, other, z, its));
   }

@@ -212,7 +212,10 @@ Verdict of_cut(Asked& q, const FacetThere& there) {
 }
 
 /// Does a centre on an outline belong to the polygon on one side of it only?
-bool half_open(const Asked& q) { return q.trace.header().conventions.coverage == Conventions::Coverage::top_left; }
+bool half_open(const Asked& q) {
+  const Header& header = q.trace.header();
+  return header.declares(Convention::coverage) && header.conventions.coverage == Conventions::Coverage::top_left;
+}
 
 /// The nearer to being seen the higher.
 int rank(const FacetThere& there) {
@@ -269,6 +272,10 @@ std::string beside_text(const Asked& q, const FacetThere& there) {
             : formulas::rounding_of(q.trace.header()) * std::max(q.scene.raster.width, q.scene.raster.height);
   if (there.at->candidate.edge <= rounding && half_open(q))
     return "the pixel's centre lies on a right or last edge of it, and by the half-open rule such a centre is outside";
+  if (there.at->candidate.edge <= rounding && !q.trace.header().declares(Convention::coverage))
+    return "the pixel's centre lies on its outline or within rounding of it, and the header does not declare which "
+           "such "
+           "centres are covered";
   if (there.at->candidate.edge <= rounding || there.covers())
     return "the pixel's centre lies so near its outline that rounding decides, and it came to lie outside";
   if (there.at->in_square)

@@ -69,6 +69,14 @@ struct Asked {
   std::optional<Replay> own_;  ///< where none was at hand
 };
 
+/// Which of two that are equally near was kept: by the rule of ties that the header declares, where that gives it.
+inline std::string kept_in_tie(const Header& header, bool kept_is_first, const char* else_word) {
+  const bool by_rule =
+      header.declares(Convention::ties) && kept_is_first == (header.comparison.ties == Comparison::Ties::first);
+  if (!by_rule) return else_word;
+  return kept_is_first ? "comes first in the file" : "comes last in the file";
+}
+
 /// One facet of the polygon before the raster: was it drawn, and does it cover the pixel?
 struct FacetThere {
   std::int32_t facet = -1;

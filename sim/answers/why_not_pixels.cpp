@@ -39,17 +39,20 @@ void add_tree(Asked& q, const MethodState& machine, Verdict& verdict, std::int32
   const TreeNode& parting = machine.tree[static_cast<std::size_t>(node)];
   const std::string wall = piece_label(q.scene, machine, parting.pieces.front());
   if (mine == other) {
-    verdict.sentence += " Both lie in one plane of the tree, and there the first in the file is drawn last.";
+    verdict.sentence += keeps_first(q.trace.header())
+                            ? " Both lie in one plane of the tree, and there the first in the file is drawn last."
+                            : " Both lie in one plane of the tree.";
     return;
   }
   verdict.sentence +=
-      other == node  ? fmt::format(" In the tree it lies behind {} as the eye sees it, so it was drawn first.", wall)
-      : mine == node ? fmt::format(" In the tree {} lies before its plane as the eye sees it, so it was drawn first.",
-                                   q.label(verdict.other))
-                     : fmt::format(
-                           " In the tree the plane of {} parts the two, and it lies on the side away from the eye, so "
-                           "it was drawn first.",
-                           wall);
+      other == node ? fmt::format(" In the tree it lies behind {} as the eye sees it, so it was drawn first.", wall)
+      : mine == node
+          ? fmt::format(" In the tree {} lies in front of its plane as the eye sees it, so it was drawn first.",
+                        q.label(verdict.other))
+          : fmt::format(
+                " In the tree the plane of {} parts the two, and it lies on the side away from the eye, so "
+                "it was drawn first.",
+                wall);
   if (parting.eye)
     verdict.formulas.push_back(fmt::format("plane of {} at the eye: A x + B y + C z + D w = {}, the eye is {}", wall,
                                            number(parting.eye->value), parting.eye->front ? "in front" : "behind"));

@@ -88,7 +88,7 @@ Verdict why_behind(Asked& q, const Ray& ray, const At<RayHit>& mine) {
   Verdict verdict =
       tie ? q.verdict(Why::tie, std::max(mine.step, other->step),
                       fmt::format("the ray meets it at exactly the same t as {}, which {}", name,
-                                  other->event.facet < mine.event.facet ? "comes first in the file" : "is kept"))
+                                  kept_in_tie(q.trace.header(), other->event.facet < mine.event.facet, "is kept")))
       : nearer
           ? q.verdict(
                 Why::contradicted, std::max(mine.step, other->step),

@@ -112,8 +112,8 @@ Verdict why_behind(Asked& q, const Line& line, const std::vector<Row>& rows) {
       line.winner != 0 ? line.winner : line.paint,
       nearer ? fmt::format("its flag is in and its plane is nearer than {} by \u0394{} = {}, but {} is painted", other,
                            q.z, told(-gap), other)
-      : tie  ? fmt::format("its flag is in, but it is as near as {} to rounding, and {} comes first in the file", other,
-                           other)
+      : tie  ? fmt::format("its flag is in, but it is as near as {} to rounding, and {} {}", other, other,
+                           kept_in_tie(q.trace.header(), line.owner < q.polygon, "is painted"))
              : fmt::format("its flag is in, but {} is in front on this interval of the line, here by \u0394{} = {}",
                            other, q.z, told(gap)));
   verdict.other = line.owner, verdict.gap = gap;

@@ -31,6 +31,11 @@ Explanation explain(const Trace& trace, const State& after, RecordedEvent event)
 /// edge.
 std::int32_t polygon_at_work(const MethodState& machine);
 
+/// Does the header declare that of two that are equally near the first in the file is seen?
+inline bool keeps_first(const Header& header) {
+  return header.declares(Convention::ties) && header.comparison.ties == Comparison::Ties::first;
+}
+
 /// The label of a polygon: its name, or "P7".
 std::string polygon_label(const Scene& scene, std::int32_t polygon);
 /// The label of a piece: its polygon's, "F"; "F1", "F2" … for its parts in the order in which they were made ("P7.1"

@@ -58,6 +58,11 @@ std::string list_of_active(const Telling& t) {
   return text.empty() ? "none" : text;
 }
 
+/// Every declared coverage but the inclusive one is half-open from scan line to scan line.
+bool leaves_out_ends(const Header& header) {
+  return header.declares(Convention::coverage) && header.conventions.coverage != Conventions::Coverage::inclusive;
+}
+
 }  // namespace
 
 void tell(Telling& t, const EdgeTableInsert& e) {
@@ -104,10 +109,9 @@ void tell(Telling& t, const EdgeTableSkip& e) {
   else if (horizontal)
     t.say(fmt::format("The {} is horizontal: it meets no scan line in one point and is left out.", edge));
   else if (on_line)
-    t.say(
-        fmt::format("The {} ends on scan line {}, where by the half-open rule it is no longer met, and meets none "
-                    "before it: it is left out.",
-                    edge, number(to)));
+    t.say(fmt::format(
+        "The {} ends on scan line {}, where {}it is no longer met, and meets none before it: it is left out.", edge,
+        number(to), leaves_out_ends(t.trace.header()) ? "by the half-open rule " : ""));
   else t.say(fmt::format("The {} lies between two scan lines and meets none: it is left out.", edge));
   if (horizontal && from != to)
     t.contradict(fmt::format("The trace leaves out the {} as horizontal, but it is not: {} \u2260 {}.", edge,

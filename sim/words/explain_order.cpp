@@ -93,8 +93,9 @@ void tell(Telling& t, const SideTest& e) {
       t.say(fmt::format("All of {} lies behind the plane of {}.", piece, plane));
       break;
     case Side::on:
-      t.say(fmt::format("{} lies in the plane of {}{}", piece, plane,
-                        sorted ? ": the later one in the file is to be drawn first." : "."));
+      t.say(fmt::format(
+          "{} lies in the plane of {}{}", piece, plane,
+          sorted && keeps_first(t.trace.header()) ? ": the later one in the file is to be drawn first." : "."));
       break;
     case Side::crossing:
       t.say(fmt::format("{} lies on both sides of the plane of {}{}", piece, plane,

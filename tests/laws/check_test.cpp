@@ -224,6 +224,15 @@ TEST_CASE("check: where the header does not say in which numbers a run computes,
   }
 }
 
+TEST_CASE("check: whole depths show no number format, and the report says so") {
+  Scene scene;
+  scene.camera.kind = Camera::Kind::screen, scene.raster = {8, 8, false};
+  scene.points = {{0.25, 1, 3}, {7, 1, 3}, {5, 6.5, 3}};
+  scene.corners = {0, 1, 2}, scene.polygons.resize(1), scene.facets = {{0, 0, 3}};
+  CHECK(check(recorded(method("z-buffer"), scene, Conventions{}, true)).precision.text ==
+        "float64, as nothing shows otherwise: all depths are whole numbers");
+}
+
 TEST_CASE("check: a program that counts 2^N units from 0 for the range of depths computes in fixed point, too") {
   const Scene scene = load_scene(test::in_checkout("lessons/scenes/ramp.toml")).scene;
   Conventions conventions;

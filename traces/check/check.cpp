@@ -96,21 +96,23 @@ struct Checker {
       marks->complete = false, marks = nullptr;
   }
 
-  bool within_rounding(const Rounded& formula, double recorded) const {
+  bool within_rounding(const Rounded& formula, double recorded, double amount) const {
     if (formulas::gives(formula, recorded, report.precision.relative)) return true;
-    return std::abs(recorded - formula.value) <= report.precision.absolute;
+    return std::abs(recorded - formula.value) <= amount;
   }
-  /// Counts a number that is right; false where it is not.
-  bool holds(const Rounded& formula, double recorded) {
+  /// Counts a number of this unit that is right; false where it is not.
+  bool holds(const Rounded& formula, double recorded, std::string_view of_unit) {
     ++report.numbers;
     if (recorded == formula.value) return ++report.exact, true;
     // NaN is right nowhere, but follows from what is wrong already.
     if (std::isnan(recorded) && std::isnan(formula.value)) return inherited != Inheritance::clean;
-    if (!within_rounding(formula, recorded)) return false;
+    if (!within_rounding(formula, recorded, report.precision.amount(of_unit))) return false;
     ++report.rounded;
     // Of a small difference of large numbers, the last digit of these: it has none of its own.
     const double size = std::max(std::abs(recorded), formula.spread);
-    const double digit = formulas::last_digit(size, report.precision.format, report.precision.unit);
+    const bool has_own_unit = of_unit == "px" && report.precision.positions > 0;
+    const double unit = has_own_unit ? 1 / fixed_positions_a_pixel : report.precision.unit;
+    const double digit = formulas::last_digit(size, report.precision.format, unit);
     report.largest_rounding = std::max(report.largest_rounding, std::abs(recorded - formula.value) / digit);
     return true;
   }
@@ -126,24 +128,28 @@ struct Judge {
   Number number(const auto&, double value, const Place& place) {
     if (place.in != Place::In::event && place.in != Place::In::scene) checker.read(place);
     Rounded known(value);
-    if (checker.report.precision.absolute > 0)
-      known.spread += checker.report.precision.absolute / checker.report.precision.relative;
+    if (checker.report.precision.largest_amount() > 0)
+      known.spread += checker.report.precision.amount(place) / checker.report.precision.relative;
     return known;
   }
   Number named(std::string_view, const Number& formula) { return formula; }
   void reads(const Place& place) { checker.read(place); }
   bool trusts(const Place& place) const { return checker.inheritance.of(place) == Inheritance::clean; }
   bool every_digit() const { return checker.report.precision.every_digit; }
-  bool equal(double one, double other) const { return checker.within_rounding(Rounded(one), other); }
+  bool equal(double one, double other) const { return equal(one, other, checker.report.precision.largest_amount()); }
+  bool equal(double one, double other, double amount) const {
+    return checker.within_rounding(Rounded(one), other, amount);
+  }
 
   void gives(Follows<E, double> field, const Number& formula) {
     judges(field.number);
-    if (!checker.holds(formula, e.*field.member)) wrong(field, e.*field.member, formula.value);
+    if (!checker.holds(formula, e.*field.member, field.unit)) wrong(field, e.*field.member, formula.value);
   }
   void near(Follows<E, double> field, const Rounded& number) {
     judges(field.number);
     const double recorded = e.*field.member;
-    if (!checker.within_rounding(number, recorded)) wrong(field, recorded, number.value);
+    if (!checker.within_rounding(number, recorded, checker.report.precision.amount(field.unit)))
+      wrong(field, recorded, number.value);
   }
   void whole(Follows<E, std::int32_t> field, const Number& formula, std::int32_t within) {
     if (std::isnan(formula.value)) return;  // of no number
@@ -162,14 +168,16 @@ struct Judge {
     const Value recorded = e.*field.member;
     if (recorded == value || (value != value && recorded != recorded)) return;
     if constexpr (std::is_same_v<Value, double>)
-      if (equal(recorded, value)) return;
+      if (equal(recorded, value, checker.report.precision.amount(field.unit))) return;
     wrong(field, static_cast<double>(recorded), static_cast<double>(value));
   }
   void verdict(Follows<E, bool> field, const Number& z, const Number& stored) {
     const Header& header = checker.header;
     const bool tie = z.value == stored.value;
     if (!header.declares(tie ? Convention::ties : Convention::nearer)) return;
-    if (!checker.report.precision.every_digit && checker.within_rounding(z, stored.value)) return;
+    if (!checker.report.precision.every_digit &&
+        checker.within_rounding(z, stored.value, checker.report.precision.absolute))
+      return;
     const bool wins = header.comparison.wins(z.value, stored.value);
     judges(field.number);
     if (e.*field.member != wins) wrong(field, e.*field.member, wins);
@@ -296,6 +304,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
         checker.fault(2, 0, std::move(fault));
       }
     }
+    at.passed(e);
     checker.mark_step();
     state.position = position;
     ++checker.report.steps;

@@ -41,7 +41,9 @@ class Filling {
     if (!judges_) return;
     constexpr bool begins_polygon = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
     constexpr bool begins_line = std::is_same_v<E, ScanLineBegin>, begins_span = std::is_same_v<E, SpanBegin>;
-    if constexpr (begins_polygon || begins_line || begins_span) end_span(at, out);
+    if constexpr (begins_line || begins_span)
+      if (at.span_has_pixels) end_spans(out);
+    if constexpr (begins_polygon) end_spans(out);
     if constexpr (begins_polygon || begins_line) end_line(at, out);
     if constexpr (begins_polygon) end_polygon(at, out);
     if constexpr (begins_line) {
@@ -52,11 +54,10 @@ class Filling {
     if constexpr (begins_span) {
       if (active_.empty()) active_ = formulas::detail::active_on(at, e.y);
       spans_ += e.first <= e.last;
-      in_span_ = true;
-      visited_.assign(static_cast<std::size_t>(std::max(0, at.scene.raster.width)), false);
+      open_.push_back({e, std::vector<bool>(static_cast<std::size_t>(std::max(0, at.scene.raster.width)))});
     }
     if constexpr (requires { e.x, e.y; })
-      if (kind_of<E> == pixel_) visit(e.x, e.y, at);
+      if (kind_of<E> == pixel_) visit(e.x, e.y);
   }
 
   /// The run is over. Where something is still due its end may be missing, or more.
@@ -68,27 +69,30 @@ class Filling {
       bool every_digit() const { return true; }
     } due;
     if (!judges_) return;
-    end_span(at, due);
+    end_spans(due);
     end_line(at, due);
     end_polygon(at, due);
     judges_ = judges_ && due.all_done && !formulas::detail::last_win_is_missing(at, due);
   }
 
  private:
-  void visit(std::int32_t x, std::int32_t y, const Situation& at) {
-    const auto& span = at.method().span;
-    if (!in_span_ || !span || span->y != y || x < 0 || static_cast<std::size_t>(x) >= visited_.size()) judges_ = false;
-    else visited_[static_cast<std::size_t>(x)] = true;
+  void visit(std::int32_t x, std::int32_t y) {
+    const auto covers = [&](const OpenSpan& open) { return Situation::covers(open.span, x, y); };
+    auto span = std::find_if(open_.rbegin(), open_.rend(), covers);
+    if (span == open_.rend())  // beside one on its line, which another rule says
+      span = std::find_if(open_.rbegin(), open_.rend(), [&](const OpenSpan& open) { return open.span.y == y; });
+    if (span == open_.rend() || x < 0 || static_cast<std::size_t>(x) >= span->visited.size()) judges_ = false;
+    else span->visited[static_cast<std::size_t>(x)] = true;
   }
+  /// Their pixels may come after several spans.
   template <class Out>
-  void end_span(const Situation& at, Out& out) {
-    if (!in_span_ || !at.method().span) return;
-    in_span_ = false;
-    const SpanBegin& span = *at.method().span;
+  void end_spans(Out& out) {
     bool filled = true;
-    for (std::int32_t x = std::max(0, span.first); x <= span.last && filled; ++x)
-      filled = static_cast<std::size_t>(x) >= visited_.size() || visited_[static_cast<std::size_t>(x)];
-    out.rule(Rule::span_is_filled, filled);
+    for (const auto& [span, visited] : open_)
+      for (std::int32_t x = std::max(0, span.first); x <= span.last && filled; ++x)
+        filled = static_cast<std::size_t>(x) >= visited.size() || visited[static_cast<std::size_t>(x)];
+    if (!open_.empty()) out.rule(Rule::span_is_filled, filled);
+    open_.clear();
   }
 
   /// How many spans with pixels lie between these edges, `back` scan lines before. `sure`: so much of a pixel beside a
@@ -184,8 +188,11 @@ class Filling {
   std::int32_t line_ = none;          ///< the scan line at work
   std::vector<ActiveEdge> active_{};  ///< as its first span found them
   int spans_ = 0;                     ///< of this line, with pixels
-  bool in_span_ = false;
-  std::vector<bool> visited_{};  ///< by column, pixels of the span at work
+  struct OpenSpan {
+    SpanBegin span;
+    std::vector<bool> visited;  ///< by column
+  };
+  std::vector<OpenSpan> open_{};  ///< spans that no pixel came between
 };
 
 }  // namespace zstep

@@ -62,7 +62,7 @@ void for_each_place_written(const E& e, const formulas::Situation& at, Set&& set
   if constexpr (std::is_same_v<E, RayBegin> || std::is_same_v<E, RayPlane>) set(Place{In::ray, 0});
   if constexpr (std::is_same_v<E, HorizonMove>) set(Place{In::horizon, e.x});
   if constexpr (std::is_same_v<E, PlaneSlopes>) set(Place{In::plane, 0});
-  if constexpr (std::is_same_v<E, SpanBegin>) set(Place{In::span, 0});
+  if constexpr (std::is_same_v<E, SpanBegin>) set(at.place_of_next_span());
   if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare>) set(Place{In::fragment, 0});
   if constexpr (std::is_same_v<E, AttributeInterpolate>) set(Place{In::attribute, 0});
   if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>) set(at.depth_place(e.x, e.y));

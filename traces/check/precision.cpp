@@ -6,6 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "traces/events/fields.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/formulas/fixed_depths.hpp"
 #include "traces/formulas/rounding.hpp"
@@ -190,11 +192,21 @@ std::optional<NumberFormat> format_of_depths(const Trace& trace, const HeldTo& h
   return numbers.look_like_float32() ? std::optional(float32) : std::nullopt;
 }
 
+/// Of whole numbers no digits tell what they were computed in, or whether they were cut.
+bool whole_depths(const Trace& trace) {
+  const Interpolated numbers(trace);
+  return !numbers.depths.empty() &&
+         std::all_of(numbers.depths.begin(), numbers.depths.end(), [](double z) { return z == std::trunc(z); });
+}
+
 Precision precision_of_fixed(const Trace& trace, NumberFormat format, const char* why) {
   Conventions conventions = trace.header().conventions;
   conventions.number_format = format;
-  const double unit = std::max(depth_unit(trace.scene(), conventions), 1 / fixed_positions_a_pixel);
-  return {formulas::rounding_of_float64, 2 * unit, true, fmt::format("{}, {}", word_of(format), why), format, unit};
+  const double unit = depth_unit(trace.scene(), conventions);
+  Precision found{
+      formulas::rounding_of_float64, 2 * unit, true, fmt::format("{}, {}", word_of(format), why), format, unit};
+  found.positions = 2 / fixed_positions_a_pixel;
+  return found;
 }
 
 Precision precision_of_numbers(const Trace& trace, const HeldTo& held) {
@@ -248,10 +260,30 @@ Precision precision_of_numbers(const Trace& trace, const HeldTo& held) {
   if (!declared && seen.float32 && many_digits)
     return {formulas::rounding_of_float32, 0, true, "float32, as the numbers look", NumberFormat::float32};
   return {formulas::rounding_of_float64, 0, true,
-          declared ? "float64, as the header declares" : "float64, as the numbers look"};
+          declared              ? "float64, as the header declares"
+          : whole_depths(trace) ? "float64, as nothing shows otherwise: all depths are whole numbers"
+                                : "float64, as the numbers look"};
+}
+
+/// The unit of a field, where all kinds that have one of this name give it the same.
+std::string_view unit_of(std::string_view field) {
+  static const std::map<std::string_view, std::string_view> units = [] {
+    std::map<std::string_view, std::string_view> all;
+    for (std::size_t kind = 0; kind < kind_count; ++kind)
+      for (const FieldOfKind& one : fields_of_kind(kind))
+        if (const auto [known, is_new] = all.try_emplace(one.name, one.unit); !is_new && known->second != one.unit)
+          known->second = "";
+    return all;
+  }();
+  const auto found = units.find(field);
+  return found == units.end() ? std::string_view() : found->second;
 }
 
 }  // namespace
+
+double Precision::amount(const formulas::Place& place) const {
+  return positions == 0 ? absolute : amount(unit_of(place.field));
+}
 
 Precision precision_of(const Trace& trace, const HeldTo& held) {
   Precision precision = precision_of_numbers(trace, held);

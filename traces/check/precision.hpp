@@ -1,12 +1,15 @@
 // How exact the numbers of a trace are: as its header declares, else as the numbers themselves look.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "traces/file/trace.hpp"
+#include "traces/formulas/situation.hpp"
 
 namespace zstep {
 
@@ -24,14 +27,24 @@ struct DepthBounds {
 
 struct Precision {
   double relative = 0;      ///< by what share of itself a number may be off
-  double absolute = 0;      ///< and by how much besides: numbers written with so many decimals
+  double absolute = 0;      ///< and by how much besides: depths in fixed point, numbers written with so many decimals
   bool every_digit = true;  ///< all digits that the program computed with are there: equal means equal
   std::string text;         ///< "float64, as the header declares"
   NumberFormat format = NumberFormat::float64;
   double unit = 0;    ///< of fixed-point depths, or of the last decimal that is written; else 0
   bool held = false;  ///< to more digits than are written, as `digits` asks
   std::shared_ptr<const DepthBounds> depths = nullptr;  ///< as it was told
+  double positions = 0;  ///< by how much positions in pixels may be off where that is another amount: in fixed point
 
+  /// What a number of this unit may be off besides its share. Of units that a program need not keep in fixed point, the
+  /// larger amount.
+  double amount(std::string_view of_unit) const {
+    if (positions == 0 || of_unit == "depth") return absolute;
+    return of_unit == "px" ? positions : largest_amount();
+  }
+  double largest_amount() const { return std::max(absolute, positions); }
+  /// The same of an operand, by the field that it stands in.
+  double amount(const formulas::Place& place) const;
   double allowed_depth(std::int64_t x, std::int64_t y) const { return depths ? depths->at(x, y) : 0; }
 };
 

@@ -28,6 +28,7 @@ DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(doub
   report.precision = a_coarser ? of_a : of_b;
   report.precision.relative = std::max(of_a.relative, of_b.relative);
   report.precision.absolute = std::max(of_a.absolute, of_b.absolute);
+  if (of_a.positions != of_b.positions) report.precision.positions = std::max(of_a.amount("px"), of_b.amount("px"));
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
     const KindCount& count = report.alignment.kinds[kind];
     report.kinds[kind] = {count.equal, 0, 0, count.only_a, count.only_b, 0, 0, count.not_kept};

@@ -319,8 +319,8 @@ class Follow {
     for_each_index<E>([&]<std::size_t I>() {
       if constexpr (std::is_same_v<FieldValue<E, I>, double>) {
         const double size = std::abs(e.*field_at<E, I>.member);
-        if ((fields >> I & 1) != 0 && precision.absolute > 0)
-          share = std::max(share, precision.relative + 2 * precision.absolute / size);
+        if (const double amount = precision.amount(field_at<E, I>.unit); (fields >> I & 1) != 0 && amount > 0)
+          share = std::max(share, precision.relative + 2 * amount / size);
         if (const double bound = depth_bound(e); bound > 0 && (fields >> I & 1) != 0)
           share = std::max(share, bound / size);
       }

@@ -65,24 +65,25 @@ struct Witness {
     if (std::is_same_v<E, DepthCompare> && place.in == Place::In::depth_buffer) reads_from.stored(place);
     else if (place.in != Place::In::event && place.in != Place::In::scene) reads_from(place);
     Rounded known(value);
-    if (precision.absolute > 0) known.spread += precision.absolute / precision.relative;
+    if (precision.largest_amount() > 0) known.spread += precision.amount(place) / precision.relative;
     return known;
   }
   Number named(std::string_view, const Number& formula) { return formula; }
   void reads(const Place& place) { reads_from(place); }
   bool trusts(const Place& place) const { return reads_from.different.of(place) == no_difference; }
   bool equal(double one, double other) const {
-    return formulas::gives(Rounded(one), other, precision.relative) || std::abs(one - other) <= precision.absolute;
+    return formulas::gives(Rounded(one), other, precision.relative) ||
+           std::abs(one - other) <= precision.largest_amount();
   }
 
   void gives(Follows<E, double> field, const Number& formula) {
     if (!asks(field)) return;
-    const double value = e.*field.member;
-    wrong = wrong || !(formulas::gives(formula, value, precision.relative) ||
-                       std::abs(value - formula.value) <= precision.absolute);
+    const double value = e.*field.member, amount = precision.amount(field.unit);
+    wrong =
+        wrong || !(formulas::gives(formula, value, precision.relative) || std::abs(value - formula.value) <= amount);
     const double size = std::max(std::abs(value), std::abs(formula.value));
     // What is 0 in one run the other run is asked about: there it has a size.
-    may_be_off = std::max(may_be_off, (2 * precision.relative * formula.spread + precision.absolute) / size);
+    may_be_off = std::max(may_be_off, (2 * precision.relative * formula.spread + amount) / size);
   }
   void near(Follows<E, double> field, const Rounded& number) {
     if (in_question(field)) gives(field, number);

@@ -14,13 +14,14 @@ template <class E, class Value>
 struct Follows {
   Value E::*member;
   std::string_view name = {};
+  std::string_view unit = {};
   std::size_t number = 0;                               ///< of the event's fields
   consteval Follows(Value E::*which) : member(which) {  // NOLINT: what is given is a member
     for_each_index<E>([&]<std::size_t I>() {
       if constexpr (std::is_same_v<FieldValue<E, I>, Value>)
         if (field_at<E, I>.member == which) {
           if (!has(field_at<E, I>.as, As::formula)) throw "its description says that it follows from nothing";
-          name = field_at<E, I>.name, number = I;
+          name = field_at<E, I>.name, unit = field_at<E, I>.unit, number = I;
         }
     });
   }

@@ -317,7 +317,9 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
     for (const ActiveEdge& active : at.method().active) none_ended = none_ended && !ended(active.edge);
   out.rule(Rule::edge_left_behind, none_ended);
   const std::int32_t width = at.scene.raster.width;
-  const auto x_left = out.number("x_L", e.x_left, Place{}), x_right = out.number("x_R", e.x_right, Place{});
+  const Place event{};
+  const auto x_left = out.number("x_L", e.x_left, event["x_left"]),
+             x_right = out.number("x_R", e.x_right, event["x_right"]);
   const auto first_within = [&](Conventions::Coverage coverage) {
     return std::max(0, limited_column(first_pixel(e.x_left, coverage), width));
   };
@@ -330,8 +332,8 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
   out.whole(&SpanBegin::first, first_pixel(x_left, coverage), first_within(coverage));
   out.whole(&SpanBegin::last, last_pixel(x_right, coverage), last_within(coverage));
   if (e.x_right == e.x_left) return;
-  out.gives(&SpanBegin::dz_dx,
-            slope(out.number("z_L", e.z_left, Place{}), out.number("z_R", e.z_right, Place{}), x_left, x_right));
+  out.gives(&SpanBegin::dz_dx, slope(out.number("z_L", e.z_left, event["z_left"]),
+                                     out.number("z_R", e.z_right, event["z_right"]), x_left, x_right));
 }
 
 }  // namespace zstep::formulas

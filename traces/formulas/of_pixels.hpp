@@ -50,10 +50,10 @@ void derive_depth_on_plane(const E& e, const Situation& at, Out& out) {
 template <class E, class Out>
 void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
   if (!at.records<SpanBegin>()) return derive_depth_on_plane(e, at, out);
-  const auto& span = at.method().span;
+  const auto span = at.span_of(e.x, e.y);
   if (!span) return;
-  const Place place{Place::In::span, 0};
-  out.rule(Rule::pixel_in_span, e.y == span->y && e.x >= span->first && e.x <= span->last);
+  const Place& place = span.place;
+  out.rule(Rule::pixel_in_span, Situation::covers(*span.span, e.x, e.y));
   if (span->y != e.y) return;
   using enum Conventions::Interpolation;
   const auto how = at.header.conventions.interpolation;
@@ -168,7 +168,7 @@ void derive_painted_by_ray(const PixelPaint& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const PixelPaint& e, const Situation& at, Out& out) {
-  if (at.method().span) {
+  if (at.span_of(e.x, e.y)) {
     const bool one_at_work = !at.method().keeps_all || at.method().piece >= 0;
     if (at.method().polygon != no_polygon && one_at_work) out.is(&PixelPaint::polygon, at.method().polygon);
     return detail::derive_depth_on_span(e, at, out);
@@ -256,16 +256,16 @@ void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
   const auto above = out.number(divides ? "a/z" : "a", e.over_z, event["over_z"]);
   out.gives(&AttributeInterpolate::attribute,
             divides ? above / out.number("1/z", e.one_over_z, event["one_over_z"]) : above);
-  const auto& span = at.method().span;
+  const auto span = at.span_of(e.x, e.y);
   if (!span) return;
-  out.rule(Rule::pixel_in_span, e.y == span->y && e.x >= span->first && e.x <= span->last);
+  out.rule(Rule::pixel_in_span, Situation::covers(*span.span, e.x, e.y));
   if (span->y != e.y) return;
   // Of points on the screen only the program knows z_v.
   if (divides && !attribute_over_depth(at.scene, at.header.conventions)) return;
   const auto left = detail::over_depth_on_edge(out, at, span->left_edge, e.y, "0", "1"),
              right = detail::over_depth_on_edge(out, at, span->right_edge, e.y, "2", "3");
   if (!left || !right) return;
-  const Place place{Place::In::span, 0};
+  const Place& place = span.place;
   const auto here = span->x_right == span->x_left ? *left
                                                   : on_line(*left, *right, out.number("x", e.x, Place{}),
                                                             out.number("x_L", span->x_left, place["x_left"]),

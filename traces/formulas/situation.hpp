@@ -22,6 +22,8 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 #include "traces/file/header.hpp"
 #include "traces/replay/state.hpp"
@@ -39,7 +41,7 @@ struct Place {
     edge_table,    ///< an entry of the edge table, by its number
     active_edge,   ///< where an active edge has got to, by the edge's number
     plane,         ///< the slopes of the plane of the polygon at work
-    span,          ///< the span at work
+    span,          ///< a span, by its number among those that no pixel came between
     fragment,      ///< the pixel at work
     attribute,     ///< the attribute that was interpolated there
     depth_buffer,  ///< by pixel, as Picture::at counts
@@ -121,7 +123,9 @@ struct Situation {
   const Camera* camera = nullptr;                ///< by which the scene is being drawn; nullptr where that is not known
   std::uint8_t kinds_recorded[kind_count] = {};  ///< 1 for each kind of event that the trace has
   std::optional<Camera> lamp = {};               ///< the scene's light as a camera
-  bool moves_ended = false;  ///< the run never says that an edge leaves, and moves some that have ended
+  bool moves_ended = false;           ///< the run never says that an edge leaves, and moves some that have ended
+  std::vector<SpanBegin> spans = {};  ///< of the polygon at work, the last ones that no pixel came between
+  bool span_has_pixels = false;       ///< a pixel came after the last of them
 
   /// Takes the camera that is at work now.
   void look() { camera = before.machine.pass != Pass::light ? &scene.camera : lamp ? &*lamp : nullptr; }
@@ -129,6 +133,47 @@ struct Situation {
   template <class E>
   bool records() const {
     return kinds_recorded[kind_of<E>] != 0;
+  }
+  /// After a step, where steps are gone through one by one: a program may print several spans, or all of a polygon,
+  /// and their pixels afterwards.
+  template <class E>
+  void passed(const E& e) {
+    constexpr bool begins = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
+    constexpr bool is_of_pixel = std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> ||
+                                 std::is_same_v<E, AttributeInterpolate> || std::is_same_v<E, PixelPaint>;
+    if constexpr (begins) spans.clear(), span_has_pixels = false;
+    if constexpr (std::is_same_v<E, EdgeTableInsert>)
+      if (e.edge == 0) spans.clear(), span_has_pixels = false;
+    if constexpr (is_of_pixel) span_has_pixels = true;
+    if constexpr (std::is_same_v<E, SpanBegin>) {
+      if (span_has_pixels) spans.clear(), span_has_pixels = false;
+      spans.push_back(e);
+    }
+  }
+  /// The span that a pixel belongs to, and its place: the last one that covers it of those that `passed` keeps. Where
+  /// none does it is the one at work, if any. Where all polygons share one edge table, spans are of any of them.
+  struct SpanOfPixel {
+    const SpanBegin* span = nullptr;
+    Place place{Place::In::span, 0};
+    const SpanBegin* operator->() const { return span; }
+    explicit operator bool() const { return span != nullptr; }
+  };
+  static bool covers(const SpanBegin& span, std::int32_t x, std::int32_t y) {
+    return y == span.y && x >= span.first && x <= span.last;
+  }
+  SpanOfPixel span_of(std::int32_t x, std::int32_t y) const {
+    const auto& now = method().span;
+    const bool of_any = method().keeps_all && method().piece < 0;
+    for (std::size_t i = of_any ? 0 : spans.size(); i-- > 0;)
+      if (covers(spans[i], x, y)) return {&spans[i], {Place::In::span, static_cast<std::int64_t>(i)}};
+    return {now ? &*now : nullptr, place_of_last_span()};
+  }
+  Place place_of_last_span() const {
+    return {Place::In::span, spans.empty() ? 0 : static_cast<std::int64_t>(spans.size() - 1)};
+  }
+  /// Where the numbers of a span that begins now will stand.
+  Place place_of_next_span() const {
+    return {Place::In::span, span_has_pixels ? 0 : static_cast<std::int64_t>(spans.size())};
   }
   /// Is an edge that has not left still in the list? Else the run only does not say that it leaves.
   bool tells_leaving() const { return records<EdgeRetire>() || moves_ended; }

@@ -27,6 +27,7 @@ State walk(const Trace& trace, Visit&& visit, OnImpossible&& impossible) {
           } catch (const Impossible& why) {
             impossible(position, why);
           }
+          at.passed(e);
           state.position = position;
           return true;
         },

@@ -268,7 +268,7 @@ bool from_nothing(const E& e, const Situation& at, const diff::Difference& diffe
     if constexpr (std::is_same_v<FieldValue<E, I>, double>) {
       const double value = e.*field_at<E, I>.member;
       if ((differing.fields >> I & 1u) == 0 ||
-          differing.off <= precision.relative + 2 * precision.absolute / std::abs(value))
+          differing.off <= precision.relative + 2 * precision.amount(field_at<E, I>.unit) / std::abs(value))
         return;
       // What is as long as a plane's normal may have any length.
       const bool should_follow = has(field_at<E, I>.as, As::formula) && !diff::as_long_as_normal(field_at<E, I>.name);

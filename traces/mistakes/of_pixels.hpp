@@ -34,7 +34,7 @@ inline void suppose_last_written(const Situation& at, Supposed& out) {
 /// The depth that the span at work has at this pixel, and what mistakes make of it.
 template <class E>
 inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
-  const auto& span = at.method().span;
+  const auto span = at.span_of(e.x, e.y);
   if (!span) return;
   const std::int32_t other_way = at.scene.raster.height - 1 - span->y;
   if (other_way != span->y) out.says(y_upside_down, e.y == other_way, e.y == span->y);

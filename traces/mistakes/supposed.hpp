@@ -122,7 +122,7 @@ class Supposed {
   bool equal(double recorded, const Rounded& formula) const {
     if (!std::isfinite(recorded)) return false;  // what is no number is not made by any formula
     return formulas::gives(formula, recorded, precision_.relative) ||
-           std::abs(recorded - formula.value) <= precision_.absolute;
+           std::abs(recorded - formula.value) <= precision_.largest_amount();
   }
   /// `fields`: names, with blanks between, of what the mistake explains in this step; `whole_step` where there should
   /// be no such step.

@@ -8,6 +8,7 @@
 #include "algorithms/ray_casting/space.hpp"
 #include "algorithms/ray_tracing/ray_tracing.hpp"
 #include "sim/answers/origin/work.hpp"
+#include "sim/words/explain.hpp"
 #include "traces/formulas/boxes.hpp"
 #include "traces/formulas/facet_planes.hpp"
 #include "traces/formulas/of_colors.hpp"
@@ -325,7 +326,9 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, s
     datum.holds_if(tie && e.nearest ? "t <= kept" : "t < kept", {{"t", numbers[0]}, {"kept", numbers[1]}});
     if (!tie) return;
     const std::int32_t other = get<RayHit>(work.trace.event(*keeper).event).facet;
-    return datum.note(e.nearest == (e.facet < other) ? "a tie: of two as near the first in the file is kept" : "a tie");
+    return datum.note(keeps_first(work.trace.header()) && e.nearest == (e.facet < other)
+                          ? "a tie: of two as near the first in the file is kept"
+                          : "a tie");
   }
   if (field == "inside")
     datum.comes_of("by the even-odd rule along the ray",

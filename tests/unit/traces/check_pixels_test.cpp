@@ -167,6 +167,63 @@ TEST_CASE("check: a pixel lies on its span's own scan line") {
   CHECK(holds<DepthCompare>(exchanged.event(report.causes[0].first.step).event));
 }
 
+/// All pixels of each polygon come after all its spans; `change` may alter them.
+template <class Change>
+Trace pixels_last(const Trace& right, Change&& change) {
+  std::vector<RecordedEvent> steps, pixels;
+  const auto put = [&] { steps.insert(steps.end(), pixels.begin(), pixels.end()), pixels.clear(); };
+  for (RecordedEvent step : steps_of(right)) {
+    if (holds<PolygonBegin>(step.event)) put();
+    const bool is_of_pixel = visit_event(
+        [&]<class E>(E& e) {
+          if constexpr (requires { e.x, e.y; }) return change(e), true;
+          return false;
+        },
+        step.event);
+    (is_of_pixel ? pixels : steps).push_back(step);
+  }
+  put();
+  return with_steps(right, steps);
+}
+
+TEST_CASE("check: pixels may come after all spans of their polygon, where each lies in one of these") {
+  for (const char* name : {"delhi", "pyramid-view"}) {
+    CAPTURE(name);
+    const Trace right = golden(name);
+    const std::int32_t last = right.scene().raster.height - 1;
+    const Trace run = pixels_last(right, [](auto&) {});
+    CHECK(causes_of(run) == "");
+    CHECK(verdict_of(check(run)) == verdict_of(check(right)));
+    CHECK(causes_of(pixels_last(right, [&](auto& e) { e.y = last - e.y; })).find("pixel_in_span@") !=
+          std::string::npos);
+    // A depth goes by the span on its own line, and is wrong by itself.
+    const auto depth = run.next<DepthInterpolate>(0, [](const DepthInterpolate&) { return true; });
+    REQUIRE(depth);
+    const auto wrong = [&](auto&& change) {
+      return test::changed(run, [&](std::int64_t step, Event& event) {
+        if (step == *depth) change(*get_if<DepthInterpolate>(&event));
+        return true;
+      });
+    };
+    CHECK(causes_of(wrong([](DepthInterpolate& e) { e.z += 1; })).find("z@" + std::to_string(*depth)) == 0);
+    CHECK(causes_of(wrong([](DepthInterpolate& e) {
+            e.y = 0, e.x = 0;
+          })).find("pixel_in_span@" + std::to_string(*depth)) == 0);
+    // A pixel that is missing among them is missed.
+    const auto pixel = get<DepthInterpolate>(run.event(*depth).event);
+    const Trace fewer = test::changed(run, [&](std::int64_t step, const Event& event) {
+      return step < *depth || step > *depth + 3 ||
+             visit_event(
+                 [&]<class E>(const E& e) {
+                   if constexpr (requires { e.x, e.y; }) return e.x != pixel.x || e.y != pixel.y;
+                   return true;
+                 },
+                 event);
+    });
+    CHECK(causes_of(fewer).find("span_is_filled@") != std::string::npos);
+  }
+}
+
 TEST_CASE("check: glass is mixed into the pixel that was won") {
   const Trace right = golden("transparency");
   REQUIRE(causes_of(right) == "");

@@ -62,7 +62,7 @@ TEST_CASE("check: a number of each format, and printed in each way, is held to n
       // The upper vertex lies on a scan line: x = x_0 and z = z_0 where neither changes along the edge.
       const auto holds = [&](const char* field, double value, const glm::dvec3& along) {
         CAPTURE(std::string(field));
-        const Sides sides = sides_of(printed.of(value), 0);
+        const Sides sides = sides_of(along.z == 0 ? printed.of_position(value) : printed.of(value), 0);
         const double in_scene = glm::dot(along, right.scene().points[test::upright_from]);
         const auto doubted = [&](double off) {
           return doubts(test::run_beside(printed, of, (value + off - in_scene) * along), printed, step, field);
@@ -95,7 +95,8 @@ TEST_CASE("check: a sum is held to what both its operands may be off by, and wha
       });
       return doubts(run, printed, moved, "x_edge");
     };
-    const Sides of_sum = sides_of(printed.of(std::abs(entry.x_edge) + std::abs(entry.dx_dy), 2), printed.last_digit(x));
+    const Sides of_sum =
+        sides_of(printed.of_position(std::abs(entry.x_edge) + std::abs(entry.dx_dy), 2), printed.last_digit(x));
     CHECK(!sum_doubted(of_sum.within));
     CHECK(sum_doubted(of_sum.beyond));
 
@@ -129,7 +130,7 @@ TEST_CASE("check: a side of an extent is held to its own digits, or to the amoun
       const auto doubted = [&](double off) {
         return doubts(test::run_beside(printed, of, {off, 0, 0}), printed, step, "x_min");
       };
-      const Sides sides = sides_of(std::max(printed.share * low, printed.amount), 0);
+      const Sides sides = sides_of(std::max(printed.share * low, printed.amount_of_positions()), 0);
       CHECK(!doubted(sides.within));
       CHECK(doubted(sides.beyond));
     }
@@ -181,7 +182,7 @@ TEST_CASE("check: the pixels of a span are its edges' but where the digits that 
       });
       return doubts(run, printed, begun, "first");
     };
-    const Sides sides = sides_of(printed.of(2.99), printed.last_digit(2.99));
+    const Sides sides = sides_of(printed.of_position(2.99), printed.last_digit(2.99));
     CHECK(doubted(-sides.within) == !printed.cut());
     CHECK(doubted(-sides.beyond));
     CHECK(doubted(0.4));

@@ -121,7 +121,7 @@ TEST_CASE("diff: a number that follows from its own run's operands is held to wh
                                }),
                    printed, moved);
     };
-    const double of_sum = coarser.of(std::abs(entry.x_edge) + std::abs(entry.dx_dy), 2);
+    const double of_sum = coarser.of_position(std::abs(entry.x_edge) + std::abs(entry.dx_dy), 2);
     CHECK(!sum_apart(0.9 * of_sum));
     CHECK(sum_apart(1.5 * of_sum));
     const auto copy_apart = [&](double off) {

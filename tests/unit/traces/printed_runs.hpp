@@ -38,10 +38,15 @@ struct Printed {
   bool declared;
   int decimals, digits;  ///< that are printed; 0 for all
   double share, amount;
-  int held = 0;  ///< to so many, though fewer are printed
+  int held = 0;              ///< to so many, though fewer are printed
+  double of_positions = -1;  ///< the amount for positions in pixels, where it is another one
 
   bool cut() const { return decimals > 0 || digits > 0; }
   double of(double size, double count = 1) const { return share * std::abs(size) + count * amount; }
+  double amount_of_positions() const { return of_positions < 0 ? amount : of_positions; }
+  double of_position(double size, double count = 1) const {
+    return share * std::abs(size) + count * amount_of_positions();
+  }
   double as_printed(double value) const {
     if (computed == NumberFormat::float32) return static_cast<double>(static_cast<float>(value));
     if (!cut() || !std::isfinite(value)) return value;
@@ -63,10 +68,10 @@ inline const std::vector<Printed>& all_printed() {
       {"float64, by its looks", float64, false, 0, 0, 1e-9, 0},
       {"float32, declared", float32, true, 0, 0, 1e-6, 0},
       {"float32, by its looks", float32, false, 0, 0, 1e-6, 0},
-      {"fixed16, declared", fixed16, true, 0, 0, 1e-9, 2 * range_of_z / 65535},
-      {"fixed16, by its looks", fixed16, false, 0, 0, 1e-9, 2 * range_of_z / 65535},
-      {"fixed24, declared", fixed24, true, 0, 0, 1e-9, 2.0 / 65536},
-      {"fixed24, by its looks", fixed24, false, 0, 0, 1e-9, 2.0 / 65536},
+      {"fixed16, declared", fixed16, true, 0, 0, 1e-9, 2 * range_of_z / 65535, 0, 2.0 / 65536},
+      {"fixed16, by its looks", fixed16, false, 0, 0, 1e-9, 2 * range_of_z / 65535, 0, 2.0 / 65536},
+      {"fixed24, declared", fixed24, true, 0, 0, 1e-9, 2 * range_of_z / 16777215, 0, 2.0 / 65536},
+      {"fixed24, by its looks", fixed24, false, 0, 0, 1e-9, 2 * range_of_z / 16777215, 0, 2.0 / 65536},
       {"4 decimals", float64, false, 4, 0, 1e-9, 1e-4},
       {"6 decimals", float64, false, 6, 0, 1e-9, 1e-6},
       {"4 decimals, held to 6", float64, false, 4, 0, 1e-9, 1e-6, 6},

@@ -10,6 +10,8 @@
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
 #include "sim/words/explain.hpp"
+#include "tests/golden/golden.hpp"
+#include "tests/unit/algorithms/scenes.hpp"
 #include "tests/where.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/replay/replay.hpp"
@@ -55,6 +57,21 @@ std::vector<Explanation> compares(const Trace& trace, std::int32_t x, std::int32
 
 answers::Verdict why_not(const Trace& trace, const char* polygon, std::int32_t x, std::int32_t y) {
   return answers::why_not(trace, *answers::polygon_called(trace.scene(), polygon), {x, y});
+}
+
+/// The same steps under another header.
+template <class Change>
+Trace under(const Trace& trace, Change&& change) {
+  Header header = trace.header();
+  change(header);
+  TraceRecorder recorder(header, trace.scene());
+  for (std::int64_t step = 1; step <= trace.size(); ++step)
+    record_any(recorder, trace.event(step).step, trace.event(step).event);
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "under");
+}
+void leaves_open(Header& header, Convention which) {
+  header.undeclared = static_cast<std::uint8_t>(header.undeclared | 1u << static_cast<unsigned>(which));
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -124,4 +141,47 @@ TEST_CASE("declared: a number of float32 is held to the digits of float32") {
     doubts += said.doubt ? 1 : 0;
     return doubts < 3;
   });
+}
+
+TEST_CASE("declared: the half-open rule is cited only where the header declares it") {
+  // An edge from y = 3.5 to y = 4 meets no scan line but the one on which it ends.
+  const Scene scene = test::screen_scene(8, 8, {{{1, 3.5, 2}, {6, 1, 2}, {6, 7, 2}, {2, 4, 2}}});
+  const Trace trace = test::recorded_by("z-buffer", scene);
+  const auto skipped = trace.next<EdgeTableSkip>(0, [](const EdgeTableSkip&) { return true; });
+  REQUIRE(skipped);
+  const auto told = [&](const Trace& of) {
+    Replay replay(of);
+    replay.go_to(*skipped);
+    return explain(of, replay.state(), *replay.current()).sentence;
+  };
+  CHECK(has(told(trace), "ends on scan line 4, where by the half-open rule it is no longer met"));
+  CHECK(has(told(under(trace, [](Header& header) { leaves_open(header, Convention::coverage); })),
+            "ends on scan line 4, where it is no longer met"));
+  CHECK(has(told(under(trace, [](Header& h) { h.conventions.coverage = Conventions::Coverage::inclusive; })),
+            "ends on scan line 4, where it is no longer met"));
+  // And of a pixel on the last edge of a polygon.
+  const Trace square =
+      test::recorded_by("z-buffer", test::screen_scene(6, 6, {{{1, -1, 2}, {4, -1, 2}, {4, 7, 2}, {1, 7, 2}}}));
+  CHECK(has(answers::why_not(square, 0, {4, 3}).sentence, "by the half-open rule such a centre is outside"));
+  const Trace open = under(square, [](Header& header) { leaves_open(header, Convention::coverage); });
+  CHECK(has(answers::why_not(open, 0, {4, 3}).sentence, "the header does not declare which such centres are covered"));
+}
+
+TEST_CASE("declared: of two that are equally near the first in the file is named only where ties go so") {
+  const std::vector<glm::dvec3> square{{1, 1, 3}, {5, 1, 3}, {5, 5, 3}, {1, 5, 3}};
+  // As near as the square in column 2 alone.
+  const std::vector<glm::dvec3> slanting{{1, 1, 2}, {5, 1, 6}, {5, 5, 6}, {1, 5, 2}};
+  for (const std::string by : {"scan-line", "warnock"}) {
+    CAPTURE(by);
+    const Trace trace = test::recorded_by(by, test::screen_scene(8, 8, {square, by == "warnock" ? slanting : square}));
+    CHECK(has(answers::why_not(trace, 1, {2, 2}).sentence, "comes first in the file"));
+    const Trace last = under(trace, [](Header&header) { header.comparison.ties = Comparison::Ties::last; }),
+                open = under(trace, [](Header&header) { leaves_open(header, Convention::ties); });
+    for (const Trace* other : {&last, &open}) {
+      const std::string told = answers::why_not(*other, 1, {2, 2}).sentence;
+      CAPTURE(told);
+      CHECK(!has(told, "in the file"));
+      CHECK(has(told, "is painted"));
+    }
+  }
 }
