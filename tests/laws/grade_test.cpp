@@ -5,10 +5,12 @@
 #include <algorithm>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "algorithms/scene/load.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/zoo/programs.hpp"
 #include "tests/zoo/runs.hpp"
 #include "traces/grade/grade.hpp"
+#include "traces/record/trace_recorder.hpp"
 
 using namespace zstep;
 using grade::Level, grade::Part;
@@ -48,6 +50,22 @@ Judged judged(const zoo::Task& task, const std::string& text, const char* number
     result.most += all[k].points();
   }
   return result;
+}
+
+/// The run once more: change(step, put) may alter each step, or say that it is left out, and put(NAME, event) puts a
+/// step of this name before it.
+template <class Change>
+Trace with_steps(const Trace& run, Change&& change) {
+  TraceRecorder recorder(run.header(), run.scene());
+  for (std::int64_t at = 1; at <= run.size(); ++at) {
+    RecordedEvent step = run.event(at);
+    const auto put = [&](const char* name, const Event& event) {
+      record_any(recorder, find_step(run.header().page, name)->id, event);
+    };
+    if (change(step, put)) record_any(recorder, step.step, step.event);
+  }
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "changed");
 }
 
 }  // namespace
@@ -172,4 +190,55 @@ TEST_CASE("grade: of an ordered part, steps that are exchanged cost computation 
         doctest::Approx(20.0 * static_cast<double>(strict.same) / static_cast<double>(strict.all())));
   CHECK(std::any_of(strict.lost.begin(), strict.lost.end(),
                     [](const grade::Loss& loss) { return loss.why == grade::Loss::Why::order && loss.count == 1; }));
+}
+
+TEST_CASE("grade: moves that right programs make or leave out are not counted as additional") {
+  const Trace right = test::recorded_by("z-buffer", look_at_scene(load_scene("delhi").scene, {}));
+  // Each edge moves once more before it leaves the list.
+  const Trace run = with_steps(right, [](const RecordedEvent& step, auto&& put) {
+    if (const auto* retire = get_if<EdgeRetire>(&step.event)) put("step_edge", EdgeStep{retire->edge, 0, 0});
+    return true;
+  });
+  REQUIRE(run.size() == right.size() + 4);
+  const grade::Judgement found = grade::judge(right, run, {{"moves", Level::matched, {kind_of<EdgeStep>}, 4, 4}});
+  CHECK(found.parts[0].additional == 0);
+  CHECK(found.parts[0].same == found.parts[0].all());
+}
+
+TEST_CASE("grade: of a run without an edge table no step of the active edges is named as wrong") {
+  const Trace right = test::recorded_by("z-buffer", look_at_scene(load_scene("delhi").scene, {}));
+  const auto first_of = [&](bool with_table) {
+    const Trace run = with_steps(right, [&](RecordedEvent& step, auto&&) {
+      if (auto* moved = get_if<EdgeStep>(&step.event)) moved->x_edge += 0.25;
+      return with_table || !holds<EdgeTableInsert>(step.event);
+    });
+    return grade::judge(right, run, {}).first;
+  };
+  CHECK_FALSE(first_of(false));
+  REQUIRE(first_of(true));
+  CHECK(first_of(true)->fault);
+}
+
+TEST_CASE("grade: a step that breaks a rule is named before a later one that parts from the reference") {
+  const Trace right = test::recorded_by("z-buffer", look_at_scene(load_scene("delhi").scene, {}));
+  // Before the span on y = 3 two edges change places and change back, and a later depth is written otherwise.
+  std::int64_t swapped = 0, at = 0;
+  const auto last =
+      right.previous(right.size() + 1, [](const RecordedEvent& step) { return holds<DepthWrite>(step.event); });
+  REQUIRE(last);
+  const Trace run = with_steps(right, [&](RecordedEvent& step, auto&& put) {
+    ++at;
+    if (const auto* span = get_if<SpanBegin>(&step.event); span && span->y == 3 && swapped == 0) {
+      put("swap_edges", EdgeSwap{0}), put("swap_edges", EdgeSwap{0});
+      swapped = at;
+    }
+    if (at == *last) get_if<DepthWrite>(&step.event)->z += 1;
+    return true;
+  });
+  const auto first = grade::judge(right, run, {}).first;
+  REQUIRE(first);
+  CHECK(first->step == swapped);
+  REQUIRE(first->fault);
+  CHECK(first->fault->rule == formulas::Rule::swap_needed);
+  CHECK_FALSE(first->parts);
 }

@@ -273,7 +273,6 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
       if (e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < has_steps.size())
         has_steps[static_cast<std::size_t>(e.polygon)] = true;
     judge.has_numbers();
-    if constexpr (std::is_same_v<E, EdgeEnter>) judge.reads({Place::In::edge_table, e.edge});
     if constexpr (std::is_same_v<E, BuffersClear>)
       for (const Place::In in : {Place::In::depth_buffer, Place::In::frame}) checker.cleared(in);
 

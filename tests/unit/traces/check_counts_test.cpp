@@ -2,10 +2,16 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "tests/golden/golden.hpp"
 #include "tests/golden/run_edits.hpp"
+#include "tests/unit/algorithms/scenes.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
 #include "traces/check/check.hpp"
 #include "traces/check/not_judged.hpp"
 
@@ -84,6 +90,25 @@ TEST_CASE("check: a fault that is made again is counted by steps, the first one 
   CHECK(report.wrong_steps == 2);
 }
 
+TEST_CASE("check: a step in which one rule is broken twice is one wrong step, and none that comes again") {
+  // On the last line neither edge moves, and the span there has both.
+  Conventions increments;
+  increments.interpolation = Conventions::Interpolation::increments;
+  const Trace right = test::recorded_by(
+      "z-buffer", test::screen_scene(12, 12, {{{2.25, 1.5, 1}, {9.5, 3.25, 2}, {4.75, 9.5, 4}}}), increments);
+  const auto last = right.previous(right.size() + 1, [](const RecordedEvent& e) { return holds<SpanBegin>(e.event); });
+  REQUIRE(last);
+  const auto line = right.previous(*last, [](const RecordedEvent& e) { return holds<ScanLineBegin>(e.event); });
+  REQUIRE(line);
+  const CheckReport report = check(test::changed(
+      right, [&](std::int64_t step, const Event& event) { return step < *line || !holds<EdgeStep>(event); }));
+  const auto rule = std::find_if(report.causes.begin(), report.causes.end(), [](const Cause& cause) {
+    return cause.first.rule == formulas::Rule::edge_moves_once;
+  });
+  REQUIRE(rule != report.causes.end());
+  CHECK(rule->again == 0);
+}
+
 TEST_CASE("check: nothing is wrong only of a run of which all is judged") {
   CheckReport report;
   CHECK(verdict_of(report) == Verdict::not_judged);
@@ -104,4 +129,41 @@ TEST_CASE("check: an edge that enters with a wrong row of the edge table follows
   check(trace, nullptr, nullptr, &marks);
   CHECK(std::any_of(marks.steps.begin(), marks.steps.end(),
                     [&](const CheckMarks::Step& step) { return holds<EdgeEnter>(trace.event(step.step).event); }));
+}
+
+TEST_CASE("check: the largest rounding is counted in last digits, whichever step it is in") {
+  // Four last digits of 5, and then one of 4.
+  const CheckReport report = check(run_of({clear, begin_a, compare("5", true), store("5.0000000000000036"), begin_b,
+                                           compare("4", true), store("4.0000000000000009")},
+                                          first_stays));
+  CHECK(report.causes.empty());
+  CHECK(report.rounded == 2);
+  CHECK(report.largest_rounding == doctest::Approx(4));
+}
+
+TEST_CASE("check: a box that is right beside a wrong plane does not make right what follows from the plane") {
+  const Trace trace = test::trace_of_lines(
+      test::with_edit(test::lines_of_run("tests/golden/depth-sort.jsonl"), "set plane 7 plane_d=-9.5"));
+  const CheckReport report = check(trace);
+  const auto plane = std::find_if(report.causes.begin(), report.causes.end(), [](const Cause& cause) {
+    return cause.first.kind == kind_of<PlaneEquation> && cause.first.field == "plane_d";
+  });
+  REQUIRE(plane != report.causes.end());
+  CHECK(plane->inherited > 0);
+}
+
+TEST_CASE("check: numbers are float32 where nine in ten long ones are") {
+  const auto is_float32 = [](int narrow) {
+    std::vector<std::string> steps{clear, begin_a};
+    for (int i = 0; i < 10; ++i) {
+      const double z = std::sqrt(3.0) * (20 - i);
+      const double written = i < narrow ? static_cast<double>(static_cast<float>(z)) : z;
+      steps.push_back(compare(fmt::format("{:.17g}", written), true));
+    }
+    return precision_of(run_of(steps, first_stays)).format == NumberFormat::float32;
+  };
+  CHECK(is_float32(10));
+  CHECK(is_float32(9));
+  CHECK_FALSE(is_float32(8));
+  CHECK_FALSE(is_float32(6));
 }

@@ -270,4 +270,24 @@ TEST_CASE("check: of a span whose end is no number nothing is said of its pixels
                      [](const Cause& cause) { return cause.first.field == "last"; }));
 }
 
+TEST_CASE("check: a depth that is written after another pixel's compare needs a win at its own pixel") {
+  const Trace right = golden("delhi");
+  // Where a pixel is lost and a later one of its line is won: after that one's colour the lost depth is written, too.
+  std::vector<RecordedEvent> steps;
+  std::optional<DepthCompare> lost;
+  std::int64_t written = 0;
+  for (const RecordedEvent& step : steps_of(right)) {
+    steps.push_back(step);
+    const auto* compare = get_if<DepthCompare>(&step.event);
+    if (compare && !compare->nearer) lost = *compare;
+    const auto* write = get_if<PixelWrite>(&step.event);
+    if (!write || !lost || written != 0 || write->y != lost->y) continue;
+    const auto any = right.next<DepthWrite>(0, [](const DepthWrite&) { return true; });
+    steps.push_back({right.event(*any).step, DepthWrite{lost->x, lost->y, lost->z}});
+    written = static_cast<std::int64_t>(steps.size());
+  }
+  REQUIRE(written != 0);
+  CHECK(causes_of(with_steps(right, steps)).find("write_after_win@" + std::to_string(written)) == 0);
+}
+
 }  // namespace

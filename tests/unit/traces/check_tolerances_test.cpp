@@ -172,18 +172,19 @@ TEST_CASE("check: the pixels of a span are its edges' but where the digits that 
     CAPTURE(std::string(printed.name));
     const Trace right = test::run_printed(printed);
     const std::int64_t begun = first_step<SpanBegin>(right);
-    // The left edge lies so far beside the centre of pixel 3, and the span begins one pixel late.
-    const auto doubted = [&](double beside) {
+    // The left edge lies so far beside the centre of pixel 3, and the span begins so many pixels late.
+    const auto doubted = [&](double beside, int late = 1) {
       const Trace run = test::run_printed(printed, {}, [&](std::int64_t step, Event& event) {
         if (step != begun) return;
         auto& span = get<SpanBegin>(event);
         span.x_left = printed.as_printed(3 + beside);
-        span.first = static_cast<std::int32_t>(std::ceil(span.x_left)) + 1;
+        span.first = static_cast<std::int32_t>(std::ceil(span.x_left)) + late;
       });
       return doubts(run, printed, begun, "first");
     };
     const Sides sides = sides_of(printed.of_position(2.99), printed.last_digit(2.99));
     CHECK(doubted(-sides.within) == !printed.cut());
+    CHECK(doubted(-sides.within, 2));
     CHECK(doubted(-sides.beyond));
     CHECK(doubted(0.4));
   }

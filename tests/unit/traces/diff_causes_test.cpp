@@ -1,5 +1,6 @@
 // zstep diff: what follows from a cause is no cause of its own, and what is said of a cause is true of it.
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <set>
 #include <string>
@@ -230,4 +231,126 @@ TEST_CASE("diff causes: a pixel too many of one piece is that pixel, and no wron
   CHECK(report.causes[0].first.only_b());
   CHECK(report.causes[0].first.b == static_cast<std::int64_t>(*place) + 1);
   CHECK(!report.causes[0].too_early);
+}
+
+TEST_CASE("diff causes: what is painted follows from its piece's plane, also where the box beside it is right") {
+  // Three times four pixels. The second run has the plane half a unit deeper.
+  const double z = 9;
+  const Trace right = test::recorded_by(
+      "scan-line", test::screen_scene(8, 8, {{{1.5, 1.5, z}, {4.5, 1.5, z}, {4.5, 5.5, z}, {1.5, 5.5, z}}}));
+  REQUIRE(right.has(kind_of<Extent>));
+  const Trace wrong = test::changed(right, [](std::int64_t, Event& event) {
+    if (auto* plane = get_if<PlaneEquation>(&event)) plane->plane_d -= 0.5 * plane->plane_c;
+    if (auto* paint = get_if<PixelPaint>(&event)) paint->z += 0.5;
+    return true;
+  });
+  const diff::DiffReport report = diff::compare(right, wrong);
+  CHECK(kinds_of(report) == "plane_equation ");
+  REQUIRE(report.causes.size() == 1);
+  CHECK(report.causes[0].symptoms == 12);
+  CHECK(report.causes[0].pixels == 12);
+}
+
+TEST_CASE("diff causes: an edge may move once more before it leaves the list on the line where it ends") {
+  const Trace right = delhi();
+  const std::uint8_t move = find_step(right.header().page, "step_edge")->id;
+  std::vector<RecordedEvent> steps;
+  for (const RecordedEvent& step : steps_of_run(right)) {
+    if (const auto* retire = get_if<EdgeRetire>(&step.event)) steps.push_back({move, EdgeStep{retire->edge, 0, 0}});
+    steps.push_back(step);
+  }
+  const diff::DiffReport report = diff::compare(right, of_steps(right, steps));
+  CHECK(report.causes.empty());
+  CHECK(report.kinds[kind_of<EdgeStep>].only_b == 4);  // two triangles, each with two edges that are not level
+  CHECK(report.kinds[kind_of<EdgeStep>].idle_b == 4);
+}
+
+TEST_CASE("diff causes: the nth move of an edge is the same step also where it comes a scan line early") {
+  zoo::Task task = test::triangles(3, 3, 18);
+  const std::string head = test::head(task, "float64", "increments");
+  const Trace right = test::trace_of(head + zoo::edge_table(task));
+  task.mistake = "stepped_too_early";
+  const Trace wrong = test::trace_of(head + zoo::edge_table(task));
+  std::int64_t entered = 0;
+  for (const RecordedEvent& step : steps_of_run(right)) entered += holds<EdgeEnter>(step.event);
+  const diff::KindDifference found = diff::compare(right, wrong).kinds[kind_of<EdgeStep>];
+  CHECK(found.only_a == 0);
+  CHECK(found.only_b == entered);                // each edge moves once more
+  CHECK(found.different + found.rounding == 0);  // and its nth move takes it to the same x and z
+}
+
+TEST_CASE("diff causes: where two edges meet, two spans may name them the other way round") {
+  // A tent over a notch: at its tip, on y = 4, two edges begin at x = 5.
+  const Trace right = test::recorded_by(
+      "z-buffer", test::screen_scene(12, 10, {{{1, 1, 0.5}, {9, 1, 0.5}, {9, 8, 0.5}, {5, 4, 0.5}, {1, 8, 0.5}}}));
+  std::vector<SpanBegin> spans;
+  for (const RecordedEvent& step : steps_of_run(right))
+    if (const auto* span = get_if<SpanBegin>(&step.event); span && span->y == 4) spans.push_back(*span);
+  REQUIRE(spans.size() == 2);
+  REQUIRE(spans[0].x_right == 5);
+  REQUIRE(spans[1].x_left == 5);
+  const auto named = [&](bool left, bool second) {
+    return test::changed(right, [&](std::int64_t, Event& event) {
+      auto* span = get_if<SpanBegin>(&event);
+      if (!span || span->y != 4) return true;
+      if (left && span->x_right == 5) span->right_edge = spans[1].left_edge;
+      if (second && span->x_left == 5) span->left_edge = spans[0].right_edge;
+      return true;
+    });
+  };
+  const diff::DiffReport both = diff::compare(right, named(true, true));
+  CHECK(both.alignment.differences.size() == 2);
+  CHECK(both.causes.empty());
+  // One of the two edges in both spans is none of them.
+  CHECK(kinds_of(diff::compare(right, named(true, false))) == "span_begin ");
+  CHECK(kinds_of(diff::compare(right, named(false, true))) == "span_begin ");
+}
+
+TEST_CASE("diff causes: of what follows from a cause only the pixels that take another colour are counted as such") {
+  const Trace right = delhi();
+  const auto first = [&](auto&& is) { return right.next(0, is).value_or(0); };
+  const std::int64_t depth = first([](const RecordedEvent&step) { return holds<DepthWrite>(step.event); }),
+                     color = first([](const RecordedEvent&step) { return holds<PixelWrite>(step.event); });
+  const auto pixels = [&](std::int64_t step) {
+    const diff::DiffReport report =
+        diff::compare(right, test::changed(right, [&](std::int64_t number, const Event&) { return number != step; }));
+    REQUIRE(report.causes.size() == 1);
+    return report.causes[0].pixels;
+  };
+  CHECK(pixels(depth) == 0);
+  CHECK(pixels(color) == 1);
+}
+
+namespace {
+
+/// Level polygons over each other, of these depths, painted; the first two the other way round in the second run. Both
+/// are facets of one polygon where `one_polygon`.
+bool is_too_early(std::initializer_list<double> depths, bool one_polygon) {
+  std::vector<std::vector<glm::dvec3>> polygons;
+  for (const double z : depths) polygons.push_back({{1, 1, z}, {6, 1, z}, {6, 6, z}, {1, 6, z}});
+  Scene scene = test::screen_scene(8, 8, polygons);
+  if (one_polygon) {
+    for (std::size_t facet = 1; facet < scene.facets.size(); ++facet) --scene.facets[facet].polygon;
+    scene.polygons.pop_back();
+  }
+  const Trace right = test::recorded_by("painter", scene);
+  const std::vector<RecordedEvent> all = steps_of_run(right);
+  std::vector<std::ptrdiff_t> draws;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (holds<PieceDraw>(all[i].event)) draws.push_back(static_cast<std::ptrdiff_t>(i));
+  REQUIRE(draws.size() == depths.size());
+  std::vector<RecordedEvent> turned(all.begin(), all.begin() + draws[0]);
+  turned.insert(turned.end(), all.begin() + draws[1], all.begin() + draws[2]);
+  turned.insert(turned.end(), all.begin() + draws[0], all.begin() + draws[1]);
+  turned.insert(turned.end(), all.begin() + draws[2], all.end());
+  const diff::DiffReport report = diff::compare(right, of_steps(right, turned));
+  return std::any_of(report.causes.begin(), report.causes.end(), [](const auto& cause) { return cause.too_early; });
+}
+
+}  // namespace
+
+TEST_CASE("diff causes: painted too early is another polygon that is nearer by more than rounding, covered or not") {
+  CHECK(is_too_early({0.5, 0.4, 0.25}, false));
+  CHECK_FALSE(is_too_early({0.5, 0.5 * (1 - 1e-12), 0.25}, false));
+  CHECK_FALSE(is_too_early({0.5, 0.4, 0.25}, true));
 }

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include "tests/unit/traces/printed_runs.hpp"
+#include "tests/zoo/runs.hpp"
 #include "traces/diff/buffers.hpp"
 
 using namespace zstep;
@@ -160,6 +162,35 @@ TEST_CASE("diff: depths of two pictures are apart by the coarser format's share 
       CHECK(apart(1.5 * of_format, 0.9 * allowed) == 1);
     }
   });
+}
+
+TEST_CASE("diff: another verdict is rounding where the two depths are apart by no more, and the headers do not tell") {
+  const auto part_of = [](double apart) {
+    zoo::Task task;
+    task.width = 12, task.height = 10;
+    for (const double z : {0.5, 0.5 * (1 + apart)}) {
+      const int first = static_cast<int>(task.points.size());
+      for (const auto& [x, y] : {std::pair(1.0, 1.0), {10.5, 2.0}, {4.0, 8.5}}) task.points.push_back({x, y, z});
+      task.polygons.push_back({static_cast<int>(task.polygons.size()), {first, first + 1, first + 2}});
+    }
+    std::string text = test::head(task, "float64", "direct") + zoo::edge_table(task);
+    const std::string declared = "\"nearer\":\"smaller\",\"ties\":\"first\",";
+    REQUIRE(text.find(declared) != std::string::npos);
+    text.erase(text.find(declared), declared.size());
+    const Trace run = test::trace_of(text);
+    const auto second = run.next<DepthCompare>(0, [](const DepthCompare& e) { return !e.nearer; });
+    REQUIRE(second);
+    const Trace other = declared_as(NumberFormat::float64, run, [&](std::int64_t step, Event& event) {
+      if (step == *second) get<DepthCompare>(event).z *= 1 + 1e-12, get<DepthCompare>(event).nearer = true;
+    });
+    const diff::DiffReport report = diff::compare(run, other);
+    REQUIRE(report.causes.size() == 1);
+    CHECK(report.causes[0].first.b == *second);
+    return report.causes[0].part;
+  };
+  // Each of the two depths may be off by 10⁻⁹ of itself.
+  CHECK(part_of(1e-9) == diff::Part::rounding);
+  CHECK(part_of(40e-9) == diff::Part::different);
 }
 
 }  // namespace
