@@ -61,11 +61,11 @@ class SceneBuilder {
  public:
   explicit SceneBuilder(SceneFile file) : file_(std::move(file)) {}
 
-  enum class Bare : std::uint8_t { palette, shaded };  ///< what polygons without a colour get
+  enum class Bare : std::uint8_t { of_palette, shaded };  ///< what polygons without a colour get
 
   struct Style {
     Placement placement;  ///< linear and offset; a mirroring turns the polygons round, so that outside stays outside
-    Bare bare = Bare::palette;
+    Bare bare = Bare::of_palette;
     Color bare_color;       ///< of the shaded ones, before shading
     std::int32_t line = 0;  ///< where the scene's file places a mesh; 0: the soup's own lines are of the scene's file
     MaterialKeys material{};

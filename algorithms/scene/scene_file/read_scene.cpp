@@ -340,7 +340,7 @@ class Reader {
     const bool few = soup.outlines.size() <= palette.size() && !base;
     // Polygons have lines of one file, the scene's own: those of a mesh stand at its [[mesh]].
     builder.add(std::move(soup), path ? *path : *built_in,
-                {placement, few ? SceneBuilder::Bare::palette : SceneBuilder::Bare::shaded, base.value_or(clay),
+                {placement, few ? SceneBuilder::Bare::of_palette : SceneBuilder::Bare::shaded, base.value_or(clay),
                  line_of(table), material});
   }
 

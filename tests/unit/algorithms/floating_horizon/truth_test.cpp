@@ -83,7 +83,7 @@ bool any_ink(const Picture& picture) {
   return std::any_of(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; });
 }
 
-constexpr const char* formulas[] = {"sin(x)*cos(z)", "2*exp(-x^2-z^2)", "cos(2*sqrt(x^2+z^2))*exp(-sqrt(x^2+z^2)/5)",
+constexpr const char* heights[] = {"sin(x)*cos(z)", "2*exp(-x^2-z^2)", "cos(2*sqrt(x^2+z^2))*exp(-sqrt(x^2+z^2)/5)",
                                     "x*z/4"};
 
 }  // namespace
@@ -92,7 +92,7 @@ TEST_SUITE("floating horizon against the Z-buffer") {
   TEST_CASE("whatever the side, above or below: what is judged wrong is little, and near a horizon") {
     for (const bool parallel : {true, false}) {
       Judgement all;
-      for (const char* formula : formulas)
+      for (const char* formula : heights)
         for (const double theta : {-90.0, -60.0, 20.0, 95.0, 230.0})
           for (const double phi : {80.0, 60.0, 30.0, 130.0}) {
             const Judgement one = judge(looked_at(formula, theta, phi, 120, 90, parallel));
@@ -123,7 +123,7 @@ TEST_SUITE("floating horizon against the Z-buffer") {
   }
 
   TEST_CASE("curves of constant x are judged as well as those of constant z") {
-    for (const char* formula : formulas) {
+    for (const char* formula : heights) {
       CAPTURE(std::string(formula));
       const Judgement judgement = judge(looked_at(formula, -60, 60, 120, 90), {{"across", "on"}});
       CHECK(judgement.tested > 2000);
