@@ -38,7 +38,8 @@ SceneFile load_mesh(const std::filesystem::path& path) {
   file.scene.camera.d = default_d;
   file.scene.raster = {640, 480, false};
   PolygonSoup soup = read_mesh(path);
-  const auto bare = soup.outlines.size() <= palette.size() ? SceneBuilder::Bare::of_palette : SceneBuilder::Bare::shaded;
+  const auto bare =
+      soup.outlines.size() <= palette.size() ? SceneBuilder::Bare::of_palette : SceneBuilder::Bare::shaded;
   SceneBuilder builder(std::move(file));
   builder.add(std::move(soup), path.string(), {{}, bare, clay, 0});
   return builder.finish();

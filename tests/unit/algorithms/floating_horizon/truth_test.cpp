@@ -84,7 +84,7 @@ bool any_ink(const Picture& picture) {
 }
 
 constexpr const char* heights[] = {"sin(x)*cos(z)", "2*exp(-x^2-z^2)", "cos(2*sqrt(x^2+z^2))*exp(-sqrt(x^2+z^2)/5)",
-                                    "x*z/4"};
+                                   "x*z/4"};
 
 }  // namespace
 
