@@ -36,7 +36,7 @@ const std::vector<Program> hostile_programs{
     {"writes where it should not",
      "for f in ../escaped /escaped \"$1\" ./escaped \"$OUT\"; do echo x > \"$f\"; done; rm -rf /program/* \"$1\""},
     {"reads hidden scenes",
-     "find / -name 'overlap*' -newer /bin/sh 2>/dev/null | grep -v \"$1\" | while read f; do cat \"$f\"; done; cat "
+     "find / -name 'overlap.t*' -newer /bin/sh 2>/dev/null | grep -v \"$1\" | while read f; do cat \"$f\"; done; cat "
      "hidden.txt "
      "../../hw/hidden/overlap.toml"},
     {"reads its parents' memory", "cat /proc/1/environ /proc/$PPID/maps /proc/$PPID/cmdline"},
