@@ -1,4 +1,4 @@
-// What each student of a class gets: the homework without what is the instructor's, with scenes of the student's own.
+// Folders of a class: what each student gets, what is there for a while, and what is made whole or not at all.
 #pragma once
 
 #include <filesystem>
