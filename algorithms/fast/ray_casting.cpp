@@ -29,7 +29,7 @@ struct Shape {
 };
 
 /// A facet that is star-shaped around its first corner, as convex ones are, is a fan of triangles. Any other is one
-/// shape, inside of which is its whole plane: whoever meets it must look at the outline.
+/// shape, which counts as its whole plane: a ray that meets it is held against the outline.
 std::vector<Shape> shapes_of(const Scene& scene);
 
 namespace {

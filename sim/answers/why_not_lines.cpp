@@ -1,4 +1,4 @@
-// Wireframe and hidden lines: a polygon is seen where one of its edges is drawn.
+// Wireframe, hidden lines and the floating horizon: a polygon is seen where one of its edges or curves is drawn.
 
 #include <algorithm>
 #include <cmath>

@@ -75,7 +75,7 @@ struct Head {
     if (!node) return;
     const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
     if (!value || *value < 1 || *value > 4096) {
-      throw InputError(at(node->source()), fmt::format("`{}` is no number of pixels", key),
+      throw InputError(at(node->source()), fmt::format("`{}` is not a number of pixels", key),
                        fmt::format("write {} = 16; at most 4096", key));
     }
     into = static_cast<std::int32_t>(*value);

@@ -1,4 +1,4 @@
-// zstep explain: where a number comes from.
+// zstep explain, history and why-not: where a number comes from, what came to a pixel, and why a polygon is not seen.
 
 #include <algorithm>
 #include <cmath>
@@ -318,7 +318,7 @@ void add_history(CLI::App& app, Action& action) {
   command->add_option("y", options->y, "Its row")->type_name("Y")->required();
   command->add_flag("--why", options->why, "Each step in words, with its numbers");
   command->footer(
-      "Polygons that cover the pixel's centre and were not drawn (culled, seen edge-on, out of view) are told, too; "
+      "Polygons that cover the pixel's centre and were not drawn (culled, seen edge-on, out of view) are listed, too; "
       "so\n"
       "are those that were found to be behind on a whole interval of a scan line or a whole area, with their planes' "
       "depths.\n"

@@ -1,4 +1,4 @@
-// zstep record: the run, step by step, into a file.
+// zstep record, render and import: a run into a file, a picture without a run, and a run of somebody's own.
 
 #include <algorithm>
 #include <filesystem>

@@ -79,7 +79,7 @@ std::optional<Type> type_of(std::string_view word) {
 Type checked_type(Tokens& file, std::string_view word) {
   const auto type = type_of(word);
   if (!type)
-    file.fail(fmt::format("{} is no type of a property", in_quotes(word)),
+    file.fail(fmt::format("{} is not a type that a property can have", in_quotes(word)),
               "use char, uchar, short, ushort, int, uint, float or double");
   return *type;
 }
@@ -154,7 +154,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
         file.fail("there are too many properties", "remove some");
       header.elements.back().properties.push_back(read_property(file));
     } else {
-      file.fail(fmt::format("{} is no word of a PLY head", in_quotes(word)), "is this a PLY file?");
+      file.fail(fmt::format("{} is not a keyword of a PLY header", in_quotes(word)), "is this a PLY file?");
     }
   }
   if (!format_known) file.fail("the head has no format line", "write: format ascii 1.0");

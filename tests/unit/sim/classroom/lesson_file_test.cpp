@@ -162,8 +162,8 @@ TEST_CASE("slips in the head") {
   CHECK(contains(load_error(with("[camera]\nrh = 3\n")), ":7: [camera] has no `rh`"));
   CHECK(contains(load_error(with("[camera]\nrho = \"far\"\n")), ":7: `rho` is no number"));
   CHECK(contains(load_error(with("[camera]\nrho = inf\n")), ":7: `rho` is no number"));
-  CHECK(contains(load_error(with("[raster]\nwidth = 0\n")), ":7: `width` is no number of pixels"));
-  CHECK(contains(load_error(with("[raster]\nwidth = 2.5\n")), ":7: `width` is no number of pixels"));
+  CHECK(contains(load_error(with("[raster]\nwidth = 0\n")), ":7: `width` is not a number of pixels"));
+  CHECK(contains(load_error(with("[raster]\nwidth = 2.5\n")), ":7: `width` is not a number of pixels"));
   CHECK(contains(load_error(with("[conventions]\ndepth = \"w\"\n")),
                  ":7: `depth` has a value it does not know; write depth = \"pseudodepth\" or \"view\""));
   CHECK(contains(load_error(with("[conventions]\ncull = 1\n")), ":7: `cull` is no truth"));
