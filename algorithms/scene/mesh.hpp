@@ -1,4 +1,4 @@
-// The half-edge mesh of a scene: who is whose neighbour, for silhouettes and for walks over a surface.
+// The half-edge mesh of a scene (who is whose neighbour), the colours of what brings none, and how large a mesh may be.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>

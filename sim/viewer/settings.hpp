@@ -1,4 +1,4 @@
-// What stays from run to run: theme, text size, where the borders are, and the place in each trace.
+// What stays from run to run: theme, text size, borders, places in traces, progress in lessons, files opened before.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a number under the mouse is without rounding, in one line.
+// What just happened, and what a number under the mouse is: exactly, whose, and where else it stands.
 #pragma once
 
 #include <cstddef>
