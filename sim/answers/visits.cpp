@@ -106,9 +106,13 @@ std::optional<AtWork> by_span(const Trace& trace, std::int64_t step) {
   return AtWork{entry ? event_at<EdgeTableInsert>(trace, *entry)->polygon : no_polygon, *span};
 }
 
+/// Are edges of all polygons in one table?
+bool has_one_table(const Trace& trace) {
+  return sweeps(trace.header()) || (records<TablesBegin>(trace) && !records<PieceDraw>(trace));
+}
+
 AtWork at_work(const Trace& trace, std::int64_t step) {
-  const bool one_table = sweeps(trace.header()) || (records<TablesBegin>(trace) && !records<PieceDraw>(trace));
-  if (one_table)
+  if (has_one_table(trace))
     if (const auto found = by_span(trace, step)) return *found;
   const auto marks = trace.polygons();
   const auto beyond = std::upper_bound(marks.begin(), marks.end(), step,
@@ -257,6 +261,10 @@ std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel, std::int64_
   }
   std::erase_if(reading.all, [after](const Visit& visit) { return visit.step <= after; });
   return std::move(reading.all);
+}
+
+bool may_have_visits(const Trace& trace, Trace::Pixel pixel, std::int32_t polygon) {
+  return has_one_table(trace) || trace.may_be_of(polygon, pixel);
 }
 
 const Visit* holder(const std::vector<Visit>& visits, std::int64_t before) {

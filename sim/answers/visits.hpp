@@ -87,6 +87,10 @@ struct Visit {
 std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after);
 std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel);
 
+/// May a polygon have visits there? Answered without reading all that was done at the pixel; where this is false, it
+/// has none in the whole trace.
+bool may_have_visits(const Trace& trace, Trace::Pixel pixel, std::int32_t polygon);
+
 /// Does a run have steps that say whose a pixel is? Where it has none, and compares depths, the last that is found to
 /// be nearer takes the pixel.
 bool records_owners(const Trace& trace);

@@ -431,6 +431,9 @@ Verdict by_visits(Asked& q, const std::vector<FacetThere>& facets, const std::ve
 }  // namespace
 
 Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
+  // Most polygons never come to the pixel, which is soon told.
+  if (records_owners(q.trace) && !may_have_visits(q.trace, q.pixel, q.polygon))
+    if (auto verdict = why_by_facets(q, facets)) return *verdict;
   std::vector<Visit> visits = visits_of(q.trace, q.pixel);
   std::erase_if(visits, [](const Visit& visit) { return visit.outcome == Outcome::colored; });
   Verdict verdict = by_visits(q, facets, visits);

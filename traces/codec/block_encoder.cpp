@@ -99,6 +99,7 @@ void BlockEncoder::State::write(std::uint8_t step, const E& event) {
                   event.y;
                 }) {
     if (event.x < largest_side) packed.info.touch(event.x, event.x + 1, event.y);
+    if constexpr (requires { event.polygon; }) packed.info.name(event.polygon);
   } else if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) {
     packed.info.marks.push_back({packed.info.count, event.polygon, {}});
   }
@@ -167,6 +168,7 @@ void BlockEncoder::State::write_run(const LoggedRun& run, std::uint32_t count) {
   foreteller.set_whole(slot_of("x"), end - 1);
   foreteller.set_real(slot_of("z"), run.depth(count - 1));
   packed.info.touch(run.x, end, foreteller.whole(slot_of("y")));
+  if (run.painted || nearer != 0) packed.info.name(foreteller.whole(slot_of("polygon")));
   if (run.painted) {
     packed.info.steps.add(steps.paint);
     packed.info.count += count;

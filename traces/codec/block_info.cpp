@@ -20,6 +20,9 @@ void Tiles::take(ByteReader& in) {
 
 namespace {
 
+constexpr std::uint32_t keeps_to_marks_bit = 1u << 31;  ///< in the number of events
+static_assert(block_events < keeps_to_marks_bit);
+
 void put_box(Bytes& out, const Box& box) {
   put_varint(out, box.empty() ? 0u : box.right - box.left + 1u);
   if (box.empty()) return;
@@ -45,7 +48,7 @@ Box take_box(ByteReader& in, const Raster& raster) {
 
 void put_block_info(Bytes& out, const BlockInfo& info) {
   put_u64(out, static_cast<std::uint64_t>(info.first_position));
-  put_u32(out, info.count);
+  put_u32(out, info.count | (info.keeps_to_marks ? keeps_to_marks_bit : 0u));
   for (const std::uint64_t word : info.steps.words()) put_u64(out, word);
   info.tiles.put(out);
   put_box(out, info.lead);
@@ -65,7 +68,8 @@ void put_block_info(Bytes& out, const BlockInfo& info) {
 BlockInfo take_block_info(ByteReader& in, const Raster& raster) {
   BlockInfo info;
   info.first_position = static_cast<std::int64_t>(in.u64());
-  info.count = in.u32();
+  const std::uint32_t count = in.u32();
+  info.count = count & ~keeps_to_marks_bit, info.keeps_to_marks = (count & keeps_to_marks_bit) != 0;
   if (info.count > block_events)
     throw MalformedBytes("a block of more than " + std::to_string(block_events) + " events");
   for (std::uint64_t& word : info.steps.words()) word = in.u64();

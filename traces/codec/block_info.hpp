@@ -96,11 +96,16 @@ struct BlockInfo {
     std::int32_t polygon = 0;
     Box box;  ///< what they name from here to the next mark
   };
-  std::vector<Mark> marks;  ///< where work on polygons begins
+  std::vector<Mark> marks;     ///< where work on polygons begins
+  bool keeps_to_marks = true;  ///< after the first mark, what is done at a pixel names no polygon but the last mark's
 
   /// The pixels first … end - 1 of a row are touched by what comes last; those outside the raster are nobody's.
   void touch(std::int32_t first, std::int32_t end, std::int32_t y) {
     if (tiles.touch(first, end, y)) (marks.empty() ? lead : marks.back().box).touch(first, end, y);
+  }
+  /// What comes last is done at a pixel, and names a polygon.
+  void name(std::int32_t polygon) {
+    if (!marks.empty() && marks.back().polygon != polygon) keeps_to_marks = false;
   }
 };
 

@@ -176,6 +176,7 @@ void add_lost(Trace::Impl& trace, std::int64_t steps, std::uint64_t offset) {
     block.info.count = static_cast<std::uint32_t>(std::min<std::int64_t>(steps, block_events));
     block.info.steps.words().fill(~std::uint64_t{0});
     block.info.tiles = Tiles(trace.scene.raster);
+    block.info.keeps_to_marks = false;
     for (std::int32_t y = 0; y < trace.scene.raster.height; ++y) block.info.touch(0, trace.scene.raster.width, y);
     block.first_mark = trace.polygons.size();
     block.place = {events_tag, offset, 0};

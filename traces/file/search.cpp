@@ -81,6 +81,28 @@ std::int64_t Trace::Impl::last_touch(std::size_t block, Trace::Pixel pixel) cons
   return touched.info.lead.holds(pixel.x, pixel.y) ? end : 0;
 }
 
+bool Trace::may_be_of(std::int32_t polygon, Pixel pixel) const {
+  const std::vector<PolygonMark>& marks = impl_->polygons;
+  for (std::size_t block = 0; block < impl_->blocks.size(); ++block) {
+    const auto& [info, first_mark, place, frame, checked, lost] = impl_->blocks[block];
+    if (!info.tiles.touched(pixel.x, pixel.y)) continue;
+    if (!info.keeps_to_marks) return true;
+    const std::size_t end = block + 1 < impl_->blocks.size() ? impl_->blocks[block + 1].first_mark : marks.size();
+    for (std::size_t mark = first_mark; mark < end; ++mark)
+      if (marks[mark].polygon == polygon && impl_->boxes[mark].holds(pixel.x, pixel.y)) return true;
+    if (!info.lead.holds(pixel.x, pixel.y)) continue;
+    if (first_mark > 0 && marks[first_mark - 1].polygon == polygon) return true;
+    bool named = false;
+    visit(info.first_position, first_mark < end ? marks[first_mark].position - 1 : info.first_position + info.count,
+          search_for(pixel, [&](std::int64_t, const RecordedEvent& recorded) {
+            named = polygon_named(recorded.event) == polygon;
+            return !named;
+          }));
+    if (named) return true;
+  }
+  return false;
+}
+
 std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& predicate, const Among& among) const {
   return next_at(
       from, [&](std::int64_t, const RecordedEvent& recorded) { return predicate(recorded); }, among);

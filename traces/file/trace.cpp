@@ -93,6 +93,7 @@ struct CheckBlock {
     ++position;
     sound(check(event));
     seen.steps.add(step);
+    if constexpr (requires { event.x, event.y, event.polygon; }) seen.name(event.polygon);
     if constexpr (requires { event.x, event.y; })
       seen.touch(static_cast<std::int32_t>(event.x), static_cast<std::int32_t>(event.x) + 1, event.y);
     else if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>)
@@ -103,6 +104,7 @@ struct CheckBlock {
     position += run.events();
     for (std::size_t i = 0; i < (run.nearer != 0 ? 4u : 2u); ++i) seen.steps.add(run.steps[i]);
     seen.touch(run.x, run.end(), run.y);
+    if (run.nearer != 0) seen.name(run.polygon);
     return sound(check(PixelWrite{run.x, run.y, run.nearer != 0 ? run.polygon : 0})) &&
            sound(check(PixelWrite{run.end() - 1, run.y, 0}));
   }
@@ -110,6 +112,7 @@ struct CheckBlock {
     position += run.events();
     seen.steps.add(run.step);
     seen.touch(run.x, run.end(), run.y);
+    seen.name(run.polygon);
     return sound(check(PixelWrite{run.x, run.y, run.polygon})) &&
            sound(check(PixelWrite{run.end() - 1, run.y, run.polygon}));
   }
@@ -133,7 +136,7 @@ void Trace::Impl::check(std::size_t block, const Bytes& packed) const {
   const std::size_t first = blocks[block].first_mark,
                     end = block + 1 < blocks.size() ? blocks[block + 1].first_mark : polygons.size();
   bool true_info = seen.steps.within(info.steps) && seen.tiles.within(info.tiles) && seen.lead.within(info.lead) &&
-                   seen.marks.size() == end - first;
+                   seen.marks.size() == end - first && (seen.keeps_to_marks || !info.keeps_to_marks);
   for (std::size_t i = 0; true_info && i < seen.marks.size(); ++i)
     true_info = info.first_position + seen.marks[i].offset + 1 == polygons[first + i].position &&
                 seen.marks[i].polygon == polygons[first + i].polygon && seen.marks[i].box.within(boxes[first + i]);
