@@ -1,6 +1,7 @@
 // zstep error: how far the depths of a run are from the exact ones.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -48,27 +49,39 @@ constexpr std::size_t most_polygons = 10;
 
 /// What rounding may do, by theory, under the conventions that the header declares.
 struct Allowed {
-  double largest = 0;       ///< of all pixels, in units of depth
-  std::int64_t held = 0;    ///< pixels whose stored depth has a bound
-  std::int64_t beyond = 0;  ///< of these, whose stored depth is farther off than its own bound
+  double largest = 0;              ///< of all pixels, in units of depth
+  std::int64_t held = 0;           ///< pixels whose stored depth has a bound
+  std::int64_t beyond = 0;         ///< of these, whose stored depth is farther off than its own bound
+  std::int64_t turned_beyond = 0;  ///< pixels where a depth of a compare that goes the other way is,
+                                   ///< or has no bound
 };
 /// Nothing where no Z-buffer draws the scene so, or the header does not say in which numbers, or where nothing that it
 /// draws is at the pixels of the run.
 std::optional<Allowed> allowed_in(const Trace& trace, const Errors& errors) {
   const auto bounds = compare::bounds_in(trace);
   if (!bounds) return std::nullopt;
+  constexpr double unbounded = std::numeric_limits<double>::infinity();
   Allowed allowed;
   std::map<std::int32_t, std::optional<double>> viewing;  // by facet
+  const auto of_viewing = [&](std::int32_t facet) -> std::optional<double> {
+    if (facet < 0) return 0;
+    const auto [known, is_new] = viewing.try_emplace(facet);
+    if (is_new) known->second = compare::viewing_bound(trace, facet);
+    return known->second;
+  };
+  for (std::size_t pixel = 0; pixel < errors.turned.size(); ++pixel) {
+    const auto& [off, facet] = errors.turned[pixel];
+    if (!errors.fighting[pixel]) continue;
+    const auto more = of_viewing(facet);
+    const double bound = more ? bounds->of_any[pixel] + *more : unbounded;
+    allowed.turned_beyond += !(off <= bound && bound < unbounded);
+  }
   for (std::size_t pixel = 0; pixel < bounds->of_pixel.size(); ++pixel) {
     const double off = std::abs(errors.depth_error_of_pixel[pixel]);
     if (std::isnan(off) || errors.polygon_of_pixel[pixel] != bounds->picture.polygon[pixel]) continue;
-    double bound = bounds->of_pixel[pixel];
-    if (const std::int32_t facet = errors.scene_facet_of_pixel[pixel]; facet >= 0) {
-      const auto [known, is_new] = viewing.try_emplace(facet);
-      if (is_new) known->second = compare::viewing_bound(trace, facet);
-      if (!known->second) continue;
-      bound += *known->second;
-    }
+    const auto more = of_viewing(errors.scene_facet_of_pixel[pixel]);
+    if (!more) continue;
+    const double bound = bounds->of_pixel[pixel] + *more;
     ++allowed.held;
     allowed.largest = std::max(allowed.largest, bound);
     allowed.beyond += off > bound;
@@ -87,6 +100,13 @@ std::string allowed_text(const Allowed& allowed, const Errors& errors) {
   if (allowed.held == stored) return "every stored depth is within its own bound";
   return fmt::format("of {} {} a bound, and {} within it", counted(stored, "stored depth", "stored depths"),
                      counted(allowed.held, "has", "have"), allowed.held == 1 ? "is" : "are");
+}
+
+/// Where compares go the other way with exact depths, and with them pixels: does rounding that a right program may have
+/// explain it all?
+bool rounding_turns(const Errors& errors, const std::optional<Allowed>& allowed) {
+  return allowed && errors.all.decided_wrong > 0 && allowed->turned_beyond == 0 && allowed->beyond == 0 &&
+         errors.wrong_pixels <= errors.fighting_pixels;
 }
 
 /// What the header would have to declare for the compares that are left open.
@@ -175,6 +195,7 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
   if (errors.left_open > 0) fmt::print("; of {} more it cannot be told", grouped(errors.left_open));
   if (errors.left_open > 0 || !header.declares(Convention::nearer))
     fmt::print("{} the header does not declare {}", errors.left_open > 0 ? ", as" : ";", undeclared_comparison(header));
+  if (rounding_turns(errors, allowed)) fmt::print("; no depth of these is beyond its bound, so rounding explains them");
   fmt::print("\n\n");
   if (trace.has(kind_of<AttributeInterpolate>)) print_attributes(trace);
   for (const oracle::WrongDecision& wrong : errors.decisions) {
@@ -218,6 +239,7 @@ void print_json(const Trace& trace, const Errors& errors, const std::optional<Al
   if (allowed) {
     all["bound"] = allowed->largest;
     all["held_to_bound"] = allowed->held, all["beyond_bound"] = allowed->beyond;
+    all["pixels_turned_beyond_bound"] = allowed->turned_beyond;
   }
   all["trace"] = trace.name();
   all["number_format"] = word_of(errors.format);
@@ -338,8 +360,8 @@ int run(const ErrorOptions& options) {
     const std::string said = write_chart(options.plot, drift_of(trace, errors));
     if (!options.json) say_written(options.plot, said);
   }
-  const std::int64_t found = errors.all.decided_wrong + errors.wrong_pixels + errors.not_finite +
-                             errors.stored_not_finite + (allowed ? allowed->beyond : 0);
+  const std::int64_t turned = rounding_turns(errors, allowed) ? 0 : errors.all.decided_wrong + errors.wrong_pixels;
+  const std::int64_t found = turned + errors.not_finite + errors.stored_not_finite + (allowed ? allowed->beyond : 0);
   return found == 0 ? exit_code::done : exit_code::finding;
 }
 
@@ -361,8 +383,9 @@ void add_error(CLI::App& app, Action& action) {
       "Computes the depths of spans again, without rounding, from the vertices that the trace has on the raster;\n"
       "so too the vertices of pieces and the t of rays. Where the trace has no spans, it takes the planes of the\n"
       "polygons. It compares every depth and every decision with these.\n"
-      "Exit code 1: with exact depths a compare would go the other way, a pixel would show another polygon, a depth\n"
-      "is no finite number, or a stored depth is farther off than rounding explains.\n"
+      "Exit code 1: with exact depths a compare would go the other way, or a pixel would show another polygon, and\n"
+      "rounding does not explain it; a depth is no finite number; or a stored depth is farther off than rounding\n"
+      "explains.\n"
       "\n"
       "Examples:\n"
       "  zstep error run.ztrace\n"

@@ -322,8 +322,13 @@ class DepthJudge {
   }
   void decided_wrong(std::int64_t position, std::int32_t x, std::int32_t y, const Known& z, const Known& stored) {
     ++found_.all.decided_wrong;
-    fighting_[static_cast<std::size_t>(y) * static_cast<std::size_t>(trace_.scene().raster.width) +
-              static_cast<std::size_t>(x)] = true;
+    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(trace_.scene().raster.width) +
+                              static_cast<std::size_t>(x);
+    fighting_[pixel] = true;
+    found_.turned.resize(fighting_.size());
+    for (const Known* of : {&z, &stored})
+      if (const double off = std::abs(of->exact->error_of(of->z, x)); !(off <= found_.turned[pixel].error))
+        found_.turned[pixel] = {off, of->scene_facet};
     ++polygons_.try_emplace(z.polygon, ErrorOf{z.polygon}).first->second.decided_wrong;
     constexpr std::size_t most = 100;
     if (found_.decisions.size() >= most) return;

@@ -54,8 +54,13 @@ struct Errors {
                                      ///< by a mistake: the run's own numbers say that it is not
   std::int64_t fighting_pixels = 0;  ///< in which a compare was decided otherwise
   std::vector<bool> fighting;        ///< [height*width], which these are
-  std::optional<double> least_gap;   ///< the smallest z_v by which two polygons that met in a pixel differ
-  double gap_at = 0;                 ///< and the z_v of the nearer of them
+  struct Turned {
+    double error = 0;               ///< in depth
+    std::int32_t scene_facet = -1;  ///< whose plane in the scene says what it is exactly, -1 where something else does
+  };
+  std::vector<Turned> turned;       ///< [height*width], of the depths of such compares the one that is farthest off
+  std::optional<double> least_gap;  ///< the smallest z_v by which two polygons that met in a pixel differ
+  double gap_at = 0;                ///< and the z_v of the nearer of them
   /// Errors in last digits of the pixels of the longest span, and of the first pixels of spans on the lines of the
   /// longest left edge: what increments add up.
   std::vector<double> along_span, along_edge;
