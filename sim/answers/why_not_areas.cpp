@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/answers/why_not_parts.hpp"
+#include "traces/formulas/of_areas.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -124,6 +125,15 @@ Depths depths_in(const Asked& q, const AreaThere& leaf, std::int32_t piece) {
   return depths;
 }
 
+/// "is in front of it at all four corners", with ties said as such.
+std::string before_at(const formulas::detail::AtCorners& held, const std::string& corners) {
+  if (held.behind > 0) return fmt::format("was taken to be in front of it at {}", corners);
+  if (held.tied == 0) return fmt::format("is in front of it at {}", corners);
+  if (held.nearer == 0)
+    return fmt::format("is exactly as near as it at {}, and is the one of the two that is painted", corners);
+  return fmt::format("is in front of it at {} of the corners, and exactly as near at the others", held.nearer);
+}
+
 Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const Visit& owner) {
   const bool surrounded = leaf.decide.what == AreaCase::front_surrounder;
   const std::string other = q.label(owner.shows);
@@ -131,12 +141,15 @@ Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const V
   if (depths.mine.empty() || depths.its.empty()) return not_recorded(q);
   Verdict verdict;
   if (surrounded) {
-    verdict = q.verdict(Why::surrounded, leaf.decided,
-                        fmt::format("{} surrounds {} and is in front of it at all four corners, so all of the area "
-                                    "became {} without a look at this pixel",
-                                    other, area_text(leaf.area), other));
-    verdict.other = owner.shows;
     double least = no_depth;
+    formulas::detail::AtCorners held;
+    for (std::size_t k = 0; k < std::min(depths.mine.size(), depths.its.size()); ++k)
+      held.add(depths.its[k].second.z, depths.mine[k].second.z);
+    const std::string corners = held.all() == 4 ? "all four corners" : "the corners where they were compared";
+    verdict = q.verdict(Why::surrounded, leaf.decided,
+                        fmt::format("{} surrounds {} and {}, so all of the area became {} without a look at this pixel",
+                                    other, area_text(leaf.area), before_at(held, corners), other));
+    verdict.other = owner.shows;
     for (std::size_t k = 0; k < std::min(depths.mine.size(), depths.its.size()); ++k) {
       const PlaneDepth &mine = depths.mine[k].second, &its = depths.its[k].second;
       verdict.formulas.push_back(fmt::format("at ({}, {}): {} of {} = {}, of {} = {}", number(mine.x_at),
@@ -152,7 +165,7 @@ Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const V
     verdict.formulas.push_back(fmt::format("at the corner where it comes nearest: \u0394{} = {}", q.z, told(least)));
   } else {
     const double z = depths.mine.back().second.z, its = depths.its.back().second.z;
-    const bool tie = std::abs(z - its) <= 1e-12 * std::max({1.0, std::abs(z), std::abs(its)});
+    const bool tie = formulas::detail::equally_near(z, its);
     const bool nearer = z < its && !tie;  // and yet the other is painted
     verdict =
         nearer ? q.verdict(Why::contradicted, leaf.decided,

@@ -69,7 +69,7 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
           : fmt::format("The run is judged up to a step that is impossible:\n{}\n", checked.impossible);
   if (const auto left = not_judged_in_words(trace, report); !left.empty())
     fmt::print(
-        "Not judged, as the run does not have what it follows from:\n  {}\n"
+        "Not judged, as nothing in the run says what it must be:\n  {}\n"
         "To find a mistake in that, compare the run with a right one: zstep diff.\n",
         fmt::join(left, "\n  "));
   if (const auto never = never_recorded(trace.header(), report); !never.empty())

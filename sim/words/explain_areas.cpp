@@ -26,6 +26,25 @@ std::string named(const Telling& t, Bin bin) {
   return text.empty() ? "none" : text;
 }
 
+/// How the piece that fills the area compares with all others, by the depths that the trace has: at its corners, or of
+/// a single pixel at the centre.
+formulas::detail::AtCorners held_at_corners(const Telling& t, std::int32_t piece, bool centre = false) {
+  const AreaBegin* area = formulas::detail::area_at_work(t.at);
+  std::vector<PlaneDepth> own, others;
+  for (std::int64_t step = t.after.position - 1; step > 0; --step) {
+    const Event event = t.trace.event(step).event;
+    if (holds<AreaBegin>(event)) break;
+    if (const auto* depth = get_if<PlaneDepth>(&event)) (depth->piece == piece ? own : others).push_back(*depth);
+  }
+  formulas::detail::AtCorners held;
+  for (const PlaneDepth& other : others)
+    for (const PlaneDepth& one : own)
+      if (one.x_at == other.x_at && one.y_at == other.y_at &&
+          (!centre || (area && one.x_at == area->first_column && one.y_at == area->first_row)))
+        held.add(one.z, other.z);
+  return held;
+}
+
 }  // namespace
 
 void tell(Telling& t, const AreaBegin& e) {
@@ -92,13 +111,41 @@ void tell(Telling& t, const AreaDecide& e) {
       t.say(fmt::format(
           "Case 3: {} surrounds the area and nothing else reaches into it, so all of it is filled with {}.", who, who));
       break;
-    case AreaCase::front_surrounder:
-      t.say(
-          fmt::format("Case 4: {} surrounds the area and is in front of all others at its four corners, so all of it "
-                      "is filled with {}.",
-                      who, who));
+    case AreaCase::front_surrounder: {
+      const auto held = held_at_corners(t, e.piece);
+      if (held.behind > 0)
+        t.contradict(
+            fmt::format("The trace says that {} surrounds the area and is in front of all others at its four "
+                        "corners, but at one of them another is nearer.",
+                        who));
+      else if (held.tied > 0)
+        t.say(
+            fmt::format("Case 4: {} surrounds the area, and none is in front of it at its four corners. Where another "
+                        "is exactly as near, {} is the one that is painted, so all of the area is filled with {}.",
+                        who, who, who));
+      else if (held.nearer > 0)
+        t.say(
+            fmt::format("Case 4: {} surrounds the area and is in front of all others at its four corners, so all of it "
+                        "is filled with {}.",
+                        who, who));
+      else
+        t.say(
+            fmt::format("Case 4: {} surrounds the area, and the trace takes it to be in front of all others at its "
+                        "four corners, so all of it is filled with {}.",
+                        who, who));
       break;
+    }
     case AreaCase::pixel:
+      if (const auto held = held_at_corners(t, e.piece, true); e.piece >= 0 && held.behind > 0) {
+        t.contradict(fmt::format("The trace gives the pixel to {}, but at its centre another is nearer.", who));
+        break;
+      } else if (e.piece >= 0 && held.tied > 0) {
+        t.say(
+            fmt::format("A single pixel cannot be quartered. None is nearer than {} at its centre, where another is "
+                        "exactly as near, so the pixel becomes {}.",
+                        who, who));
+        break;
+      }
       t.say(
           e.piece < 0
               ? std::string("A single pixel cannot be quartered. No polygon covers its centre, so it stays background.")

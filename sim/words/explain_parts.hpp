@@ -39,7 +39,7 @@ struct Telling {
         after(after_),
         scene(trace_.scene()),
         conventions(trace_.header().conventions),
-        at(formulas::situation_of(trace_, after_)),
+        at(formulas::situation_after(trace_, after_)),
         machine(after_.machine),
         z(depth_symbol(trace_.scene(), trace_.header().conventions)),
         along(symbol_along(trace_.scene(), trace_.header().conventions)) {}
@@ -55,7 +55,14 @@ struct Telling {
   void owns(std::string symbol, std::int32_t polygon) { add_owned(out.owned, {std::move(symbol), polygon}); }
   void value(std::string name, double v) { out.values.emplace_back(std::move(name), v); }
   std::string label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
-  std::string here() const { return label(polygon_at_work(machine)); }
+  /// The polygon at work; of a pixel whose span came earlier than that one, the span's.
+  std::int32_t polygon() const { return pixels_polygon().value_or(machine.polygon); }
+  std::int32_t at_work() const { return pixels_polygon().value_or(polygon_at_work(machine)); }
+  std::optional<std::int32_t> pixels_polygon() const {
+    const auto& pixel = machine.fragment;
+    return at.ahead.of_all && pixel ? at.polygon_of_pixel(pixel->x, pixel->y) : std::nullopt;
+  }
+  std::string here() const { return label(at_work()); }
   std::string piece(std::int32_t number) const { return piece_label(scene, machine, number); }
   /// The name of the step that recorded the event, "" in a trace whose page lacks it.
   std::string step() const {
@@ -93,7 +100,7 @@ struct Telling {
   template <class PutBack>
   void derive_from(const Event& event, PutBack&& put_back) {
     State before;
-    before.vertices = after.vertices, before.machine = after.machine;
+    before.vertices = after.vertices, before.machine = after.machine, before.position = after.position - 1;
     put_back(before.machine);
     derived = derived_fields(event, formulas::situation_of(trace, before));
   }

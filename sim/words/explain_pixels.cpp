@@ -56,7 +56,7 @@ std::optional<double> compared_at(const Telling& t, std::int32_t x, std::int32_t
 /// it.
 std::optional<double> glass_here(const Telling& t) {
   const bool mixes = records<ColorBlend>(t.trace.header());
-  const std::int32_t at_work = polygon_at_work(t.machine);
+  const std::int32_t at_work = t.at_work();
   const auto polygon = static_cast<std::size_t>(at_work);
   if (!mixes || at_work < 0 || polygon >= t.scene.polygons.size()) return std::nullopt;
   const double opacity = t.scene.polygons[polygon].material->opacity;
@@ -138,8 +138,8 @@ Written write_of(const Telling& t, const DepthCompare& e) {
 /// "so pixel (1, 3) becomes A", as far as the trace has it.
 std::string becomes_text(const Telling& t, const DepthCompare& e, const Written& written) {
   const std::string where = pixel(e.x, e.y);
-  const bool named = t.machine.polygon != no_polygon;
-  if (written.step != 0 && named && written.polygon != t.machine.polygon)
+  const bool named = t.polygon() != no_polygon;
+  if (written.step != 0 && named && written.polygon != t.polygon())
     return fmt::format("so pixel {} should become {}, but step {} writes {}", where, t.here(), grouped(written.step),
                        t.label(written.polygon));
   if (written.step != 0 || (written.unknown && named))
@@ -155,7 +155,7 @@ std::string becomes_text(const Telling& t, const DepthCompare& e, const Written&
 void tell(Telling& t, const DepthInterpolate& e) {
   t.say(fmt::format("At pixel {} polygon {} is at depth {}.", pixel(e.x, e.y), t.here(), number(e.z)));
   t.value(t.z, e.z);
-  if (!t.machine.span) return;
+  if (!t.at.span_of(e)) return;
   if (t.at.adds_slopes()) t.derive_from(e, [&](MethodState& machine) { machine.fragment = pixel_before(t, e); });
   else t.derive(e);
   t.depth_on_span(e.z);
@@ -171,7 +171,7 @@ void tell(Telling& t, const DepthCompare& e) {
   const std::string_view sign = comparison.sign(), relation = e.z < stored ? "<" : e.z > stored ? ">" : "=";
   const auto glass = glass_here(t);
   const Written written = write_of(t, e);
-  const std::string where = pixel(e.x, e.y), drawn = t.machine.polygon == no_polygon
+  const std::string where = pixel(e.x, e.y), drawn = t.polygon() == no_polygon
                                                          ? "the polygon at work, which the trace does not name,"
                                                          : t.here();
   if (numbers_say != e.nearer) {
@@ -193,8 +193,7 @@ void tell(Telling& t, const DepthCompare& e) {
     t.say(fmt::format("{} {} {}: {}, {}.", z, relation, before, nearer_text(is, e.z, buffer_name(t)),
                       becomes_text(t, e, written)));
     const bool as_found =
-        written.unknown ||
-        (written.step != 0 && (t.machine.polygon == no_polygon || written.polygon == t.machine.polygon));
+        written.unknown || (written.step != 0 && (t.polygon() == no_polygon || written.polygon == t.polygon()));
     if (!as_found) t.out.doubt = t.out.sentence;
   } else if (written.step != 0 && written.step > t.after.position) {
     t.contradict(fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, and step {} writes {} all the same.", z,
@@ -214,7 +213,7 @@ void tell(Telling& t, const DepthCompare& e) {
   const std::string buffer = buffer_of(t) + "[" + pixel_of(t, "x", "y") + "]";
   t.formula(
       fmt::format("{} {} {}:  {} {} {}  is {}", t.z, sign, buffer, z, sign, before, numbers_say ? "true" : "false"));
-  t.owns(t.z, polygon_at_work(t.machine));
+  t.owns(t.z, t.at_work());
   if (f) t.owns(buffer, f->stored_polygon);
   t.value(t.z, e.z);
   if (const auto interpolated = interpolated_at(t, e.x, e.y))
@@ -231,8 +230,7 @@ void tell(Telling& t, const DepthWrite& e) {
   } else {
     t.say(fmt::format("The {} takes {}.", where, number(e.z)));
   }
-  t.owns(fmt::format("{}[{}]", buffer_of(t), pixel_of(t, std::to_string(e.x), std::to_string(e.y))),
-         polygon_at_work(t.machine));
+  t.owns(fmt::format("{}[{}]", buffer_of(t), pixel_of(t, std::to_string(e.x), std::to_string(e.y))), t.at_work());
   t.formula(
       fmt::format("{}[{}] = {}", buffer_of(t), pixel_of(t, std::to_string(e.x), std::to_string(e.y)), number(e.z)));
   t.value(t.z, e.z);

@@ -102,8 +102,9 @@ std::vector<std::string> not_judged_in_words(const Trace& trace, const CheckRepo
     const std::string steps = one.steps < one.of
                                   ? fmt::format("{} of {}", grouped(one.steps), how_many(one.of, "step", "steps"))
                                   : how_many(one.of, "step", "steps");
-    lines.push_back(one.fields.empty() ? fmt::format("{} ({})", names, steps)
-                                       : fmt::format("{} of {} ({})", fmt::join(one.fields, ", "), names, steps));
+    const std::string fields = one.fields.empty() ? "" : fmt::format("{} of ", fmt::join(one.fields, ", "));
+    lines.push_back(
+        fmt::format("{}{} ({}){}", fields, names, steps, one.never ? ": no formula says what it must be" : ""));
   }
   for (const std::int32_t polygon : report.polygons_missing)
     lines.push_back(fmt::format("polygon {}: the run has no step of it", polygon_label(trace.scene(), polygon)));

@@ -112,10 +112,13 @@ std::int32_t owner_of(const formulas::Situation& at, const formulas::Place& plac
       const auto pixel = static_cast<std::size_t>(place.number);
       return pixel < polygons.size() ? polygons[pixel] : no_polygon;
     }
+    case In::span:
+      if (const auto& spans = at.ahead.spans(); at.ahead.of_all && static_cast<std::size_t>(number) < spans.size())
+        return spans[static_cast<std::size_t>(number)].polygon;
+      return polygon_at_work(method);
     case In::event:  // the pixel and the scan line are no polygon's
       return name == "x" || name == "y" || name == "t" ? no_polygon : polygon_at_work(method);
     case In::plane:
-    case In::span:
     case In::fragment:
     case In::attribute:
       return polygon_at_work(method);

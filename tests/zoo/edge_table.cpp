@@ -20,7 +20,7 @@ struct Program {
   std::string out;
   std::vector<double> depth;
   // Places where a mistake can be made once.
-  int edges = 0, steps = 0, roundings = 0, retirements = 0, inserted = 0, spans = 0;
+  int edges = 0, steps = 0, roundings = 0, retirements = 0, early = 0, inserted = 0, spans = 0;
 
   double first_dz = 0;
 
@@ -172,8 +172,9 @@ struct Program {
       if (active.empty() && fresh.empty()) continue;
       say("{\"step\":\"line\",\"y\":%d}", y);
       for (auto edge = active.begin(); edge != active.end();) {
-        if (edge->y_end + is("retired_one_late") <= y && !is("never_retired") &&
-            !once("missing_retirement", retirements)) {
+        const bool ends_next = edge->y_end == y + 1 && edge->y_first < y && once("early_retirement", early);
+        if (ends_next || (edge->y_end + is("retired_one_late") <= y && !is("never_retired") &&
+                          !once("missing_retirement", retirements))) {
           say("{\"step\":\"retire\",\"edge\":%d}", edge->number);
           edge = active.erase(edge);
         } else {

@@ -128,7 +128,7 @@ struct Judge {
   Number number(const auto&, double value, const Place& place) {
     if (place.in != Place::In::event && place.in != Place::In::scene) checker.read(place);
     Rounded known(value);
-    if (checker.report.precision.largest_amount() > 0)
+    if (checker.report.precision.absolute > 0)
       known.spread += checker.report.precision.amount(place) / checker.report.precision.relative;
     return known;
   }
@@ -136,7 +136,10 @@ struct Judge {
   void reads(const Place& place) { checker.read(place); }
   bool trusts(const Place& place) const { return checker.inheritance.of(place) == Inheritance::clean; }
   bool every_digit() const { return checker.report.precision.every_digit; }
-  bool equal(double one, double other) const { return equal(one, other, checker.report.precision.largest_amount()); }
+  bool equal(double one, double other) const {
+    const Precision& precision = checker.report.precision;
+    return equal(one, other, precision.whole ? precision.absolute : precision.largest_amount());
+  }
   bool equal(double one, double other, double amount) const {
     return checker.within_rounding(Rounded(one), other, amount);
   }

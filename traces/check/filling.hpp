@@ -42,8 +42,9 @@ class Filling {
     constexpr bool begins_polygon = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
     constexpr bool begins_line = std::is_same_v<E, ScanLineBegin>, begins_span = std::is_same_v<E, SpanBegin>;
     if constexpr (begins_line || begins_span)
-      if (at.span_has_pixels) end_spans(out);
-    if constexpr (begins_polygon) end_spans(out);
+      if (at.ahead.has_pixels()) end_spans(out);
+    if constexpr (begins_polygon)
+      if (!at.ahead.of_all) end_spans(out);
     if constexpr (begins_polygon || begins_line) end_line(at, out);
     if constexpr (begins_polygon) end_polygon(at, out);
     if constexpr (begins_line) {
@@ -57,7 +58,7 @@ class Filling {
       open_.push_back({e, std::vector<bool>(static_cast<std::size_t>(std::max(0, at.scene.raster.width)))});
     }
     if constexpr (requires { e.x, e.y; })
-      if (kind_of<E> == pixel_) visit(e.x, e.y);
+      if (kind_of<E> == pixel_) visit(e.x, e.y, at.span_of(e));
   }
 
   /// The run is over. Where something is still due its end may be missing, or more.
@@ -76,13 +77,11 @@ class Filling {
   }
 
  private:
-  void visit(std::int32_t x, std::int32_t y) {
-    const auto covers = [&](const OpenSpan& open) { return Situation::covers(open.span, x, y); };
-    auto span = std::find_if(open_.rbegin(), open_.rend(), covers);
-    if (span == open_.rend())  // beside one on its line, which another rule says
-      span = std::find_if(open_.rbegin(), open_.rend(), [&](const OpenSpan& open) { return open.span.y == y; });
-    if (span == open_.rend() || x < 0 || static_cast<std::size_t>(x) >= span->visited.size()) judges_ = false;
-    else span->visited[static_cast<std::size_t>(x)] = true;
+  void visit(std::int32_t x, std::int32_t y, const Situation::SpanOfPixel& of) {
+    const auto number = static_cast<std::size_t>(of.place.number);
+    const bool known = of && number < open_.size() && open_[number].span.y == y && x >= 0;
+    if (!known || static_cast<std::size_t>(x) >= open_[number].visited.size()) judges_ = false;
+    else open_[number].visited[static_cast<std::size_t>(x)] = true;
   }
   /// Their pixels may come after several spans.
   template <class Out>
@@ -95,11 +94,9 @@ class Filling {
     open_.clear();
   }
 
-  /// How many spans with pixels lie between these edges, `back` scan lines before. `sure`: so much of a pixel beside a
-  /// centre rounding may decide.
-  static int spans_between(std::vector<ActiveEdge> edges, const Situation& at, int back, double sure) {
-    for (ActiveEdge& one : edges)
-      if (const EdgeTableInsert* entry = at.edge(one.edge)) one.x -= back * entry->dx_dy;
+  /// How many spans with pixels lie between these edges. `sure`: so much of a pixel beside a centre rounding may
+  /// decide.
+  static int spans_between(std::vector<ActiveEdge> edges, const Situation& at, double sure) {
     std::sort(edges.begin(), edges.end(),
               [](const ActiveEdge& one, const ActiveEdge& other) { return one.x < other.x; });
     const std::int32_t width = at.scene.raster.width;
@@ -125,16 +122,16 @@ class Filling {
     int due = 0;
     constexpr double rounded = 1e-3, added = 1e-6;
     if (!active_.empty()) {
-      due = spans_between(std::move(active_), at, 0, out.every_digit() ? 0 : rounded);
+      due = spans_between(std::move(active_), at, out.every_digit() ? 0 : rounded);
     } else {
-      std::vector<ActiveEdge> edges = at.method().active;
-      std::erase_if(edges, [&](const ActiveEdge& one) {
-        const EdgeTableInsert* entry = at.edge(one.edge);
-        return !entry || entry->first_row > y || entry->end_row <= y;
-      });
-      // They may stand where this line has them, or have moved on to the next one.
-      const double sure = out.every_digit() ? added : rounded;
-      due = std::min(spans_between(edges, at, 0, sure), spans_between(edges, at, 1, sure));
+      // Of those that entered, as the table has them: some may have moved on to the next line, or left too early.
+      std::vector<ActiveEdge> edges;
+      const auto& table = at.method().edge_table;
+      for (std::size_t edge = 0; edge < table.size(); ++edge)
+        if (const EdgeTableInsert& entry = table[edge];
+            at.method().edge_stages[edge] != EdgeStage::waiting && entry.first_row <= y && y < entry.end_row)
+          edges.push_back({entry.edge, entry.x_edge + (y - entry.first_row) * entry.dx_dy, 0});
+      due = spans_between(std::move(edges), at, out.every_digit() ? added : rounded);
     }
     active_.clear();
     out.rule(Rule::pair_has_span, std::exchange(spans_, 0) >= due);
@@ -192,7 +189,7 @@ class Filling {
     SpanBegin span;
     std::vector<bool> visited;  ///< by column
   };
-  std::vector<OpenSpan> open_{};  ///< spans that no pixel came between
+  std::vector<OpenSpan> open_{};  ///< spans that no pixel came between, as Situation::ahead has them
 };
 
 }  // namespace zstep

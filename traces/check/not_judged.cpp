@@ -7,10 +7,16 @@ namespace zstep {
 
 namespace {
 
-/// Fields that say nothing in some steps: the slope of a span without width, a face that is seen edge-on.
+/// A field that says nothing in some steps: the slope of a span without width.
 bool may_say_nothing(std::size_t kind, std::string_view field) {
-  return (kind == kind_of<SpanBegin> && field == "dz_dx") || (kind == kind_of<FacingTest> && field == "facing");
+  return kind == kind_of<SpanBegin> && field == "dz_dx";
 }
+
+/// Of what is recorded no formula says what it must be, and rules, if any, only what it may not be.
+bool never_judged(As as) { return has(as, As::recorded) && !has(as, As::formula) && !has(as, As::ruled); }
+
+/// Kinds that say something of things which they only name.
+bool joins_things(std::size_t kind) { return kind == kind_of<NodeAdd> || kind == kind_of<CurveSegment>; }
 
 /// Kinds without a field that a formula gives, in which something may be wrong all the same.
 bool is_decided(std::size_t kind) { return kind == kind_of<PolygonReject>; }
@@ -21,11 +27,16 @@ std::vector<NotJudged> not_judged(const CheckReport& report) {
   std::vector<NotJudged> left;
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
     const KindJudged& of = report.kinds[kind];
-    if (of.steps == 0 || !of.can_be_judged) continue;
-    if (of.judged == 0) {
-      left.push_back({static_cast<std::uint8_t>(kind), of.steps, of.steps, {}});
+    if (of.steps == 0) continue;
+    if (of.can_be_judged ? of.judged == 0 : joins_things(kind)) {
+      left.push_back({static_cast<std::uint8_t>(kind), of.steps, of.steps, {}, !of.can_be_judged});
       continue;
     }
+    NotJudged never{static_cast<std::uint8_t>(kind), of.steps, of.steps, {}, true};
+    for (const FieldOfKind& field : fields_of_kind(kind))
+      if (never_judged(field.as)) never.fields.push_back(field.name);
+    if (!never.fields.empty()) left.push_back(std::move(never));
+    if (!of.can_be_judged) continue;
     if (is_decided(kind) && of.judged < of.steps)
       left.push_back({static_cast<std::uint8_t>(kind), of.steps - of.judged, of.steps, {}});
     // Fields of which as much is known go together.

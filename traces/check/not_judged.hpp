@@ -15,6 +15,7 @@ struct NotJudged {
   std::uint8_t kind = 0;
   std::int64_t steps = 0, of = 0;        ///< in so many of its steps
   std::vector<std::string_view> fields;  ///< these fields; all of the step where it is empty
+  bool never = false;                    ///< in no run: no formula says what they must be
 };
 /// In the order of the vocabulary. Kinds that only say where the run has come to are not among them: there is nothing
 /// in them that could be wrong.

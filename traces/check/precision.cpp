@@ -18,6 +18,7 @@
 #include "traces/events/fields.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/formulas/fixed_depths.hpp"
+#include "traces/formulas/lines.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
 
@@ -199,6 +200,29 @@ bool whole_depths(const Trace& trace) {
          std::all_of(numbers.depths.begin(), numbers.depths.end(), [](double z) { return z == std::trunc(z); });
 }
 
+/// Are they rounded to such? Then most depths between the ends of a span would not be whole without it, and nearly all
+/// of these are less than one off.
+bool rounds_to_whole(const Trace& trace) {
+  std::optional<SpanBegin> span;
+  std::int64_t between = 0, near = 0;
+  const auto look = [&](std::int32_t x, std::int32_t y, double z) {
+    if (!span || y != span->y || x < span->first || x > span->last || span->x_left == span->x_right) return;
+    const double exact =
+        formulas::on_line(span->z_left, span->z_right, static_cast<double>(x), span->x_left, span->x_right);
+    constexpr double whole = 1e-6;
+    if (!(std::abs(exact - std::round(exact)) > whole)) return;
+    ++between, near += std::abs(z - exact) < 1;
+  };
+  trace.each(0, std::min(trace.size(), most_events), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (const auto* begin = get_if<SpanBegin>(&recorded.event)) span = *begin;
+    else if (const auto* depth = get_if<DepthInterpolate>(&recorded.event)) look(depth->x, depth->y, depth->z);
+    else if (const auto* compare = get_if<DepthCompare>(&recorded.event)) look(compare->x, compare->y, compare->z);
+    return true;
+  });
+  constexpr std::int64_t enough = 3;
+  return between >= enough && 10 * near >= 9 * between;
+}
+
 Precision precision_of_fixed(const Trace& trace, NumberFormat format, const char* why) {
   Conventions conventions = trace.header().conventions;
   conventions.number_format = format;
@@ -254,6 +278,13 @@ Precision precision_of_numbers(const Trace& trace, const HeldTo& held) {
             NumberFormat::float64,
             0,
             *all < digits};
+  // A header that does not say in what depths are kept is held to no more digits than they have.
+  const bool corrected = header.conventions.depth == Conventions::Depth::corrected;
+  if (!declared && digits == 0 && !corrected && whole_depths(trace) && rounds_to_whole(trace)) {
+    Precision rounded{formulas::rounding_of_float64, 1, false, "whole depths, as the numbers look"};
+    rounded.unit = 1, rounded.whole = true;
+    return rounded;
+  }
   constexpr int digits_of_float32 = 6;
   const bool many_digits = std::any_of(seen.by_digits.begin() + digits_of_float32 + 1, seen.by_digits.end(),
                                        [](std::int64_t count) { return count > 0; });
@@ -282,7 +313,7 @@ std::string_view unit_of(std::string_view field) {
 }  // namespace
 
 double Precision::amount(const formulas::Place& place) const {
-  return positions == 0 ? absolute : amount(unit_of(place.field));
+  return positions == 0 && !whole ? absolute : amount(unit_of(place.field));
 }
 
 Precision precision_of(const Trace& trace, const HeldTo& held) {

@@ -34,15 +34,18 @@ struct Precision {
   double unit = 0;    ///< of fixed-point depths, or of the last decimal that is written; else 0
   bool held = false;  ///< to more digits than are written, as `digits` asks
   std::shared_ptr<const DepthBounds> depths = nullptr;  ///< as it was told
+  bool whole = false;                                   ///< depths, and they alone, are rounded to whole numbers
   double positions = 0;  ///< by how much positions in pixels may be off where that is another amount: in fixed point
 
   /// What a number of this unit may be off besides its share. Of units that a program need not keep in fixed point, the
   /// larger amount.
   double amount(std::string_view of_unit) const {
+    if (whole) return of_unit == "depth" ? absolute : 0;
     if (positions == 0 || of_unit == "depth") return absolute;
     return of_unit == "px" ? positions : largest_amount();
   }
-  double largest_amount() const { return std::max(absolute, positions); }
+  /// Of numbers of which the unit is not asked.
+  double largest_amount() const { return whole ? 0 : std::max(absolute, positions); }
   /// The same of an operand, by the field that it stands in.
   double amount(const formulas::Place& place) const;
   double allowed_depth(std::int64_t x, std::int64_t y) const { return depths ? depths->at(x, y) : 0; }

@@ -83,6 +83,7 @@ class Follow {
     at_.look();
     step(position, e);
     run_.apply(position, e);
+    at_.passed(e);
     return go_on_(position) && (position < last_ || may_be_needed());
   }
   bool operator()(std::int64_t position, const codec::FragmentRun& pixels) { return pass(position, pixels); }
@@ -107,8 +108,10 @@ class Follow {
   bool pass(std::int64_t position, const Run& pixels) {
     const std::int64_t end = position + pixels.events();
     const bool here = next_missing() < end || next_difference() <= end;
-    if (!here && !plain_ && !fragment_ && !rows_[static_cast<std::size_t>(pixels.y)]) {
+    const bool several = at_.ahead.spans().size() > 1;
+    if (!here && !several && !plain_ && !fragment_ && !rows_[static_cast<std::size_t>(pixels.y)]) {
       run_.apply_pixels(position, pixels);
+      at_.ahead.pass_pixels();
       return go_on_(position);
     }
     const bool going_on = pixels.expand([&](std::uint8_t line, const auto& e) { return (*this)(++position, line, e); });
@@ -135,6 +138,8 @@ class Follow {
     }
     (findings_[static_cast<std::size_t>(what.difference)].rounding ? rounding_ : different_)
         .set(place, what.difference);
+    const std::uint8_t kind = report_.alignment.differences[static_cast<std::size_t>(what.difference)].kind;
+    if (list_ == no_difference && (kind == kind_of<EdgeEnter> || kind == kind_of<EdgeRetire>)) list_ = what.difference;
     mark(place);
   }
 
@@ -160,6 +165,9 @@ class Follow {
       }
     if constexpr (std::is_same_v<E, EdgeRetire>)
       if (number != no_difference) note_alone(number, Place{Place::In::active_edge, e.edge});
+    if constexpr (std::is_same_v<E, EdgeEnter> || std::is_same_v<E, EdgeRetire> || std::is_same_v<E, EdgeSwap>)
+      if (number != no_difference && list_ == no_difference) list_ = number;
+    if constexpr (begins<E>() == 1) list_ = no_difference;
     if constexpr (std::is_same_v<E, BuffersClear>)
       for (const Place::In in : {Place::In::depth_buffer, Place::In::frame}) different_.clear(in), rounding_.clear(in);
     if constexpr (begins<E>() > 0)
@@ -223,6 +231,14 @@ class Follow {
     finding.tie = witness.decides && witness.gap == 0;
     finding.unjudged = witness.undeclared || (difference.fields & exact_bits<E>() & ~witness.told) != 0;
     finding.comes_from = reads.from_different;
+    // Which edges a span goes between follows from the list that they stand in.
+    if constexpr (std::is_same_v<E, SpanBegin>) {
+      constexpr auto edges = bit_of<SpanBegin>("left_edge") | bit_of<SpanBegin>("right_edge");
+      if (list_ != no_difference && (alone || (difference.fields & edges) != 0)) {
+        finding.wrong = false;
+        if (finding.comes_from == no_difference) finding.comes_from = list_;
+      }
+    }
     // Where the depth of a compare is as it should be, the verdict follows from what is stored there.
     if (!alone && numbers_near && finding.comes_from == no_difference) finding.comes_from = reads.stored_different;
     if constexpr (std::is_same_v<E, ScanLineBegin> || std::is_same_v<E, EdgeStep>)
@@ -398,6 +414,7 @@ class Follow {
   bool fragment_ = false;   ///< the pixel at work may be in one of these
   std::vector<bool> rows_;  ///< some pixel of the scan line may be
   std::array<std::int32_t, 4> scopes_{};
+  std::int32_t list_ = no_difference;  ///< the first difference in what enters, leaves and moves in the active list
   double box_margin_;
   std::int32_t undecided_ = -1;  ///< the piece of the last pair whose z extents met, while it is held against others
   bool pair_meets_ = false;      ///< those of the pair at work do

@@ -53,14 +53,14 @@ inline constexpr Description description_of<AreaBin>{.name = "area_bin",
                                                      .work = WorkKind::tests,
                                                      .within = Within::area};
 template <>
-inline constexpr auto fields_of<AreaBin> =
-    Fields{Field{"piece", &AreaBin::piece, Measure::piece, "the polygon's piece", As::subject, Guess::told},
-           Field{"crossings", &AreaBin::crossings, "1",
-                 "edges of the polygon that meet the area; -1 when the box decided", As::formula, Guess::formula},
-           Field{"corners_inside", &AreaBin::corners_inside, "1",
-                 "corners of the area inside the polygon; -1 when the box decided", As::formula, Guess::formula},
-           Field{"bin", &AreaBin::bin, "1", "the bin", As::formula, Guess::formula},
-           Field{"by_box", &AreaBin::by_box, "1", "the bounding box decided", As::recorded, Guess::formula}};
+inline constexpr auto fields_of<AreaBin> = Fields{
+    Field{"piece", &AreaBin::piece, Measure::piece, "the polygon's piece", As::subject, Guess::told},
+    Field{"crossings", &AreaBin::crossings, "1", "edges of the polygon that meet the area; -1 when the box decided",
+          As::formula, Guess::formula},
+    Field{"corners_inside", &AreaBin::corners_inside, "1",
+          "corners of the area inside the polygon; -1 when the box decided", As::formula, Guess::formula},
+    Field{"bin", &AreaBin::bin, "1", "the bin", As::formula, Guess::formula},
+    Field{"by_box", &AreaBin::by_box, "1", "the bounding box decided", As::recorded | As::ruled, Guess::formula}};
 
 template <>
 inline constexpr Description description_of<AreaDecide>{.name = "area_decide",

@@ -49,7 +49,7 @@ inline constexpr auto fields_of<CurveBegin> =
                  "the curve, numbered in the order in which curves are drawn", As::made, Guess::next},
            Field{"row", &CurveBegin::row, "index", "the row of the surface's grid, or the column", As::subject},
            Field{"across", &CurveBegin::across, "1", "it is a curve of constant x", As::subject},
-           Field{"constant", &CurveBegin::constant, "world", "the z (or x) that is constant on it", As::recorded}};
+           Field{"constant", &CurveBegin::constant, "world", "the z (or x) that is constant on it", As::formula}};
 
 template <>
 inline constexpr Description description_of<CurveSegment>{.name = "curve_segment",
@@ -110,9 +110,10 @@ inline constexpr auto fields_of<LineBegin> = Fields{
     Field{"line", &LineBegin::line, Measure::line, "the edge", As::made, Guess::next},
     Field{"vertex_0", &LineBegin::vertex_0, Measure::vertex, "its one end", As::subject},
     Field{"vertex_1", &LineBegin::vertex_1, Measure::vertex, "its other end", As::subject},
-    Field{"left_facet", &LineBegin::left_facet, Measure::facet_or_none, "the facet on its left, -1 if none", As::input},
+    Field{"left_facet", &LineBegin::left_facet, Measure::facet_or_none, "the facet on its left, -1 if none",
+          As::recorded},
     Field{"right_facet", &LineBegin::right_facet, Measure::facet_or_none, "the facet on its right, -1 if none",
-          As::input},
+          As::recorded},
     Field{"kind", &LineBegin::kind, "1",
           "inner, contour (front meets back), boundary (one facet), or back (all its facets face away)", As::recorded}};
 

@@ -31,6 +31,7 @@ enum class As : std::uint8_t {
   subject = 4,   ///< it names what the step is about, so that the same step is known in another run
   made = 8,      ///< it is the number of the thing that the step makes
   aside = 16,    ///< two runs may differ in it and yet do the same
+  ruled = 32,    ///< rules say what it may be, though no formula does
 };
 constexpr As operator|(As one, As other) {
   return static_cast<As>(static_cast<std::uint8_t>(one) | static_cast<std::uint8_t>(other));

@@ -29,7 +29,7 @@ inline constexpr Description description_of<ListInsert>{
 template <>
 inline constexpr auto fields_of<ListInsert> =
     Fields{Field{"piece", &ListInsert::piece, Measure::piece, "the piece", As::subject},
-           Field{"place", &ListInsert::place, "index", "its place in the list, from the front, from 0", As::input}};
+           Field{"place", &ListInsert::place, "index", "its place in the list, from the front, from 0", As::formula}};
 
 template <>
 inline constexpr Description description_of<ListRemove>{

@@ -54,7 +54,7 @@ inline constexpr Description description_of<TablesBegin>{
     .work = WorkKind::bookkeeping};
 template <>
 inline constexpr auto fields_of<TablesBegin> =
-    Fields{Field{"polygons", &TablesBegin::polygons, "1", "how many polygons the scene has", As::input}};
+    Fields{Field{"polygons", &TablesBegin::polygons, "1", "how many polygons the scene has", As::formula}};
 
 template <>
 inline constexpr Description description_of<PieceMake>{
@@ -202,6 +202,6 @@ template <>
 inline constexpr auto fields_of<Saved> =
     Fields{Field{"coherence", &Saved::coherence, "1",
                  "thanks to which coherence; or to extents, or to the order of drawing", As::subject},
-           Field{"tests", &Saved::tests, "1", "how many tests were not made", As::input}};
+           Field{"tests", &Saved::tests, "1", "how many tests were not made", As::recorded}};
 
 }  // namespace zstep

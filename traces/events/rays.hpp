@@ -45,12 +45,12 @@ inline constexpr auto fields_of<BoxMake> =
     Fields{Field{"box", &BoxMake::box, Measure::box, "the box, numbered in the order in which boxes are made", As::made,
                  Guess::next},
            Field{"parent", &BoxMake::parent, Measure::box, "the box around it, -1 if there is none", As::subject},
-           Field{"x_min", &BoxMake::x_min, "world", "its least x", As::recorded},
-           Field{"x_max", &BoxMake::x_max, "world", "its greatest x", As::recorded},
-           Field{"y_min", &BoxMake::y_min, "world", "its least y", As::recorded},
-           Field{"y_max", &BoxMake::y_max, "world", "its greatest y", As::recorded},
-           Field{"z_min", &BoxMake::z_min, "world", "its least z", As::recorded},
-           Field{"z_max", &BoxMake::z_max, "world", "its greatest z", As::recorded}};
+           Field{"x_min", &BoxMake::x_min, "world", "its least x", As::recorded | As::ruled},
+           Field{"x_max", &BoxMake::x_max, "world", "its greatest x", As::recorded | As::ruled},
+           Field{"y_min", &BoxMake::y_min, "world", "its least y", As::recorded | As::ruled},
+           Field{"y_max", &BoxMake::y_max, "world", "its greatest y", As::recorded | As::ruled},
+           Field{"z_min", &BoxMake::z_min, "world", "its least z", As::recorded | As::ruled},
+           Field{"z_max", &BoxMake::z_max, "world", "its greatest z", As::recorded | As::ruled}};
 
 template <>
 inline constexpr Description description_of<BoxHold>{
@@ -67,15 +67,15 @@ inline constexpr Description description_of<GridMake>{.name = "grid_make",
                                                       .after_polygons = true};
 template <>
 inline constexpr auto fields_of<GridMake> =
-    Fields{Field{"cells_x", &GridMake::cells_x, "1", "cells along x", As::recorded},
-           Field{"cells_y", &GridMake::cells_y, "1", "cells along y", As::recorded},
-           Field{"cells_z", &GridMake::cells_z, "1", "cells along z", As::recorded},
-           Field{"x_min", &GridMake::x_min, "world", "least x", As::recorded},
-           Field{"x_max", &GridMake::x_max, "world", "greatest x", As::recorded},
-           Field{"y_min", &GridMake::y_min, "world", "least y", As::recorded},
-           Field{"y_max", &GridMake::y_max, "world", "greatest y", As::recorded},
-           Field{"z_min", &GridMake::z_min, "world", "least z", As::recorded},
-           Field{"z_max", &GridMake::z_max, "world", "greatest z", As::recorded}};
+    Fields{Field{"cells_x", &GridMake::cells_x, "1", "cells along x", As::recorded | As::ruled},
+           Field{"cells_y", &GridMake::cells_y, "1", "cells along y", As::recorded | As::ruled},
+           Field{"cells_z", &GridMake::cells_z, "1", "cells along z", As::recorded | As::ruled},
+           Field{"x_min", &GridMake::x_min, "world", "least x", As::recorded | As::ruled},
+           Field{"x_max", &GridMake::x_max, "world", "greatest x", As::recorded | As::ruled},
+           Field{"y_min", &GridMake::y_min, "world", "least y", As::recorded | As::ruled},
+           Field{"y_max", &GridMake::y_max, "world", "greatest y", As::recorded | As::ruled},
+           Field{"z_min", &GridMake::z_min, "world", "least z", As::recorded | As::ruled},
+           Field{"z_max", &GridMake::z_max, "world", "greatest z", As::recorded | As::ruled}};
 
 template <>
 inline constexpr Description description_of<CellHold>{

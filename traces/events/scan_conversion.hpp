@@ -132,7 +132,7 @@ inline constexpr Description description_of<PlaneSlopes>{
     .called = "slopes of the plane of {polygon}"};
 template <>
 inline constexpr auto fields_of<PlaneSlopes> = Fields{
-    Field{"polygon", &PlaneSlopes::polygon, Measure::polygon, "the polygon", As::subject},
+    Field{"polygon", &PlaneSlopes::polygon, Measure::polygon, "the polygon", As::formula | As::subject},
     Field{"vertex_0", &PlaneSlopes::vertex_0, Measure::vertex, "the vertex from which depths are counted", As::input},
     Field{"vertex_1", &PlaneSlopes::vertex_1, Measure::vertex, "another one", As::input},
     Field{"vertex_2", &PlaneSlopes::vertex_2, Measure::vertex, "and a third", As::input},

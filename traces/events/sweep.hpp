@@ -69,10 +69,10 @@ inline constexpr Description description_of<SpanWinner>{.name = "span_winner",
                                                         .within = Within::scan_line,
                                                         .gives_around = "on the interval of the scan line around it"};
 template <>
-inline constexpr auto fields_of<SpanWinner> =
-    Fields{Field{"piece", &SpanWinner::piece, Measure::piece, "its row of the polygon table", As::input},
-           Field{"first", &SpanWinner::first, Measure::span_end, "the first pixel", As::recorded | As::subject},
-           Field{"last", &SpanWinner::last, Measure::span_end, "the last pixel", As::recorded}};
+inline constexpr auto fields_of<SpanWinner> = Fields{
+    Field{"piece", &SpanWinner::piece, Measure::piece, "its row of the polygon table", As::input},
+    Field{"first", &SpanWinner::first, Measure::span_end, "the first pixel", As::recorded | As::ruled | As::subject},
+    Field{"last", &SpanWinner::last, Measure::span_end, "the last pixel", As::recorded | As::ruled}};
 
 template <>
 inline constexpr Description description_of<CoverageAdd>{

@@ -29,6 +29,18 @@ inline Interval half_of(Interval parent, Interval recorded) {
   return best;
 }
 
+/// Depths that are equal to twelve digits.
+inline bool equally_near(double z, double other) {
+  return std::abs(z - other) <= 1e-12 * std::max({1.0, std::abs(z), std::abs(other)});
+}
+
+/// How a piece compares with others at the corners of an area where the depths of both are known.
+struct AtCorners {
+  int nearer = 0, tied = 0, behind = 0;
+  void add(double z, double other) { ++(equally_near(z, other) ? tied : z < other ? nearer : behind); }
+  int all() const { return nearer + tied + behind; }
+};
+
 inline const AreaBegin* area_at_work(const Situation& at) {
   const auto area = static_cast<std::size_t>(at.method().area);
   return at.method().area >= 0 && area < at.method().areas.size() ? &at.method().areas[area].entry : nullptr;

@@ -40,6 +40,12 @@ template <class Out>
 void derive(const CurveBegin& e, const Situation& at, Out& out) {
   const auto& last = at.method().horizon.curve;
   out.rule(Rule::number_is_next, e.curve == (last ? last->curve + 1 : 0));
+  if (!at.scene.surface) return;
+  const Surface& surface = *at.scene.surface;
+  if (e.row < 0 || e.row >= (e.across ? surface.columns : surface.rows)) return;
+  // A sample stands at (x, z, y) in the world.
+  const glm::dvec3& first = at.scene.points[static_cast<std::size_t>(e.across ? e.row : e.row * surface.columns)];
+  out.is(&CurveBegin::constant, e.across ? first.x : first.y);
 }
 
 template <class Out>

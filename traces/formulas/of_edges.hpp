@@ -256,6 +256,7 @@ bool moved_once_a_line(Out& out, const EdgeTableInsert& entry, const ActiveEdge&
 /// The slopes of the plane through three vertices (004).
 template <class Out>
 void derive(const PlaneSlopes& e, const Situation& at, Out& out) {
+  if (at.method().polygon != no_polygon && !at.method().keeps_all) out.is(&PlaneSlopes::polygon, at.method().polygon);
   const auto from = at.on_raster(e.vertex_0), one = at.on_raster(e.vertex_1), other = at.on_raster(e.vertex_2);
   if (!from || !one || !other) return;
   if (!at.has_depth(e.vertex_0) || !at.has_depth(e.vertex_1) || !at.has_depth(e.vertex_2)) return;

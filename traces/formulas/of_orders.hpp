@@ -118,6 +118,37 @@ void derive(const OverlapTest& e, const Situation& at, Out& out) {
 }
 
 template <class Out>
+void derive(const TablesBegin&, const Situation& at, Out& out) {
+  out.is(&TablesBegin::polygons, static_cast<std::int32_t>(at.scene.polygons.size()));
+}
+
+/// Newell's list goes by the farthest depth, the farthest first. Pieces that were moved stand where tests put them, and
+/// of equal ones any may come first. What a painter goes by is its own choice.
+template <class Out>
+void derive(const ListInsert& e, const Situation& at, Out& out) {
+  if (!at.records<PairBegin>()) return;
+  const auto& list = at.method().list;
+  const auto& pair = at.method().pair;
+  const Piece* own = at.piece(e.piece);
+  if (pair && pair->other == e.piece) return out.is(&ListInsert::place, 0);  // it becomes the first
+  if (pair || !at.method().drawn.empty()) return;                            // others are moved, too
+  const auto place = static_cast<std::size_t>(e.place);
+  if (!own || !own->extent || e.place < 0 || place > list.size()) return;
+  const auto farther = [&](const ListEntry& one) {  // clearly, than the piece; nothing of what is not known
+    const Piece* piece = at.piece(one.piece);
+    if (one.marked || !piece || !piece->extent) return 0;
+    const double z = piece->extent->z_max;
+    return out.equal(z, own->extent->z_max) ? 0 : z > own->extent->z_max ? 1 : -1;
+  };
+  const bool fits =
+      (place == 0 || farther(list[place - 1]) >= 0) && (place == list.size() || farther(list[place]) <= 0);
+  std::int32_t expected = 0;
+  if (!fits)
+    for (auto entry = list.begin(); entry != list.end() && farther(*entry) > 0; ++entry) ++expected;
+  out.is(&ListInsert::place, fits ? e.place : expected);
+}
+
+template <class Out>
 void derive(const PieceMake& e, const Situation& at, Out& out) {
   if (const Piece* parent = at.piece(e.parent)) out.is(&PieceMake::polygon, parent->polygon);
   else if (at.method().polygon != no_polygon) out.is(&PieceMake::polygon, at.method().polygon);

@@ -50,19 +50,27 @@ void derive_depth_on_plane(const E& e, const Situation& at, Out& out) {
 template <class E, class Out>
 void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
   if (!at.records<SpanBegin>()) return derive_depth_on_plane(e, at, out);
-  const auto span = at.span_of(e.x, e.y);
+  const auto span = at.span_of(e);
   if (!span) return;
   const Place& place = span.place;
   out.rule(Rule::pixel_in_span, Situation::covers(*span.span, e.x, e.y));
   if (span->y != e.y) return;
   using enum Conventions::Interpolation;
   const auto how = at.header.conventions.interpolation;
-  if (how == plane || how == plane_increments) return derive_depth_on_plane(e, at, out);
+  if (how == plane || how == plane_increments) {
+    if (!span.is_of_other(at)) derive_depth_on_plane(e, at, out);
+    return;
+  }
   const auto z_left = out.number("z_L", span->z_left, place["z_left"]);
   if (how == increments) {
     // The first pixel of a span has nothing to be added to: its depth is computed directly.
-    if (const Fragment* left = at.fragment(e.x - 1, e.y)) {
-      const auto z = interpolated(at, out.number("z", left->z, Place{Place::In::fragment, 0, "z"}));
+    const Fragment* left = at.fragment(e.x - 1, e.y);
+    const bool known = span.open ? span.open->x_last == e.x - 1 : left != nullptr;
+    if (span.open && !known && e.x != span->first) return;
+    if (known) {
+      const bool is_last = left && (!span.open || left->z == span.open->z_last);
+      const Place from = is_last ? Place{Place::In::fragment, 0, "z"} : Place{};
+      const auto z = interpolated(at, out.number("z", is_last ? left->z : span.open->z_last, from));
       return out.gives(&E::z, interpolated(at, z + out.number("dz/dx", span->dz_dx, place["dz_dx"])));
     }
   }
@@ -168,8 +176,8 @@ void derive_painted_by_ray(const PixelPaint& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const PixelPaint& e, const Situation& at, Out& out) {
-  if (at.span_of(e.x, e.y)) {
-    const bool one_at_work = !at.method().keeps_all || at.method().piece >= 0;
+  if (at.span_of(e)) {
+    const bool one_at_work = !at.of_any() && !at.ahead.of_all;
     if (at.method().polygon != no_polygon && one_at_work) out.is(&PixelPaint::polygon, at.method().polygon);
     return detail::derive_depth_on_span(e, at, out);
   }
@@ -206,6 +214,13 @@ void derive(const PixelWrite& e, const Situation& at, Out& out) {
   if (fragment && fragment->nearer) {
     out.reads(Place{Place::In::fragment, 0});
     out.rule(Rule::write_after_win, *fragment->nearer);
+  }
+  if (at.ahead.of_all) {
+    if (const auto polygon = at.polygon_of_pixel(e.x, e.y)) {
+      const bool right = fragment && at.ahead.may_be(e.polygon, e.x, e.y, fragment->z);
+      out.is(&PixelWrite::polygon, right ? e.polygon : *polygon);
+    }
+    return;
   }
   if (at.method().polygon != no_polygon && !at.method().keeps_all) out.is(&PixelWrite::polygon, at.method().polygon);
 }
@@ -256,10 +271,10 @@ void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
   const auto above = out.number(divides ? "a/z" : "a", e.over_z, event["over_z"]);
   out.gives(&AttributeInterpolate::attribute,
             divides ? above / out.number("1/z", e.one_over_z, event["one_over_z"]) : above);
-  const auto span = at.span_of(e.x, e.y);
+  const auto span = at.span_of(e);
   if (!span) return;
   out.rule(Rule::pixel_in_span, Situation::covers(*span.span, e.x, e.y));
-  if (span->y != e.y) return;
+  if (span->y != e.y || span.is_of_other(at)) return;
   // Of points on the screen only the program knows z_v.
   if (divides && !attribute_over_depth(at.scene, at.header.conventions)) return;
   const auto left = detail::over_depth_on_edge(out, at, span->left_edge, e.y, "0", "1"),

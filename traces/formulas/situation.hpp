@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "traces/file/header.hpp"
+#include "traces/formulas/spans_ahead.hpp"
 #include "traces/replay/state.hpp"
 #include "traces/replay/vertex_points.hpp"
 
@@ -123,9 +124,9 @@ struct Situation {
   const Camera* camera = nullptr;                ///< by which the scene is being drawn; nullptr where that is not known
   std::uint8_t kinds_recorded[kind_count] = {};  ///< 1 for each kind of event that the trace has
   std::optional<Camera> lamp = {};               ///< the scene's light as a camera
-  bool moves_ended = false;           ///< the run never says that an edge leaves, and moves some that have ended
-  std::vector<SpanBegin> spans = {};  ///< of the polygon at work, the last ones that no pixel came between
-  bool span_has_pixels = false;       ///< a pixel came after the last of them
+  bool moves_ended = false;  ///< the run never says that an edge leaves, and moves some that have ended
+  SpansAhead ahead = {};     ///< the last spans that no pixel came between
+  bool has_passed = false;   ///< `before` is the state that the step led to
 
   /// Takes the camera that is at work now.
   void look() { camera = before.machine.pass != Pass::light ? &scene.camera : lamp ? &*lamp : nullptr; }
@@ -134,46 +135,84 @@ struct Situation {
   bool records() const {
     return kinds_recorded[kind_of<E>] != 0;
   }
-  /// After a step, where steps are gone through one by one: a program may print several spans, or all of a polygon,
-  /// and their pixels afterwards.
+  /// After a step, where steps are gone through one by one: a program may print several spans, or all of a polygon or
+  /// of the scene, and their pixels afterwards.
   template <class E>
   void passed(const E& e) {
     constexpr bool begins = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
-    constexpr bool is_of_pixel = std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> ||
-                                 std::is_same_v<E, AttributeInterpolate> || std::is_same_v<E, PixelPaint>;
-    if constexpr (begins) spans.clear(), span_has_pixels = false;
+    if constexpr (begins) ahead.begin(e.polygon);
     if constexpr (std::is_same_v<E, EdgeTableInsert>)
-      if (e.edge == 0) spans.clear(), span_has_pixels = false;
-    if constexpr (is_of_pixel) span_has_pixels = true;
+      if (e.edge == 0 && !of_any()) ahead.begin(e.polygon);
     if constexpr (std::is_same_v<E, SpanBegin>) {
-      if (span_has_pixels) spans.clear(), span_has_pixels = false;
-      spans.push_back(e);
+      const EdgeTableInsert* left = of_any() ? edge(e.left_edge) : nullptr;
+      ahead.add(e, left ? std::optional(left->polygon) : std::nullopt);
     }
+    if constexpr (requires {
+                    e.z;
+                    e.x;
+                    e.y;
+                  })
+      if (opens_pixel<E>() || (is_of_pixel<E> && !ahead.at_work(e.x, e.y))) ahead.take(e.x, e.y, e.z);
   }
-  /// The span that a pixel belongs to, and its place: the last one that covers it of those that `passed` keeps. Where
-  /// none does it is the one at work, if any. Where all polygons share one edge table, spans are of any of them.
+  template <class E>
+  static constexpr bool is_of_pixel =
+      std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, PixelPaint>;
+  /// Is it the first step of each pixel?
+  template <class E>
+  bool opens_pixel() const {
+    if constexpr (std::is_same_v<E, DepthCompare>) return !records<DepthInterpolate>();
+    return is_of_pixel<E>;
+  }
+  /// The span that a pixel belongs to, and its place, of those that `passed` keeps. Where none covers it, it is the one
+  /// at work, if any.
   struct SpanOfPixel {
     const SpanBegin* span = nullptr;
     Place place{Place::In::span, 0};
+    const SpansAhead::Open* open = nullptr;  ///< where there are several
     const SpanBegin* operator->() const { return span; }
     explicit operator bool() const { return span != nullptr; }
+    /// Its own numbers are all there is of it: edges and slopes are another polygon's by now.
+    bool is_of_other(const Situation& at) const {
+      return open && at.ahead.of_all && open->polygon != at.method().polygon;
+    }
   };
-  static bool covers(const SpanBegin& span, std::int32_t x, std::int32_t y) {
-    return y == span.y && x >= span.first && x <= span.last;
-  }
-  SpanOfPixel span_of(std::int32_t x, std::int32_t y) const {
+  static bool covers(const SpanBegin& span, std::int32_t x, std::int32_t y) { return SpansAhead::covers(span, x, y); }
+  template <class E>
+  SpanOfPixel span_of(const E& e) const {
+    std::optional<std::size_t> number;
+    if constexpr (is_of_pixel<E>) {
+      const bool begins = opens_pixel<E>() && !has_passed;
+      if (!begins) number = ahead.at_work(e.x, e.y);
+      if (!number) number = ahead.find(e.x, e.y, e.z);
+    } else {
+      number = ahead.at_work(e.x, e.y);
+    }
+    if (number) {
+      const SpansAhead::Open& open = ahead.spans()[*number];
+      const bool several = ahead.spans().size() > 1;
+      return {&open.span, {Place::In::span, static_cast<std::int64_t>(*number)}, several ? &open : nullptr};
+    }
+    // Of polygons that began and drew nothing no span of an earlier one is meant.
     const auto& now = method().span;
-    const bool of_any = method().keeps_all && method().piece < 0;
-    for (std::size_t i = of_any ? 0 : spans.size(); i-- > 0;)
-      if (covers(spans[i], x, y)) return {&spans[i], {Place::In::span, static_cast<std::int64_t>(i)}};
-    return {now ? &*now : nullptr, place_of_last_span()};
-  }
-  Place place_of_last_span() const {
-    return {Place::In::span, spans.empty() ? 0 : static_cast<std::int64_t>(spans.size() - 1)};
+    const bool any = now || (ahead.of_all && !ahead.spans().empty());
+    const std::size_t last = ahead.spans().empty() ? 0 : ahead.spans().size() - 1;
+    return {!any  ? nullptr
+            : now ? &*now
+                  : &ahead.spans().back().span,
+            {Place::In::span, static_cast<std::int64_t>(last)}};
   }
   /// Where the numbers of a span that begins now will stand.
   Place place_of_next_span() const {
-    return {Place::In::span, span_has_pixels ? 0 : static_cast<std::int64_t>(spans.size())};
+    return {Place::In::span, ahead.has_pixels() ? 0 : static_cast<std::int64_t>(ahead.spans().size())};
+  }
+  /// Do all polygons share one edge table, so that spans are of any of them?
+  bool of_any() const { return method().keeps_all && method().piece < 0; }
+  /// The polygon of the span of the pixel at work, where there are spans of several polygons.
+  std::optional<std::int32_t> polygon_of_pixel(std::int32_t x, std::int32_t y) const {
+    if (!ahead.of_all && !of_any()) return std::nullopt;
+    const auto number = ahead.at_work(x, y);
+    if (!number || ahead.spans()[*number].polygon == no_polygon) return std::nullopt;
+    return ahead.spans()[*number].polygon;
   }
   /// Is an edge that has not left still in the list? Else the run only does not say that it leaves.
   bool tells_leaving() const { return records<EdgeRetire>() || moves_ended; }

@@ -34,7 +34,7 @@ inline void suppose_last_written(const Situation& at, Supposed& out) {
 /// The depth that the span at work has at this pixel, and what mistakes make of it.
 template <class E>
 inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
-  const auto span = at.span_of(e.x, e.y);
+  const auto span = at.span_of(e);
   if (!span) return;
   const std::int32_t other_way = at.scene.raster.height - 1 - span->y;
   if (other_way != span->y) out.says(y_upside_down, e.y == other_way, e.y == span->y);
@@ -47,6 +47,7 @@ inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
   const Rounded z_left = span->z_left, z_right = span->z_right, x_left = span->x_left, x_right = span->x_right, x = e.x,
                 dz_dx = span->dz_dx;
   const Rounded directly = formulas::on_line(z_left, z_right, x, x_left, x_right);
+  if (span.open) return;  // of one of several
   const Fragment* last = at.fragment(e.x - 1, e.y);
   const bool adds = how == increments && last;
   const Rounded right = adds ? Rounded(last->z) + dz_dx : directly;

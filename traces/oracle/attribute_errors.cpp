@@ -42,10 +42,10 @@ class AttributeJudge {
                                      std::numeric_limits<double>::quiet_NaN());
   }
 
-  void begin_span() { on_polygon_.reset(), as_run_.reset(), tried_ = false; }
+  void begin_span() { tried_ = nullptr; }
 
   void take(std::int64_t step, const AttributeInterpolate& e, const Situation& at) {
-    if (!tried_) find_ends(at, e.y);
+    find_ends(at, e);
     if (!on_polygon_) {
       ++errors_.not_judged;
       return;
@@ -70,14 +70,16 @@ class AttributeJudge {
   AttributeErrors finish() { return std::move(errors_); }
 
  private:
-  void find_ends(const Situation& at, std::int32_t y) {
-    tried_ = true;
-    on_polygon_ = ends(at, y, in_perspective_);
-    if (divides_ != in_perspective_) as_run_ = ends(at, y, divides_);
+  void find_ends(const Situation& at, const AttributeInterpolate& e) {
+    const Situation::SpanOfPixel span = at.span_of(e);
+    if (span && span.span == tried_) return;
+    tried_ = span.span;
+    on_polygon_ = ends(at, span, e.y, in_perspective_);
+    as_run_ = divides_ != in_perspective_ ? ends(at, span, e.y, divides_) : std::nullopt;
   }
-  static std::optional<Ends> ends(const Situation& at, std::int32_t y, bool divides) {
-    const auto& span = at.method().span;
-    if (!span || span->y != y) return std::nullopt;
+  static std::optional<Ends> ends(const Situation& at, const Situation::SpanOfPixel& span, std::int32_t y,
+                                  bool divides) {
+    if (!span || span->y != y || span.is_of_other(at)) return std::nullopt;
     const auto left = on_edge(at, span->left_edge, y, divides), right = on_edge(at, span->right_edge, y, divides);
     if (!left || !right) return std::nullopt;
     return Ends{left->over_depth, right->over_depth, left->x, right->x};
@@ -103,7 +105,7 @@ class AttributeJudge {
   }
 
   bool in_perspective_, divides_;
-  bool tried_ = false;
+  const SpanBegin* tried_ = nullptr;  ///< the span whose ends these are
   std::optional<Ends> on_polygon_, as_run_;
   AttributeErrors errors_;
 };

@@ -107,7 +107,12 @@ class DepthJudge {
   void step(std::int64_t position, const E& e, const Situation& at) {
     if (at.method().pass == Pass::light) return;
     if constexpr (std::is_same_v<E, EdgeTableInsert>) edge_inserted(position, e.edge);
-    if constexpr (std::is_same_v<E, SpanBegin>) span_.reset(), tried_ = false, span_began_ = position;
+    if constexpr (std::is_same_v<E, SpanBegin>) {
+      spans_.resize(static_cast<std::size_t>(at.place_of_next_span().number));
+      spans_.push_back({.began = position});
+      // When its pixels come the edges may be another polygon's.
+      if (at.ahead.of_all) find_exactly(spans_.back(), at, e);
+    }
     if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PlaneSlopes>) rows_.clear();
     if constexpr (std::is_same_v<E, BuffersClear>) clear();
     if constexpr (std::is_same_v<E, RayBegin>)
@@ -165,17 +170,28 @@ class DepthJudge {
     found_.depth_error_of_pixel = found_.of_pixel;
   }
 
-  /// The span at work, exactly; null where the trace does not have what it needs.
-  const std::shared_ptr<const ExactDepth>& exact_span(const Situation& at, std::int32_t y) {
-    const auto& span = at.method().span;
-    if (!span || span->y != y) return none_;
-    if (!tried_) {
-      tried_ = true;
-      auto exact = truth_ == Truth::formula && at.method().slopes ? on_plane(at, *at.method().slopes, y)
-                                                                  : between_edges(at, *span);
-      if (exact) span_ = std::make_shared<const ExactDepth>(std::move(*exact));
-    }
-    return span_;
+  /// A span of those that no pixel came between.
+  struct Span {
+    std::int64_t began = 0;  ///< its step
+    std::shared_ptr<const ExactDepth> exact = nullptr;
+    bool tried = false;
+  };
+  void find_exactly(Span& found, const Situation& at, const SpanBegin& span) const {
+    found.tried = true;
+    auto exact = truth_ == Truth::formula && at.method().slopes ? on_plane(at, *at.method().slopes, span.y)
+                                                                : between_edges(at, span);
+    if (exact) found.exact = std::make_shared<const ExactDepth>(std::move(*exact));
+  }
+  Span* span_at(const Situation::SpanOfPixel& of) {
+    const auto number = static_cast<std::size_t>(of.place.number);
+    return of && number < spans_.size() ? &spans_[number] : nullptr;
+  }
+  /// The span of a pixel, exactly; null where the trace does not have what it needs.
+  std::shared_ptr<const ExactDepth> exact_span(const Situation& at, std::int32_t y, const Situation::SpanOfPixel& of) {
+    Span* span = span_at(of);
+    if (!span || of->y != y) return nullptr;
+    if (!span->tried) find_exactly(*span, at, *of.span);
+    return span->exact;
   }
   /// `corrected` interpolates 1/z_v, and what is stored is z_v.
   static Conventions::Depth stored_depth(Conventions::Depth depth) {
@@ -341,15 +357,16 @@ class DepthJudge {
   void compute(std::int64_t position, const E& e, const Situation& at) {
     std::shared_ptr<const ExactDepth> exact;
     scene_facet_ = -1;
-    std::int32_t polygon = polygon_of(at);
+    const Situation::SpanOfPixel span = at.span_of(e);
+    std::int32_t polygon = polygon_of(at, span);
     if constexpr (std::is_same_v<E, PixelPaint>) {
       polygon = e.polygon;
       const bool by_planes = trace_.has(kind_of<SpanWinner>) || trace_.has(kind_of<AreaDecide>);
       exact = trace_.has(kind_of<RayEnd>) ? exact_ray(at, e.x, e.y)
               : by_planes                 ? exact_plane(at, e.x, e.y)
-                                          : exact_span(at, e.y);
+                                          : exact_span(at, e.y, span);
     } else {
-      exact = exact_span(at, e.y);
+      exact = exact_span(at, e.y, span);
     }
     if (!exact && !trace_.has(kind_of<RayEnd>)) exact = exact_polygon(at, e.x, e.y, polygon);
     fragment_ = {exact, e.z, polygon, -1, scene_facet_}, fragment_x_ = e.x, fragment_y_ = e.y;
@@ -376,7 +393,7 @@ class DepthJudge {
       of->largest_view = std::max(of->largest_view, std::abs(off_view));
       of->sum_of_squares_view += off_view * off_view;
     }
-    note_drift(position, at, e.x, e.y, e.z);
+    note_drift(position, at, e.x, e.y, e.z, span);
   }
   /// Edges are numbered anew in each edge table.
   void edge_inserted(std::int64_t position, std::int32_t number) {
@@ -385,8 +402,8 @@ class DepthJudge {
     if (edge == inserted_.size()) inserted_.push_back(position);
     else inserted_[edge] = position;
   }
-  void note_drift(std::int64_t position, const Situation& at, std::int32_t x, std::int32_t y, double z) {
-    const auto& span = at.method().span;
+  void note_drift(std::int64_t position, const Situation& at, std::int32_t x, std::int32_t y, double z,
+                  const Situation::SpanOfPixel& span) {
     if (!span || span->y != y) return;
     const auto put = [&](std::vector<double>& errors, std::int32_t from, std::int32_t to, std::int32_t most) {
       if (from < 0 || from > to || to >= most || !std::isfinite(error_)) return;
@@ -395,7 +412,7 @@ class DepthJudge {
       errors[n] = std::abs(error_);
     };
     const Raster& raster = trace_.scene().raster;
-    const EdgeTableInsert* edge = at.edge(span->left_edge);
+    const EdgeTableInsert* edge = span.is_of_other(at) ? nullptr : at.edge(span->left_edge);
     const auto number = static_cast<std::size_t>(span->left_edge);
     const std::int64_t inserted = edge && number < inserted_.size() ? inserted_[number] : 0;
     if (x == span->first) {
@@ -403,13 +420,15 @@ class DepthJudge {
       if (edge) put(along_edges_[inserted], edge->first_row, y, raster.height);
     }
     if (on_depth_ && edge)
-      on_depth_({position, span_began_, inserted, x, y, x - span->first, y - edge->first_row, z, error_});
+      on_depth_({position, span_at(span) ? span_at(span)->began : 0, inserted, x, y, x - span->first,
+                 y - edge->first_row, z, error_});
     put(along_span_, span->first, x, raster.width);
     if (along_span_.size() > found_.along_span.size()) found_.along_span = along_span_;
   }
-  std::int32_t polygon_of(const Situation& at) const {
+  std::int32_t polygon_of(const Situation& at, const Situation::SpanOfPixel& span) const {
+    if (span.is_of_other(at)) return span.open->polygon;
     if (at.method().polygon != no_polygon && !at.method().keeps_all) return at.method().polygon;
-    const EdgeTableInsert* entry = at.method().span ? at.edge(at.method().span->left_edge) : nullptr;
+    const EdgeTableInsert* entry = span ? at.edge(span->left_edge) : nullptr;
     return entry ? entry->polygon : at.method().polygon;
   }
 
@@ -474,13 +493,10 @@ class DepthJudge {
   std::int32_t fragment_x_ = -1, fragment_y_ = -1;
   std::int32_t scene_facet_ = -1;  ///< of the pixel at work
   double error_ = 0;
-  std::shared_ptr<const ExactDepth> span_;
-  const std::shared_ptr<const ExactDepth> none_;
+  std::vector<Span> spans_;  ///< as Situation::ahead has them
   std::vector<double> along_span_;
-  std::map<std::int64_t, std::vector<double>> along_edges_;  ///< by the step that put the edge into its table
-  std::vector<std::int64_t> inserted_;                       ///< that step, by the edge's number
-  std::int64_t span_began_ = 0;
-  bool tried_ = false;
+  std::map<std::int64_t, std::vector<double>> along_edges_;         ///< by the step that put the edge into its table
+  std::vector<std::int64_t> inserted_;                              ///< that step, by the edge's number
   std::map<std::int32_t, std::shared_ptr<const ExactDepth>> rows_;  ///< of the plane at work, where there are no spans
 };
 

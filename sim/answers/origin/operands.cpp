@@ -6,6 +6,7 @@
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/formulas/situation_of.hpp"
+#include "traces/replay/same.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -76,7 +77,7 @@ struct Source {
     const Step from = work.trace.previous(step, [&](const RecordedEvent& recorded) {
       return holds<DepthInterpolate>(recorded.event) || (!interpolates && holds<DepthCompare>(recorded.event));
     });
-    const auto& span = work.machine().span;
+    const std::optional<SpanBegin> span = own_span();
     const auto* before = from && interpolates ? get_if<DepthInterpolate>(&work.trace.event(*from).event) : nullptr;
     if (!before || !span || before->x == span->first) return written_by(from);
     const DepthInterpolate last = *before;
@@ -106,7 +107,24 @@ struct Source {
   Step last() const {
     return find_last<E>(work.trace, step, [](const E&) { return true; });
   }
-  Step last_span() const { return last<SpanBegin>(); }
+  /// The span that the pixel belongs to.
+  std::optional<SpanBegin> own_span() const {
+    const formulas::Situation at = formulas::situation_of(work.trace, work.operands_of(step, event));
+    return visit_event(
+        [&]<class E>(const E& e) -> std::optional<SpanBegin> {
+          if constexpr (requires {
+                          e.x;
+                          e.y;
+                        })
+            if (const auto own = at.span_of(e)) return *own.span;
+          return at.method().span;
+        },
+        event);
+  }
+  Step last_span() const {
+    const std::optional<SpanBegin> own = own_span();
+    return find_last<SpanBegin>(work.trace, step, [&](const SpanBegin& e) { return !own || same(e, *own); });
+  }
 
   Step last_slopes() const { return last<PlaneSlopes>(); }
 

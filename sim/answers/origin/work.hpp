@@ -105,6 +105,8 @@ class Work {
   /// The state in which numbers are looked for: that of the step that was asked about, or of a later question of the
   /// chain. Its buffers are empty; see buffers().
   const State& state() const;
+  /// A state that has the operands of a step's formulas.
+  const State& operands_of(std::int64_t step, const Event& event);
   const MethodState& machine() const { return state().machine; }
   /// The same state with its buffers. It moves while a number is followed back, so what is needed of it afterwards is
   /// to be copied.
@@ -185,8 +187,6 @@ class Work {
     std::int32_t parent;
   };
   const std::vector<Derivation>& derivations(std::int64_t step, const Event& event);
-  /// A state that has the operands of a step's formulas.
-  const State& operands_of(std::int64_t step, const Event& event);
 
   Replay& replay_;
   std::int64_t at_;

@@ -1,7 +1,9 @@
 // zstep check: compares and writes that do not come as zstep has them. Right programs may do so; wrong ones show it
 // here and nowhere else.
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -10,13 +12,18 @@
 
 #include <doctest/doctest.h>
 
+#include "algorithms/scene/load.hpp"
+#include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
 #include "traces/check/check.hpp"
 #include "traces/check/not_judged.hpp"
 #include "traces/file/jsonl.hpp"
+#include "traces/diff/diff.hpp"
+#include "traces/oracle/errors.hpp"
 #include "traces/record/trace_recorder.hpp"
+#include "traces/replay/replay.hpp"
 
 using namespace zstep;
 
@@ -221,6 +228,122 @@ TEST_CASE("check: pixels may come after all spans of their polygon, where each l
                  event);
     });
     CHECK(causes_of(fewer).find("span_is_filled@") != std::string::npos);
+  }
+}
+
+/// All pixels come after all spans of all polygons, in the order of `before(one, other)` where it says one.
+using Pixel = std::vector<RecordedEvent>;
+template <class Before>
+Trace all_pixels_last(const Trace& right, Before&& before) {
+  std::vector<RecordedEvent> steps;
+  std::vector<std::pair<std::pair<std::int32_t, std::int32_t>, Pixel>> pixels;
+  for (const RecordedEvent& step : steps_of(right)) {
+    const auto at = visit_event(
+        [&]<class E>(const E& e) -> std::optional<std::pair<std::int32_t, std::int32_t>> {
+          if constexpr (requires { e.x, e.y; }) return std::pair{e.y, e.x};
+          return std::nullopt;
+        },
+        step.event);
+    if (!at) {
+      steps.push_back(step);
+      continue;
+    }
+    if (holds<DepthInterpolate>(step.event)) pixels.push_back({*at, {}});
+    pixels.back().second.push_back(step);
+  }
+  std::stable_sort(pixels.begin(), pixels.end(), before);
+  for (const auto& [at, of_pixel] : pixels) steps.insert(steps.end(), of_pixel.begin(), of_pixel.end());
+  return with_steps(right, steps);
+}
+const auto as_they_are = [](const auto&, const auto&) { return false; };
+const auto by_picture = [](const auto& one, const auto& other) { return one.first < other.first; };
+
+TEST_CASE("check: pixels may come after all spans of the scene, polygon by polygon or in the picture's order") {
+  for (const char* name : {"delhi", "pyramid-view", "pyramid", "intersecting", "plane", "with-attribute"}) {
+    const std::string scene = name;
+    CAPTURE(scene);
+    const Trace right = scene == "intersecting"
+                            ? test::recorded_by("z-buffer", look_at_scene(load_scene("intersecting").scene, {}))
+                            : golden(name);
+    CHECK(causes_of(all_pixels_last(right, as_they_are)) == "");
+    CHECK(causes_of(all_pixels_last(right, by_picture)) == "");
+  }
+}
+
+TEST_CASE("check: of pixels after all spans one with another span's depth or polygon is found") {
+  const Trace right = test::recorded_by("z-buffer", look_at_scene(load_scene("intersecting").scene, {}));
+  const auto in_order = [&](bool picture) {
+    return picture ? all_pixels_last(right, by_picture) : all_pixels_last(right, as_they_are);
+  };
+  for (const bool picture : {false, true}) {
+    CAPTURE(picture);
+    const Trace run = in_order(picture);
+    // A pixel of the first polygon with the depth that the second one has there, and the other way round.
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int64_t>> came;
+    run.each(0, run.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+      if (const auto* depth = get_if<DepthInterpolate>(&recorded.event)) came[{depth->x, depth->y}].push_back(step);
+      return true;
+    });
+    int tried = 0;
+    for (const auto& [at, steps] : came) {
+      if (steps.size() != 2 || tried >= 12) continue;
+      const double first = get<DepthInterpolate>(run.event(steps[0]).event).z,
+                   second = get<DepthInterpolate>(run.event(steps[1]).event).z;
+      if (std::abs(first - second) < 1e-6) continue;
+      ++tried;
+      for (const bool later : {false, true}) {
+        const std::int64_t wrong = steps[later];
+        const Trace changed = test::changed(run, [&](std::int64_t step, Event& event) {
+          if (step == wrong) get_if<DepthInterpolate>(&event)->z = later ? first : second;
+          return true;
+        });
+        CHECK(causes_of(changed) != "");
+        if (later) CHECK(causes_of(changed).find("z@" + std::to_string(wrong)) == 0);
+      }
+    }
+    CHECK(tried == 12);
+    const auto write = run.next<PixelWrite>(0, [](const PixelWrite&) { return true; });
+    const Trace other = test::changed(run, [&](std::int64_t step, Event& event) {
+      if (step == *write) get_if<PixelWrite>(&event)->polygon ^= 1;
+      return true;
+    });
+    CHECK(causes_of(other).find("polygon@" + std::to_string(*write)) == 0);
+  }
+}
+
+TEST_CASE("error and explain take a pixel's own span where all spans come first, diff where those of its polygon do") {
+  const Trace right = test::recorded_by("z-buffer", look_at_scene(load_scene("intersecting").scene, {}));
+  const Trace run = all_pixels_last(right, as_they_are), by_line = pixels_last(right, [](auto&) {});
+  const oracle::Errors own = oracle::errors_of(right);
+  for (const Trace* other : {&run, &by_line}) {
+    const oracle::Errors errors = oracle::errors_of(*other);
+    CHECK(errors.all.depths == own.all.depths);
+    CHECK(errors.all.largest == own.all.largest);
+    CHECK(errors.all.sum_of_squares == own.all.sum_of_squares);
+    CHECK(errors.polygons.size() == own.polygons.size());
+    CHECK(errors.wrong_pixels == own.wrong_pixels);
+    if (other == &by_line) CHECK(diff::compare(right, *other).causes.empty());
+    // The same pixel is told in the same words.
+    std::vector<std::int64_t> there, here;
+    const auto depths = [](const Trace& of) {
+      std::vector<std::int64_t> steps;
+      of.each(0, of.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+        if (holds<DepthInterpolate>(recorded.event)) steps.push_back(step);
+        return true;
+      });
+      return steps;
+    };
+    there = depths(right), here = depths(*other);
+    REQUIRE(there.size() == here.size());
+    Replay of_right(right), of_other(*other);
+    for (std::size_t i = 0; i < there.size(); i += 7) {
+      of_right.go_to(there[i]), of_other.go_to(here[i]);
+      const Explanation one = explain(right, of_right.state(), *of_right.current()),
+                        its = explain(*other, of_other.state(), *of_other.current());
+      CHECK(one.sentence == its.sentence);
+      CHECK(one.formulas == its.formulas);
+      CHECK(its.doubt.value_or("") == one.doubt.value_or(""));
+    }
   }
 }
 

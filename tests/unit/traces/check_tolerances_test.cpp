@@ -13,6 +13,7 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
+#include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/unit/traces/printed_runs.hpp"
 
 using namespace zstep;
@@ -43,6 +44,50 @@ std::int64_t first_step(const Trace& run) {
   const auto found = run.next<E>(0, [](const E&) { return true; });
   REQUIRE(found);
   return *found;
+}
+
+TEST_CASE("check: depths that are rounded to whole numbers are not held to float64, unless the header says so") {
+  Printed as_it_is = test::all_printed()[0];
+  const auto rounded = [&](bool declared, double (*round)(double), std::int64_t wrong) {
+    as_it_is.declared = declared;
+    return test::run_printed(as_it_is, {}, [=](std::int64_t step, Event& event) {
+      visit_event(
+          [&]<class E>(E& e) {
+            for_each_field<E>([&](const auto& field) {
+              if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(field)>::value_type, double>)
+                if (field.unit == "depth" && field.name.front() == 'z' && std::isfinite(e.*field.member))
+                  e.*field.member = round(e.*field.member) + (step == wrong ? 4 : 0);
+            });
+          },
+          event);
+    });
+  };
+  const auto floor_of = [](double z) { return std::floor(z); };
+  const auto nearest_of = [](double z) { return std::round(z); };
+  for (double (*round)(double) :
+       {static_cast<double (*)(double)>(floor_of), static_cast<double (*)(double)>(nearest_of)}) {
+    const Trace right = rounded(false, round, 0);
+    const CheckReport report = check(right);
+    std::string causes;
+    for (const Cause& cause : report.causes)
+      causes += (cause.first.rule ? std::string(rule_text(*cause.first.rule).name) : cause.first.field) + "@" +
+                std::to_string(cause.first.step) + " " + std::to_string(cause.first.recorded) + " for " +
+                std::to_string(cause.first.expected) + ", ";
+    CHECK(causes == "");
+    CHECK(report.precision.whole);
+    CHECK_FALSE(check(rounded(true, round, 0)).causes.empty());
+    // Positions are held to all their digits, and depths to their units.
+    const std::int64_t depth = first_step<DepthInterpolate>(right) + 7;
+    REQUIRE(right.next<DepthInterpolate>(depth - 1, [](const auto&) { return true; }));
+    const std::int64_t step = *right.next<DepthInterpolate>(depth - 1, [](const auto&) { return true; });
+    CHECK(doubts(rounded(false, round, step), as_it_is, step, "z"));
+    const std::int64_t span = first_step<SpanBegin>(right);
+    const Trace beside = test::changed(right, [&](std::int64_t at, Event& event) {
+      if (at == span) get_if<SpanBegin>(&event)->x_left += 1e-3;
+      return true;
+    });
+    CHECK(doubts(beside, as_it_is, span, "x_left"));
+  }
 }
 
 TEST_CASE("check: a number of each format, and printed in each way, is held to no more and no less than its digits") {

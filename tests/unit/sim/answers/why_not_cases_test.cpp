@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "sim/answers/why_not.hpp"
+#include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
+#include "traces/replay/replay.hpp"
 
 using namespace zstep;
 using answers::Verdict, answers::Why, answers::why_not;
@@ -119,6 +121,40 @@ TEST_SUITE("why not") {
     for (std::size_t k = 4; k < 8; ++k) scene.points[k].z = 3;
     const Verdict hidden = why_not(flipped(test::recorded_by("z-buffer", scene), 1, false), 1, {2, 1});
     CHECK(contains(hidden.sentence, "the trace says not nearer, but 3 < 7 is true"));
+  }
+
+  TEST_CASE("Warnock's corners: what is equally near is not said to be in front") {
+    const std::vector<glm::dvec3> flat{{-1, -1, 7}, {5, -1, 7}, {5, 5, 7}, {-1, 5, 7}};
+    // At the area's corners on the left it is as near, on the right farther.
+    const auto z = [](double x) { return 7 + (x + 0.5) / 4; };
+    const std::vector<glm::dvec3> leaning{{-1, -1, z(-1)}, {5, -1, z(5)}, {5, 5, z(5)}, {-1, 5, z(-1)}};
+    const auto farther = [](std::vector<glm::dvec3> points) {
+      for (glm::dvec3& point : points) point.z += 1;
+      return points;
+    };
+    const struct {
+      std::vector<glm::dvec3> other;
+      const char *why, *decided;
+    } cases[] = {
+        {flat, "is exactly as near as it at all four corners, and is the one of the two that is painted",
+         "none is in front of it at its four corners. Where another is exactly as near"},
+        {leaning, "is in front of it at 2 of the corners, and exactly as near at the others",
+         "none is in front of it at its four corners. Where another is exactly as near"},
+        {farther(flat), "is in front of it at all four corners", "is in front of all others at its four corners"},
+    };
+    for (const auto& one : cases) {
+      CAPTURE(one.why);
+      const Trace trace = test::recorded_by("warnock", test::screen_scene(4, 4, {flat, one.other}));
+      CHECK(contains(why_not(trace, 1, {2, 1}).sentence, one.why));
+      const auto decided =
+          trace.next<AreaDecide>(0, [](const AreaDecide& e) { return e.what == AreaCase::front_surrounder; });
+      REQUIRE(decided);
+      Replay replay(trace);
+      replay.go_to(*decided);
+      const Explanation told = explain(trace, replay.state(), *replay.current());
+      CHECK(contains(told.sentence, one.decided));
+      CHECK_FALSE(told.doubt);
+    }
   }
 
   TEST_CASE("where spans include both ends no half-open rule is cited") {
