@@ -120,3 +120,27 @@ TEST_CASE("error: of a header that does not declare what is nearer no compare is
   CHECK(!has(open.out, "another polygon"));
   CHECK(has(run(folder, "error open.jsonl --json").out, "\"wrong_pixels\": null"));
 }
+
+TEST_CASE("error: compares that rounding alone turns are no finding, and others are") {
+  const Folder folder;
+  write_text(folder / "cards.toml",
+             "coordinates = \"screen\"\n[raster]\nwidth = 64\nheight = 64\n"
+             "[[polygon]]\nname = \"A\"\npoints = [[2.3, 3.1, 0.1], [60.7, 5.2, 0.7], [11.9, 58.3, 0.33]]\n"
+             "[[polygon]]\nname = \"B\"\npoints = [[2.3, 3.1, 0.10000001], [31.5, 4.15, 0.40000001], "
+             "[60.7, 5.2, 0.70000001], [11.9, 58.3, 0.33000001]]\n");
+  REQUIRE(run(folder, "record cards.toml --number-format float32 -o run.ztrace").code == 0);
+  const Outcome right = run(folder, "error run.ztrace");
+  CAPTURE(right.out);
+  CHECK(right.code == 0);
+  CHECK(has(right.out, "113 pixels would show another polygon; no depth of these is beyond its bound, so rounding"));
+  CHECK(has(run(folder, "error run.ztrace --json").out, "\"pixels_turned_beyond_bound\": 0"));
+  // One of these depths farther off; and no number format, of which there is no bound.
+  for (const char* edit : {"s/0.2309327572584[0-9]*/0.2308/", "s/\"number_format\":\"float32\",//"}) {
+    CAPTURE(std::string(edit));
+    REQUIRE(run(folder, std::string("dump run.ztrace --jsonl | sed '") + edit + "' > wrong.jsonl").code == 0);
+    const Outcome wrong = run(folder, "error wrong.jsonl");
+    CAPTURE(wrong.out);
+    CHECK(wrong.code == 1);
+    CHECK(!has(wrong.out, "so rounding explains them"));
+  }
+}
