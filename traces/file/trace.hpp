@@ -142,8 +142,8 @@ class Trace {
         Among(pixel, kind_of<E>));
   }
 
-  /// May something be done at a pixel while a polygon is worked on, or be said there to be its own? No more is read than
-  /// is needed to tell: where this is false, no event at the pixel is the polygon's.
+  /// May something be done at a pixel while a polygon is worked on, or be said there to be its own? No more is read
+  /// than is needed to tell: where this is false, no event at the pixel is the polygon's.
   bool may_be_of(std::int32_t polygon, Pixel pixel) const;
 
   struct Impl;
