@@ -283,6 +283,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
     KindJudged& kind = checker.report.kinds[kind_of<E>];
     ++kind.steps;
     kind.can_be_judged = formulas::Derived<E, Judge<E>>;
+    kind.joins_things = formulas::joins_things<E>;
     kind.judged += checker.any_judged;
     for (std::uint32_t left = checker.fields; left != 0; left &= left - 1)
       ++kind.fields[static_cast<std::size_t>(std::countr_zero(left))];

@@ -47,6 +47,7 @@ struct KindJudged {
   static constexpr std::size_t most_fields = 16;
   std::int64_t steps = 0;
   bool can_be_judged = false;                      ///< there is a formula or a rule for steps of this kind
+  bool joins_things = false;                       ///< there is none, and something may be wrong all the same
   std::int64_t judged = 0;                         ///< of these, with a field or a rule that could be judged
   std::array<std::int64_t, most_fields> fields{};  ///< by field: in how many steps something says what it must be
   /// Nothing that the other one judges is left out.

@@ -15,9 +15,6 @@ bool may_say_nothing(std::size_t kind, std::string_view field) {
 /// Of what is recorded no formula says what it must be, and rules, if any, only what it may not be.
 bool never_judged(As as) { return has(as, As::recorded) && !has(as, As::formula) && !has(as, As::ruled); }
 
-/// Kinds that say something of things which they only name.
-bool joins_things(std::size_t kind) { return kind == kind_of<NodeAdd> || kind == kind_of<CurveSegment>; }
-
 /// Kinds without a field that a formula gives, in which something may be wrong all the same.
 bool is_decided(std::size_t kind) { return kind == kind_of<PolygonReject>; }
 
@@ -28,7 +25,7 @@ std::vector<NotJudged> not_judged(const CheckReport& report) {
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
     const KindJudged& of = report.kinds[kind];
     if (of.steps == 0) continue;
-    if (of.can_be_judged ? of.judged == 0 : joins_things(kind)) {
+    if (of.can_be_judged ? of.judged == 0 : of.joins_things) {
       left.push_back({static_cast<std::uint8_t>(kind), of.steps, of.steps, {}, !of.can_be_judged});
       continue;
     }

@@ -27,4 +27,8 @@ struct Follows {
   }
 };
 
+/// A kind of event that says something of things which it only names, and for which there is no formula.
+template <class E>
+inline constexpr bool joins_things = false;
+
 }  // namespace zstep::formulas

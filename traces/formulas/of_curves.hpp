@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/follows.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
 
 namespace zstep::formulas {
+
+template <>
+inline constexpr bool joins_things<CurveSegment> = true;
 
 template <class Out>
 void derive(const HorizonTest& e, const Situation& at, Out& out) {

@@ -6,9 +6,13 @@
 
 #include "traces/file/records.hpp"
 #include "traces/formulas/facet_planes.hpp"
+#include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_pieces.hpp"
 
 namespace zstep::formulas {
+
+template <>
+inline constexpr bool joins_things<NodeAdd> = true;
 
 /// Does this run cut polygons in the world, and not on the raster? Vertices are then followed from there.
 inline bool run_cuts_in_world(const Header& header, const Scene& scene) {

@@ -65,7 +65,7 @@ inline void suppose(const ListInsert& e, const Situation& at, Supposed& out) {
   const auto in_order = [&](double Extent::*by) {
     return (!before || (*before->extent).*by >= own.*by) && (!after || own.*by >= (*after->extent).*by);
   };
-  if (!is_part) out.says(sorted_by_nearest, in_order(&Extent::z_min), in_order(&Extent::z_max));
+  if (!is_part) out.says(sorted_by_nearest, in_order(&Extent::z_min), in_order(&Extent::z_max), "place", e.place);
   // Of equals the first one of the scene has to win, so it is painted last; of its parts, the one that was made first.
   const bool tie_before = before && before->extent->z_max == own.z_max,
              tie_after = after && after->extent->z_max == own.z_max;

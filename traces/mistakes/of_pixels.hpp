@@ -47,8 +47,11 @@ inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
   const Rounded z_left = span->z_left, z_right = span->z_right, x_left = span->x_left, x_right = span->x_right, x = e.x,
                 dz_dx = span->dz_dx;
   const Rounded directly = formulas::on_line(z_left, z_right, x, x_left, x_right);
-  if (span.open) return;  // of one of several
   const Fragment* last = at.fragment(e.x - 1, e.y);
+  if (span.open) {  // of several: the pixel before may be another one's
+    if (span.open->x_last != e.x - 1) last = nullptr;
+    if (span.is_of_other(at) || (how == increments && !last && e.x != span->first)) return;
+  }
   const bool adds = how == increments && last;
   const Rounded right = adds ? Rounded(last->z) + dz_dx : directly;
   if (const EdgeTableInsert* left = at.edge(span->left_edge); left && !adds)

@@ -61,7 +61,7 @@ TEST_CASE("search: where a polygon is said to have no part in a pixel, nothing t
       }
       // The one is at work on the left, the other on the right; seldom it is the other that is named.
       const std::int32_t column = at_work == 0 ? x % 6 : 10 + x % 6;
-      const std::int32_t named = !keeps && random() % 50000 == 0 ? 1 - at_work : at_work;
+      const std::int32_t named = !keeps && random() % 5000 == 0 ? 1 - at_work : at_work;
       events.push_back({step_of(kind_of<PixelWrite>), PixelWrite{column, y, named}});
       part[y][column][at_work] = part[y][column][named] = true;
     }
