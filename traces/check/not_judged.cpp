@@ -7,7 +7,7 @@ namespace zstep {
 
 namespace {
 
-/// A field that says nothing in some steps: the slope of a span without width.
+/// A field that has no meaning in some steps: the slope of a span without width.
 bool may_say_nothing(std::size_t kind, std::string_view field) {
   return kind == kind_of<SpanBegin> && field == "dz_dx";
 }

@@ -138,7 +138,7 @@ void derive(const ListInsert& e, const Situation& at, Out& out) {
   if (pair || !at.method().drawn.empty()) return;                            // others are moved, too
   const auto place = static_cast<std::size_t>(e.place);
   if (!own || !own->extent || e.place < 0 || place > list.size()) return;
-  const auto farther = [&](const ListEntry& one) {  // clearly, than the piece; nothing of what is not known
+  const auto farther = [&](const ListEntry& one) {  // clearly farther than the piece: 1, nearer: -1; else 0
     const Piece* piece = at.piece(one.piece);
     if (one.marked || !piece || !piece->extent) return 0;
     const double z = piece->extent->z_max;
