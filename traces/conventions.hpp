@@ -1,5 +1,5 @@
 // What was interpolated, how, in which numbers, and which pixels it covers: what every trace states about its run
-// (docs/trace-format.md, docs/interpolation.md).
+// (docs/trace-format.md, docs/interpolation.md); and the words that stand for such values.
 #pragma once
 
 #include <array>
@@ -8,9 +8,14 @@
 #include <string>
 #include <string_view>
 
-#include "traces/words_of.hpp"
-
 namespace zstep {
+
+// The words that stand for the values of an enumeration in traces, on the command line and in lessons.
+
+/// In value order from 0. Specialised, as an array of texts, beside every enumeration that an event or a header
+/// carries.
+template <class Enumeration>
+inline constexpr auto words_of = nullptr;
 
 /// What a run computes in. Its numbers stand in a trace as doubles. fixedN: whole numbers of units, depths from 0 for
 /// the least that there can be to 2ᴺ − 1 for the greatest (formulas/fixed_depths.hpp), positions in 1/65536 of a pixel.

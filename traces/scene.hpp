@@ -1,13 +1,19 @@
-// What a run was given: polygons, camera, raster and conventions. A trace carries all of it, so it can be read without
-// the files it came from. algorithms/scene fills it from files; the algorithms run on it; the viewer draws it.
+// What a run was given: polygons, camera, raster, conventions and light, and how large a scene may be. A trace carries
+// all of it, so it can be read without the files it came from. algorithms/scene fills it from files; the algorithms run
+// on it; the viewer draws it.
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -15,9 +21,52 @@
 #include <glm/vec3.hpp>
 
 #include "traces/conventions.hpp"
-#include "traces/rare.hpp"
 
 namespace zstep {
+
+// How large a scene can be. Files from others are held to these before memory is asked for.
+
+inline constexpr std::int32_t largest_side = 16384;   ///< of a raster
+inline constexpr std::int64_t most_pixels = 1 << 25;  ///< of a raster: 7680 x 4320 fits
+
+inline constexpr std::int64_t most_points = 2'000'000;
+inline constexpr std::int64_t most_polygons = 2'500'000;
+inline constexpr std::int64_t most_facets = 4'000'000;
+inline constexpr std::int64_t most_corners = 6'000'000;
+inline constexpr std::int64_t most_corners_of_polygon = 20'000;  ///< the active edge list is searched from the left
+inline constexpr double least_refraction = 0.1, most_refraction = 10;  ///< diamond has 2.4
+inline constexpr std::int64_t most_surface_samples = 250'000;          ///< columns times rows
+inline constexpr std::size_t longest_formula = 200;                    ///< characters
+
+// A value that is T{} nearly everywhere it could stand: names and materials of polygons, of which a mesh has millions.
+
+/// Takes the room of a pointer, and memory only where it is anything else than T{}. Read it as one reads an optional.
+template <class T>
+class Rare {
+ public:
+  Rare() = default;
+  template <class U>
+  requires(std::convertible_to<U, T> && !std::same_as<std::remove_cvref_t<U>, Rare>) Rare(U&& value)
+      : Rare(std::in_place, T(std::forward<U>(value))) {}
+  Rare(const Rare& other) : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
+  Rare(Rare&&) noexcept = default;
+  Rare& operator=(const Rare& other) { return *this = Rare(other); }
+  Rare& operator=(Rare&&) noexcept = default;
+  Rare& operator=(T value) { return *this = Rare(std::in_place, std::move(value)); }
+  ~Rare() = default;
+
+  const T& operator*() const { return value_ ? *value_ : usual_; }
+  const T* operator->() const { return &**this; }
+  bool is_usual() const { return !value_; }
+
+  friend bool operator==(const Rare& a, const Rare& b) { return *a == *b; }
+
+ private:
+  Rare(std::in_place_t, T value) : value_(value == T{} ? nullptr : std::make_unique<T>(std::move(value))) {}
+
+  inline static const T usual_{};
+  std::unique_ptr<T> value_;  ///< null: T{}
+};
 
 /// sRGB, 0…255.
 struct Color {
@@ -190,5 +239,18 @@ double depth_range(const Scene& scene, Conventions::Depth depth);
 double depth_unit(const Scene& scene, const Conventions& conventions);
 /// The same of positions on the raster.
 inline constexpr double fixed_positions_a_pixel = 65536;
+
+// A lamp as a camera, and the matrices of cameras: a trace has the lamp alone, and what it sees follows from it.
+
+/// World to view, from its first three rows.
+glm::dmat4 view_from_rows(glm::dvec4 row_1, glm::dvec4 row_2, glm::dvec4 row_3);
+
+/// World to view for an eye that looks at `target`, with `up` upwards in the picture; left-handed as T_v is. `eye` and
+/// `target` must differ. An `up` along the line of sight says nothing: the world axis furthest from that line stands
+/// in.
+glm::dmat4 look_at_view(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up);
+
+/// The light as a camera that sees what it shines on, with the world's z axis upwards.
+Camera camera_of(const Light& light);
 
 }  // namespace zstep

@@ -6,10 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "traces/scene.hpp"
-#include "traces/record/collect_recorder.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/record/trace_recorder.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 

@@ -1,9 +1,7 @@
-
 #include "algorithms/floating_horizon/horizons.hpp"
 
 #include <algorithm>
 
-#include "traces/formulas/lines.hpp"
 #include "traces/formulas/outlines.hpp"
 
 namespace zstep::floating_horizon {

@@ -1,11 +1,9 @@
-
 #include "algorithms/hidden_line/cover.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "traces/formulas/lines.hpp"
 #include "traces/formulas/outlines.hpp"
 
 namespace zstep::hidden_line {

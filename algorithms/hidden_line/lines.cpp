@@ -1,4 +1,3 @@
-
 #include "algorithms/hidden_line/lines.hpp"
 
 #include <algorithm>
@@ -7,7 +6,6 @@
 
 #include "algorithms/scene/mesh.hpp"
 #include "algorithms/viewing/back_face.hpp"
-#include "traces/formulas/lines.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
 

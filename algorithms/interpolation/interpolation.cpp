@@ -1,4 +1,3 @@
-
 #include "algorithms/interpolation/interpolation.hpp"
 
 #include <algorithm>
@@ -11,8 +10,8 @@
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "traces/error.hpp"
 #include "traces/formulas/attributes.hpp"
-#include "traces/formulas/fixed_depths.hpp"
-#include "traces/formulas/planes.hpp"
+#include "traces/formulas/outlines.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::interpolation {

@@ -15,13 +15,11 @@
 #include <vector>
 
 #include "algorithms/scan_conversion/edge_table.hpp"
-#include "algorithms/viewing/vertices.hpp"
-#include "traces/formulas/planes.hpp"
 #include "algorithms/viewing/clip.hpp"
+#include "algorithms/viewing/vertices.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
-#include "traces/formulas/lines.hpp"
-#include "traces/formulas/outlines.hpp"
 
 // The steps of gathering all polygons, of cutting them, and of painting them.
 

@@ -12,8 +12,8 @@
 
 #include "algorithms/pieces/pieces.hpp"
 #include "algorithms/viewing/camera.hpp"
-#include "traces/formulas/eye_rays.hpp"
 #include "traces/formulas/outlines.hpp"
+#include "traces/formulas/viewing.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::ray_casting {

@@ -14,9 +14,9 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "algorithms/ray_casting/space.hpp"
-#include "traces/formulas/light.hpp"
 #include "algorithms/catalog/catalog.hpp"
+#include "algorithms/ray_casting/space.hpp"
+#include "traces/formulas/of_light.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 
@@ -29,7 +29,7 @@
 
 namespace zstep::ray_tracing {
 
-// How light goes on where it meets a face: the formulas (traces/formulas/light.hpp) on the engine's vectors.
+// How light goes on where it meets a face: the formulas (traces/formulas/of_light.hpp) on the engine's vectors.
 
 inline glm::dvec3 mirrored(glm::dvec3 along, glm::dvec3 normal) {
   const auto way = formulas::mirrored<double>({along.x, along.y, along.z}, {normal.x, normal.y, normal.z});

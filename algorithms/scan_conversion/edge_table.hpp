@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "algorithms/viewing/vertices.hpp"
-#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/record/recorder.hpp"
 
 // The steps of scan conversion with an edge table and an active edge list.

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "algorithms/scan_conversion/active_edges.hpp"
-#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 
 namespace zstep::scan_conversion {
 

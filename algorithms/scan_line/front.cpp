@@ -1,10 +1,9 @@
-
 #include "algorithms/scan_line/front.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::scan_line {

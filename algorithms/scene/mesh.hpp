@@ -10,12 +10,11 @@
 #include <string>
 #include <string_view>
 
-#include "traces/limits.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::scene {
 
-// Defaults of cameras; the limits of scenes are in traces/limits.hpp.
+// Defaults of cameras; the limits of scenes are in traces/scene.hpp.
 
 inline constexpr double default_d = 2;  ///< a field of view of 53 degrees with the default window of 1
 

@@ -1,4 +1,3 @@
-
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 
 #include <cmath>
@@ -6,7 +5,7 @@
 
 #include "algorithms/viewing/camera.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
-#include "traces/formulas/from_raster.hpp"
+#include "traces/formulas/viewing.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::shadow_buffer {

@@ -7,9 +7,9 @@
 
 #include <array>
 
-#include "algorithms/z_buffer/z_buffer.hpp"
 #include "algorithms/catalog/catalog.hpp"
-#include "traces/formulas/light.hpp"
+#include "algorithms/z_buffer/z_buffer.hpp"
+#include "traces/formulas/of_light.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 

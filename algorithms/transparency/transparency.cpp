@@ -1,4 +1,3 @@
-
 #include "algorithms/transparency/transparency.hpp"
 
 #include <cmath>
@@ -8,7 +7,7 @@
 #include "algorithms/bsp/traverse.hpp"
 #include "algorithms/scan_conversion/spans.hpp"
 #include "algorithms/viewing/clip.hpp"
-#include "traces/formulas/light.hpp"
+#include "traces/formulas/of_light.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::transparency {

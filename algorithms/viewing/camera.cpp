@@ -1,14 +1,13 @@
-
 #include "algorithms/viewing/camera.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "traces/lamp.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/viewing.hpp"
+#include "traces/math/kernels.hpp"
 #include "traces/math/portable_math.hpp"
-#include "traces/math/quarter_turns.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewing {
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "traces/formulas/lines.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
 

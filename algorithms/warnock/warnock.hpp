@@ -12,10 +12,10 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "algorithms/catalog/catalog.hpp"
 #include "algorithms/pieces/pieces.hpp"
 #include "traces/events/vocabulary.hpp"
-#include "traces/formulas/rectangles.hpp"
-#include "algorithms/catalog/catalog.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 

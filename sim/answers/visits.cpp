@@ -1,4 +1,3 @@
-
 #include "sim/answers/visits.hpp"
 
 #include <algorithm>
@@ -6,7 +5,7 @@
 #include <iterator>
 
 #include "traces/codec/scene_geometry.hpp"
-#include "traces/replay/beginning.hpp"
+#include "traces/replay/key_frames.hpp"
 
 namespace zstep::answers {
 

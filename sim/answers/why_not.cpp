@@ -11,7 +11,7 @@
 
 #include "sim/answers/why_not_parts.hpp"
 #include "sim/words/owners.hpp"
-#include "traces/replay/nearby.hpp"
+#include "traces/replay/replay.hpp"
 
 namespace zstep::answers {
 

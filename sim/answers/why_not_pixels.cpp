@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/answers/why_not_parts.hpp"
-#include "traces/file/records.hpp"
+#include "traces/file/header.hpp"
 
 namespace zstep::answers {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "sim/classroom/expression.hpp"
-#include "traces/record/step.hpp"
+#include "traces/record/recorder.hpp"
 #include "traces/replay/replay.hpp"
 
 namespace zstep::classroom {

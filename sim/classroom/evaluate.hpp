@@ -7,7 +7,7 @@
 
 #include "sim/classroom/expression.hpp"
 #include "sim/classroom/names.hpp"
-#include "traces/record/step.hpp"
+#include "traces/record/recorder.hpp"
 
 namespace zstep::classroom {
 

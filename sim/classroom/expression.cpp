@@ -10,7 +10,6 @@
 
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
-#include "traces/math/read_number.hpp"
 
 namespace zstep::classroom {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "sim/classroom/names.hpp"
-#include "traces/record/step.hpp"
+#include "traces/record/recorder.hpp"
 
 namespace zstep::classroom {
 

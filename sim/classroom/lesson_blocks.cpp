@@ -8,7 +8,7 @@
 #include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/expression.hpp"
 #include "traces/error.hpp"
-#include "traces/math/read_number.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::classroom {
 

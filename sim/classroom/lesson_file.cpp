@@ -22,8 +22,7 @@
 #include "sim/classroom/lesson_blocks.hpp"
 #include "sim/classroom/marking.hpp"
 #include "traces/error.hpp"
-#include "traces/file/input.hpp"
-#include "traces/file/output.hpp"
+#include "traces/file/files.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::classroom {

@@ -1,4 +1,4 @@
-// The TOML head of a lesson.
+// A lesson's file: its TOML head, and its stops.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/classroom/lesson.hpp"
-#include "traces/record/step.hpp"
+#include "traces/record/recorder.hpp"
 #include "traces/replay/replay.hpp"
 
 namespace zstep::classroom {

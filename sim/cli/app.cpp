@@ -1,4 +1,3 @@
-
 #include "sim/cli/app.hpp"
 
 #include <CLI/CLI.hpp>
@@ -13,13 +12,12 @@
 #include <system_error>
 #include <utility>
 
-#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
-#include "sim/cli/watch.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/words/link.hpp"
-#include "traces/file/output.hpp"
-#include "traces/outcome.hpp"
+#include "traces/error.hpp"
+#include "traces/file/files.hpp"
 
 #if ZSTEP_HAS_VIEWER
 #include "sim/viewer/settings.hpp"

@@ -7,16 +7,14 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
-#include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/words/file_lines.hpp"
+#include "sim/words/escaped.hpp"
 #include "sim/words/judged.hpp"
 #include "sim/words/numbers.hpp"
-#include "sim/words/shell_word.hpp"
 #include "traces/check/check.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/text.hpp"

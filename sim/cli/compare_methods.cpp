@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "sim/cli/commands.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/table.hpp"
-#include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "traces/error.hpp"

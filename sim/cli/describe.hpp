@@ -1,4 +1,4 @@
-// Scenes, cameras, conventions and events in words, for info and dump.
+// Scenes, cameras, conventions and events in words, for info and dump; and what a shell completes.
 #pragma once
 
 #include <string>

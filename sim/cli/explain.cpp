@@ -12,8 +12,8 @@
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/visits.hpp"
 #include "sim/answers/why_not.hpp"
-#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
@@ -21,9 +21,9 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/words/explain.hpp"
-#include "sim/words/hex.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
-#include "traces/file/trace_impl.hpp"
+#include "traces/file/visit.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {

@@ -11,13 +11,11 @@
 #include <thread>
 #include <vector>
 
-#include "sim/cli/answer_apart.hpp"
-#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/publish.hpp"
-#include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/homework/batch.hpp"
 #include "sim/homework/pictures.hpp"
@@ -25,13 +23,13 @@
 #include "sim/homework/reports.hpp"
 #include "sim/image/file.hpp"
 #include "sim/pages/page.hpp"
+#include "sim/words/escaped.hpp"
 #include "sim/words/numbers.hpp"
-#include "sim/words/shell_word.hpp"
 #include "traces/diff/diff.hpp"
 #include "traces/error.hpp"
+#include "traces/file/container.hpp"
+#include "traces/file/files.hpp"
 #include "traces/file/jsonl.hpp"
-#include "traces/file/output.hpp"
-#include "traces/file/without_paths.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {

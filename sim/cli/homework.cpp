@@ -10,17 +10,16 @@
 #include <vector>
 
 #include "sim/cli/commands.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/outputs.hpp"
-#include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/homework/folders.hpp"
-#include "sim/homework/generate.hpp"
 #include "sim/homework/new_homework.hpp"
+#include "sim/homework/own_scenes.hpp"
 #include "sim/homework/pack_homework.hpp"
 #include "sim/homework/run_programs.hpp"
-#include "sim/homework/try_homework.hpp"
-#include "sim/words/shell_word.hpp"
+#include "sim/words/escaped.hpp"
 #include "traces/error.hpp"
 #include "traces/text.hpp"
 

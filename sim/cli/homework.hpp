@@ -1,4 +1,4 @@
-// zstep homework seed: a folder for each student, with scenes of the student's own.
+// zstep homework: its commands, and the folder of each student with scenes of the student's own.
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@
 #define ZSTEP_HAS_DESCRIPTORS
 #endif
 
-#include "traces/outcome.hpp"
+#include "traces/error.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {

@@ -10,12 +10,12 @@
 #include "sim/cli/messages.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
-#include "sim/image/npy.hpp"
+#include "sim/image/tables.hpp"
 #include "sim/pages/page.hpp"
 #include "sim/pages/pictures.hpp"
 #include "sim/scenes/save_scene.hpp"
 #include "traces/error.hpp"
-#include "traces/file/output.hpp"
+#include "traces/file/files.hpp"
 
 namespace zstep::cli {
 namespace {

@@ -10,15 +10,15 @@
 #include <fmt/format.h>
 
 #include "sim/cli/commands.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
-#include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "sim/pages/page.hpp"
 #include "traces/error.hpp"
-#include "traces/file/without_paths.hpp"
+#include "traces/file/container.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {

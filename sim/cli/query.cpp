@@ -11,17 +11,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/table.hpp"
 #include "sim/cli/traces.hpp"
-#include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/cost/comparison.hpp"
-#include "sim/query/columns.hpp"
 #include "sim/query/database.hpp"
-#include "traces/outcome.hpp"
+#include "traces/error.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {

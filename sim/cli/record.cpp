@@ -8,16 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/run_options.hpp"
-#include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/scenes/save_scene.hpp"
+#include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/trace.hpp"
-#include "traces/outcome.hpp"
 #include "traces/record/trace_recorder.hpp"
 
 namespace zstep::cli {

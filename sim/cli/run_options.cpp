@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/cli/budget.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"

@@ -1,4 +1,4 @@
-// The viewer's side of view, lesson and zstep alone.
+// The viewer's side of view, lesson and zstep alone, and what can be opened from its window.
 #pragma once
 
 #include <memory>
@@ -13,6 +13,15 @@
 #include "traces/file/trace.hpp"
 
 namespace zstep::cli {
+
+// What can be opened from the viewer's window, and how.
+
+/// Lessons, methods and built-in scenes, the scenes with pictures.
+std::vector<Offer> all_offers();
+
+/// Opens what is offered, or a file. `now` is what is shown: a method draws its scene, and a scene is drawn by its
+/// method where that can draw it, else by the Z-buffer. Throws InputError.
+std::unique_ptr<Opened> open_offer(const Trace& now, const Offer& offer);
 
 struct ShowOptions {
   std::string at;  ///< a step, or the name of a bookmark

@@ -1,10 +1,10 @@
-// Tables for a terminal: columns as wide as what stands in them.
+// Tables for a terminal, with columns as wide as what stands in them, and charts as files.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "sim/image/drawing.hpp"
+#include "sim/image/png.hpp"
 
 namespace zstep::cli {
 

@@ -7,15 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "sim/cli/budget.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
-#include "sim/cli/watch.hpp"
 #include "sim/cost/allocation_peak.hpp"
 #include "sim/places/bookmarks.hpp"
+#include "traces/error.hpp"
+#include "traces/file/files.hpp"
 #include "traces/file/jsonl.hpp"
-#include "traces/file/output.hpp"
-#include "traces/file/trace_impl.hpp"
-#include "traces/outcome.hpp"
+#include "traces/file/visit.hpp"
 #include "traces/record/journal.hpp"
 #include "traces/record/trace_recorder.hpp"
 

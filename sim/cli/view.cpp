@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
-#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/diff.hpp"
+#include "sim/cli/long_work.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
 #include "traces/error.hpp"
-#include "traces/file/output.hpp"
+#include "traces/file/files.hpp"
 
 namespace zstep::cli {
 namespace {

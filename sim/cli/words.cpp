@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "traces/error.hpp"
-#include "traces/near_word.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::cli {
 namespace {

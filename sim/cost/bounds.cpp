@@ -1,4 +1,3 @@
-
 #include "sim/cost/bounds.hpp"
 
 #include <algorithm>
@@ -7,10 +6,10 @@
 #include <utility>
 
 #include "algorithms/catalog/catalog.hpp"
-#include "traces/error.hpp"
 #include "algorithms/scan_conversion/numbers.hpp"
+#include "traces/error.hpp"
 #include "traces/formulas/viewing.hpp"
-#include "traces/oracle/seen_plane.hpp"
+#include "traces/oracle/exact_depth.hpp"
 
 namespace zstep::compare {
 

@@ -1,4 +1,3 @@
-
 #include "sim/cost/growth.hpp"
 
 #include <algorithm>
@@ -6,7 +5,7 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "sim/cost/book_table.hpp"
+#include "sim/cost/comparison.hpp"
 #include "sim/cost/measure.hpp"
 #include "sim/cost/operations.hpp"
 #include "sim/words/numbers.hpp"

@@ -1,5 +1,5 @@
 // How costs grow with the number of polygons, and where the cost of one method overtakes another's: measured on the
-// scenes of the lecture's table (book_table.hpp), whose polygons cover the same area whatever their number.
+// scenes of the lecture's table (comparison.hpp), whose polygons cover the same area whatever their number.
 #pragma once
 
 #include <array>

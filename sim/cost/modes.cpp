@@ -6,7 +6,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/interpolation/interpolation.hpp"
 #include "traces/error.hpp"
-#include "traces/formulas/resolution.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/oracle/errors.hpp"
 
 namespace zstep::compare {

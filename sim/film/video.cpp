@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/words/shell_word.hpp"
+#include "sim/words/escaped.hpp"
 #include "traces/error.hpp"
 
 namespace zstep {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/image/png.hpp"
-#include "traces/file/output.hpp"
+#include "traces/file/files.hpp"
 
 namespace zstep {
 

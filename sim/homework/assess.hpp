@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/homework/alike.hpp"
 #include "sim/homework/homework.hpp"
+#include "sim/homework/own_scenes.hpp"
 #include "sim/words/judged.hpp"
 #include "traces/file/lenient.hpp"
-#include "traces/grade/numbering.hpp"
+#include "traces/grade/grade.hpp"
 
 namespace zstep::homework {
 

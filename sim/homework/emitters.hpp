@@ -10,7 +10,7 @@
 
 #include "traces/events/fields.hpp"
 #include "traces/file/header.hpp"
-#include "traces/record/step.hpp"
+#include "traces/record/recorder.hpp"
 
 namespace zstep::homework {
 

@@ -1,4 +1,3 @@
-
 #include "sim/homework/folders.hpp"
 
 #include <algorithm>
@@ -14,8 +13,8 @@
 #include <unistd.h>
 #include <vector>
 
-#include "sim/homework/generate.hpp"
 #include "sim/homework/new_homework.hpp"
+#include "sim/homework/own_scenes.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::homework {

@@ -1,4 +1,3 @@
-
 #include "sim/homework/handout.hpp"
 
 #include <algorithm>
@@ -16,8 +15,8 @@
 #include "sim/pages/page.hpp"
 #include "sim/pages/pictures.hpp"
 #include "traces/error.hpp"
-#include "traces/near_word.hpp"
 #include "traces/replay/replay.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::homework {
 

@@ -10,7 +10,7 @@
 
 #include "algorithms/scene/files/bytes.hpp"
 #include "algorithms/scene/load.hpp"
-#include "algorithms/scene/scene_file/read_view.hpp"
+#include "algorithms/scene/scene_file/read_scene.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
 #include "sim/homework/new_homework.hpp"
 #include "sim/homework/plain_scene.hpp"

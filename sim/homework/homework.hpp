@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "algorithms/catalog/catalog.hpp"
-#include "sim/homework/generate.hpp"
+#include "sim/homework/own_scenes.hpp"
 #include "sim/homework/sandbox.hpp"
 #include "traces/grade/grade.hpp"
 #include "traces/scene.hpp"

@@ -1,4 +1,4 @@
-// The folder of a new homework, and what in it is made from the rest.
+// The folder of a new homework, what in it is made from the rest, and whether it can be handed out.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
-#include "sim/homework/generate.hpp"
 #include "sim/homework/homework.hpp"
+#include "sim/homework/own_scenes.hpp"
 #include "sim/homework/plain_scene.hpp"
 
 namespace zstep::homework {
@@ -42,5 +42,18 @@ std::vector<std::string> homework_methods();
 /// starters, files to write steps with, and a solution apart. Returns what was written, from the folder. Throws
 /// InputError, with nothing left behind, where there is no homework of this method or the folder holds something.
 std::vector<std::string> new_homework(const std::string& method, const std::filesystem::path& folder);
+
+// Whether a homework can be handed out: all that a class will do is done once.
+
+enum class Tried : std::uint8_t {
+  right,
+  wrong,
+  note,  ///< nothing to mend, but to know
+};
+
+/// Tries all of it and says what it found, a line each. Returns whether nothing is wrong. Throws InputError where
+/// homework.toml or a scene cannot be read. `on_work` is called before what takes time, and while it does.
+bool try_homework(const std::filesystem::path& folder, const std::function<void(Tried, const std::string&)>& say,
+                  const std::function<void(const std::string&)>& on_work);
 
 }  // namespace zstep::homework

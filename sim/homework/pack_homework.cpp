@@ -1,4 +1,3 @@
-
 #include "sim/homework/pack_homework.hpp"
 
 #include <algorithm>
@@ -12,10 +11,10 @@
 #include <vector>
 
 #include "sim/homework/folders.hpp"
-#include "sim/homework/generate.hpp"
+#include "sim/homework/own_scenes.hpp"
 #include "sim/homework/reports.hpp"
 #include "sim/pages/page.hpp"
-#include "sim/words/shell_word.hpp"
+#include "sim/words/escaped.hpp"
 #include "traces/error.hpp"
 
 #ifdef __linux__

@@ -1,4 +1,4 @@
-// A homework as the services take it that courses use.
+// A homework as the services take it that courses use: what they run, and the program in it.
 #pragma once
 
 #include <filesystem>

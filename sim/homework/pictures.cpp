@@ -9,14 +9,13 @@
 #include <fmt/ranges.h>
 
 #include "algorithms/catalog/catalog.hpp"
-#include "sim/image/npy.hpp"
-#include "sim/image/pfm.hpp"
 #include "sim/image/png.hpp"
+#include "sim/image/tables.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/check/precision.hpp"
 #include "traces/diff/buffers.hpp"
 #include "traces/error.hpp"
-#include "traces/file/output.hpp"
+#include "traces/file/files.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/replay/replay.hpp"
 

@@ -18,7 +18,7 @@
 #include "algorithms/viewing/clip.hpp"
 #include "traces/error.hpp"
 #include "traces/events/vocabulary.hpp"
-#include "traces/formulas/eye_rays.hpp"
+#include "traces/formulas/viewing.hpp"
 
 namespace zstep::homework {
 

@@ -9,9 +9,8 @@
 #include "sim/homework/reports.hpp"
 #include "sim/pages/page.hpp"
 #include "sim/pages/pictures.hpp"
+#include "sim/words/escaped.hpp"
 #include "sim/words/explain.hpp"
-#include "sim/words/percent.hpp"
-#include "sim/words/shell_word.hpp"
 
 namespace zstep::homework {
 

@@ -1,16 +1,30 @@
-// What all reports of a submission say in the same words.
+// What all reports of a submission say in the same words: among it why points are missing.
 #pragma once
 
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "sim/homework/assess.hpp"
-#include "sim/homework/losses.hpp"
+#include "sim/homework/homework.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/grade/grade.hpp"
 
 namespace zstep::homework {
+
+// Why points are missing, in words: made of the counts that the points are made of.
+
+/// "never", "missing", …: for programs.
+std::string_view word_of(grade::Loss::Why why);
+/// The names of the steps that a loss is about; none of pixels and of orders.
+std::string steps_of(const Homework& homework, const grade::Loss& loss);
+/// "interpolate_z: not printed, 83 expected". Of a hidden scene nothing is counted.
+std::string loss_text(const Homework& homework, const grade::Loss& loss, bool hidden);
+/// All of a part; empty where it has all points.
+std::string losses_text(const Homework& homework, const grade::PartCount& count, bool hidden);
 
 inline std::string points_text(double points) { return number(points, 2, true); }
 /// With as many digits as tell them from all of them.

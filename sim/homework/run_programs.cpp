@@ -1,4 +1,3 @@
-
 #include "sim/homework/run_programs.hpp"
 
 #include <algorithm>
@@ -7,9 +6,9 @@
 
 #include "sim/homework/new_homework.hpp"
 #include "sim/image/file.hpp"
-#include "sim/words/shell_word.hpp"
+#include "sim/words/escaped.hpp"
 #include "traces/error.hpp"
-#include "traces/file/input.hpp"
+#include "traces/file/files.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::homework {

@@ -7,8 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "traces/file/input.hpp"
-#include "traces/file/output.hpp"
+#include "traces/file/files.hpp"
 
 namespace zstep {
 namespace {

@@ -11,7 +11,7 @@ namespace zstep {
 /// Writes `bytes` as the whole of `path`, replacing what was there. The bytes go to a temporary file beside it that is
 /// renamed when it is complete, so the old file or the new one is always whole; what is no ordinary file (/dev/stdout,
 /// a pipe) is written directly. Throws InputError when the folder is missing or not writable, or the file was read
-/// (traces/file/output.hpp); Exhausted when the disk is full.
+/// (traces/file/files.hpp); Exhausted when the disk is full.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 /// The same of a file that is zstep's own to read and to write again.
 void rewrite_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);

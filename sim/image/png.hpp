@@ -1,9 +1,10 @@
-// Pictures as PNG files.
+// Pictures as PNG files, and charts as a picture and as SVG.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace zstep {
@@ -25,5 +26,10 @@ void write_png(const std::filesystem::path& path, int width, int height, std::sp
 /// pixels.
 Image read_png(const std::filesystem::path& path, std::uintmax_t most_bytes = std::uintmax_t{1} << 30,
                std::size_t most_pixels = std::size_t{1} << 26);
+
+/// A chart as a picture, and the same as SVG.
+struct Drawing : Image {
+  std::string svg;
+};
 
 }  // namespace zstep

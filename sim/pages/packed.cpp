@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include "sim/words/markup.hpp"
+#include "sim/words/escaped.hpp"
 
 namespace zstep {
 namespace {

@@ -1,4 +1,3 @@
-
 #include "sim/pages/page.hpp"
 
 #include <algorithm>
@@ -7,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "sim/words/markup.hpp"
+#include "sim/words/escaped.hpp"
 #include "traces/error.hpp"
-#include "traces/file/chunk.hpp"
+#include "traces/file/container.hpp"
 #include "traces/text.hpp"
 
 namespace zstep {

@@ -6,8 +6,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "sim/classroom/computed.hpp"
 #include "sim/classroom/evaluate.hpp"
+#include "sim/classroom/expression.hpp"
 
 namespace zstep::places {
 

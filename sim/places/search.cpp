@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "traces/file/trace_impl.hpp"
+#include "traces/file/visit.hpp"
 
 namespace zstep::places {
 

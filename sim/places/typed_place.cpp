@@ -13,7 +13,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
-#include "traces/math/read_number.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::places {
 namespace {

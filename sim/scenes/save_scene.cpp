@@ -9,7 +9,7 @@
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/save.hpp"
 #include "sim/image/file.hpp"
-#include "sim/words/shell_word.hpp"
+#include "sim/words/escaped.hpp"
 
 namespace zstep {
 

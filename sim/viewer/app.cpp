@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "sim/query/columns.hpp"
+#include "sim/query/database.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/workspace.hpp"
+#include "sim/words/escaped.hpp"
 #include "sim/words/link.hpp"
 #include "sim/words/numbers.hpp"
-#include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {

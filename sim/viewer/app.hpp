@@ -1,4 +1,5 @@
-// The viewer without its window: takes SDL's events, draws one frame into a picture. Never blocks.
+// The viewer without its window: takes SDL's events, draws one frame into a picture, asks the window for what it cannot
+// do itself. Never blocks.
 #pragma once
 
 #include <cstdint>
@@ -6,20 +7,22 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <SDL.h>
 
+#include "algorithms/catalog/changes.hpp"
 #include "sim/answers/explain_value.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
+#include "sim/classroom/lesson.hpp"
 #include "sim/places/typed_place.hpp"
 #include "sim/viewer/board.hpp"
-#include "sim/viewer/changed.hpp"
 #include "sim/viewer/field.hpp"
 #include "sim/viewer/film.hpp"
 #include "sim/viewer/finder.hpp"
 #include "sim/viewer/model/against.hpp"
-#include "sim/viewer/model/before_change.hpp"
+#include "sim/viewer/model/findings.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/model/race.hpp"
 #include "sim/viewer/model/raster_view.hpp"
@@ -29,9 +32,52 @@
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/touch.hpp"
 #include "sim/viewer/viewer.hpp"
-#include "sim/viewer/window_requests.hpp"
 
 namespace zstep::viewer {
+
+// What a reader changed of a run.
+
+/// What a reader changed, against the run that was opened.
+struct Changed {
+  struct Made {
+    Change change;
+    std::string was;  ///< its value in the run that was opened
+  };
+  std::vector<Made> made;         ///< each thing once
+  std::vector<PixelMark> pixels;  ///< that end otherwise than in the run before
+  std::string told;               ///< what the last change did, in a sentence
+  std::optional<TaskState> task;  ///< how the run stands to what is to be tried
+};
+
+// What the window is asked to do.
+
+/// Whoever owns the window takes the requests and clears them.
+struct WindowRequests {
+  bool quit = false, toggle_full_screen = false;
+  bool leave_page = false;                  ///< that it is embedded in: to a window with everything
+  bool toggle_notes = false;                ///< the speaker's, in a window of their own
+  bool choose_file = false;                 ///< by the desktop's own dialogue
+  bool save_progress = false;               ///< and settings and bookmarks, as one file
+  bool check = false;                       ///< whether each step follows from its own operands
+  std::optional<std::string> compare_with;  ///< the run of a file, or of what can be opened; empty: zstep's own
+  bool marks_kept = false;                  ///< other bookmarks are in their file than before
+  std::optional<std::string> clipboard;
+  std::optional<std::string> save_picture;  ///< path
+  int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
+  std::optional<Offer> open;
+  bool for_class = false;       ///< and that in presenter mode, a lesson from its first stop on
+  std::vector<Change> changes;  ///< of the run, one after the other
+  bool change_goes_on = false;  ///< it takes the place of the one before, which a hand has not let go
+  bool end_run = false;         ///< the one that is made while the window goes on
+  int back_to_lesson = 0;       ///< from a run in its place: to its next stop (1), or the previous one (-1)
+  int undo_change = 0;          ///< 1, or -1: make what was undone again
+
+  /// Whether what was asked for may show something else: the next key is meant for that, and waits for it.
+  bool may_show_other() const {
+    return check || compare_with || switch_method != 0 || open || !changes.empty() || end_run || undo_change != 0 ||
+           back_to_lesson != 0;
+  }
+};
 
 /// What lies over the window for a moment.
 enum class Overlay { none, keys, palette, go_to, menu, start, here, settings, racers, film };

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "algorithms/catalog/catalog.hpp"
-#include "sim/query/columns.hpp"
+#include "sim/query/database.hpp"
 #include "sim/scenes/save_scene.hpp"
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"

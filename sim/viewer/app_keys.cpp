@@ -1,4 +1,4 @@
-// Whose a key is: the overlay's, the drawer's, a field's, or a command's.
+// Whose a key is: the overlay's, the drawer's, a field's, or a command's; what fingers do, and what moves meanwhile.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// What keys do with conditions, bookmarks and the range of the depths' colours in the drawer.
+// Going to places: by what is typed, by conditions and bookmarks; and marks that a reader sets.
 
 #include <algorithm>
 #include <cmath>

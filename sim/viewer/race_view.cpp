@@ -15,8 +15,8 @@
 #include "sim/viewer/overlays.hpp"
 #include "sim/viewer/panes/chart_picture.hpp"
 #include "sim/viewer/panes/strip_marks.hpp"
+#include "sim/words/escaped.hpp"
 #include "sim/words/numbers.hpp"
-#include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {

@@ -1,4 +1,3 @@
-
 #include "sim/viewer/settings.hpp"
 
 #include <algorithm>
@@ -22,7 +21,7 @@
 #include "sim/places/bookmarks.hpp"
 #include "sim/viewer/commands.hpp"
 #include "traces/error.hpp"
-#include "traces/file/input.hpp"
+#include "traces/file/files.hpp"
 
 namespace zstep::viewer {
 namespace {

@@ -1,8 +1,9 @@
 #include "sim/viewer/touch.hpp"
-#include "traces/math/portable_math.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {

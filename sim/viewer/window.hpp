@@ -1,4 +1,4 @@
-// A window of the system's, and what it knows of its screen.
+// A window of the system's, its title, and what it knows of its screen.
 #pragma once
 
 #include <SDL.h>

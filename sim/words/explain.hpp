@@ -10,7 +10,6 @@
 #include "sim/words/notation.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/state.hpp"
-#include "traces/replay/vertex_points.hpp"
 
 namespace zstep {
 

@@ -10,14 +10,11 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/owners.hpp"
-#include "sim/words/shown.hpp"
 #include "traces/formulas/coverage.hpp"
-#include "traces/formulas/lines.hpp"
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/outlines.hpp"
-#include "traces/formulas/planes.hpp"
 #include "traces/formulas/rounding.hpp"
-#include "traces/formulas/situation_of.hpp"
+#include "traces/formulas/walk.hpp"
 
 namespace zstep::words {
 

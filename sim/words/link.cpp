@@ -7,10 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/words/percent.hpp"
+#include "sim/words/escaped.hpp"
 #include "traces/conventions.hpp"
 #include "traces/error.hpp"
-#include "traces/near_word.hpp"
 #include "traces/text.hpp"
 
 namespace zstep {

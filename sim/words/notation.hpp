@@ -1,5 +1,5 @@
 // A formula's line as it is set in type: fractions, letters with what stands below them, numbers, and signs between.
-// Reads what the formulas were written as (shown.hpp), so that what is set is what is printed.
+// Reads what the formulas were written as (derived.hpp), so that what is set is what is printed.
 #pragma once
 
 #include <cstdint>

@@ -7,10 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "sim/words/hex.hpp"
 #include "traces/math/portable_math.hpp"
 
 namespace zstep {
+
+std::string hex_text(double value) {
+  if (value == 0) return std::signbit(value) ? "-0x0p+0" : "0x0p+0";
+  return fmt::format("{:a}", value);
+}
+
 namespace {
 
 constexpr const char* minus_sign = "\u2212";

@@ -1,4 +1,4 @@
-// Numbers as a person reads them: short, true, aligned.
+// Numbers as a person reads them: short, true, aligned; or with every bit, as C writes them.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,9 @@
 #include <vector>
 
 namespace zstep {
+
+/// Every bit of a number as C writes it: "0x1.8p+1". (Of 0 some libraries write the exponent of the smallest number.)
+std::string hex_text(double value);
 
 /// How many decimals at most where nobody asks for the exact value.
 inline constexpr int usual_decimals = 4;

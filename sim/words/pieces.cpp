@@ -1,5 +1,11 @@
 #include "sim/words/pieces.hpp"
 
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "sim/words/explain.hpp"
+
 namespace zstep {
 
 const PlaneEquation* plane_of_node(const MethodState& machine, std::int32_t node) {
@@ -26,6 +32,46 @@ std::int32_t node_at_work(const MethodState& machine, const Event* event) {
     if (node >= 0) return node;
   }
   return machine.node;
+}
+
+namespace {
+
+/// A part was cut from a piece, or is one of several facets: those stand side by side as they are gathered.
+bool is_part(const decltype(MethodState::pieces)& pieces, std::size_t at) {
+  const auto whole_of_same = [&](std::size_t other) {
+    return other < pieces.size() && pieces[other].polygon == pieces[at].polygon && pieces[other].parent < 0;
+  };
+  return pieces[at].parent >= 0 || whole_of_same(at + 1) || (at > 0 && whole_of_same(at - 1));
+}
+
+std::string part_label(const std::string& whole, int number) {
+  const bool digit = whole.back() >= '0' && whole.back() <= '9';
+  return fmt::format("{}{}{}", whole, digit ? "." : "", number);
+}
+
+}  // namespace
+
+std::string piece_label(const Scene& scene, const MethodState& machine, std::int32_t piece) {
+  const auto& pieces = machine.pieces;
+  const auto at = static_cast<std::size_t>(piece);
+  if (piece < 0 || at >= pieces.size()) return fmt::format("piece {}", piece);
+  const std::string whole = polygon_label(scene, pieces[at].polygon);
+  if (!is_part(pieces, at)) return whole;
+  int number = 1;
+  for (std::size_t before = 0; before < at; ++before)
+    number += pieces[before].polygon == pieces[at].polygon && is_part(pieces, before);
+  return part_label(whole, number);
+}
+
+std::vector<std::string> piece_labels(const Scene& scene, const MethodState& machine) {
+  std::vector<std::string> labels(machine.pieces.size());
+  std::unordered_map<std::int32_t, int> parts;  // so far, by polygon
+  for (std::size_t at = 0; at < labels.size(); ++at) {
+    const std::int32_t polygon = machine.pieces[at].polygon;
+    labels[at] = polygon_label(scene, polygon);
+    if (is_part(machine.pieces, at)) labels[at] = part_label(labels[at], ++parts[polygon]);
+  }
+  return labels;
 }
 
 }  // namespace zstep

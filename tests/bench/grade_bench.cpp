@@ -17,8 +17,8 @@
 #include "algorithms/scene/load.hpp"
 #include "sim/homework/assess.hpp"
 #include "sim/homework/batch.hpp"
-#include "sim/homework/generate.hpp"
 #include "sim/homework/new_homework.hpp"
+#include "sim/homework/own_scenes.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/record/trace_recorder.hpp"
 

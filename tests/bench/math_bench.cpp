@@ -13,8 +13,8 @@
 #include "algorithms/viewing/camera.hpp"
 #include "tests/bench/scenes.hpp"
 #include "tests/bench/seconds.hpp"
-#include "traces/lamp.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 using namespace zstep;
 using bench::median;

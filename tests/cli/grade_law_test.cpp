@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/homework/assess.hpp"
-#include "sim/homework/losses.hpp"
 #include "sim/homework/report_words.hpp"
 #include "sim/homework/reports.hpp"
 #include "tests/cli/homework_runs.hpp"

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/image/file.hpp"
-#include "sim/image/npy.hpp"
 #include "sim/image/png.hpp"
+#include "sim/image/tables.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace zstep::test;

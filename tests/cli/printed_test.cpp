@@ -13,7 +13,7 @@
 
 #include "tests/cli/program.hpp"
 #include "tests/where.hpp"
-#include "traces/file/chunk.hpp"
+#include "traces/file/container.hpp"
 
 using namespace zstep::test;
 

@@ -10,8 +10,7 @@
 #include "tests/cli/homework_runs.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/where.hpp"
-#include "traces/file/chunk.hpp"
-#include "traces/file/without_paths.hpp"
+#include "traces/file/container.hpp"
 
 using namespace zstep::test;
 using zstep::seven_bits;

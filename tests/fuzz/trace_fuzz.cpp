@@ -6,7 +6,7 @@
 
 #include "tests/fuzz/questions.hpp"
 #include "tests/fuzz/trace_mutator.hpp"
-#include "traces/file/chunk.hpp"
+#include "traces/file/container.hpp"
 
 using namespace zstep;
 using namespace zstep::fuzz;

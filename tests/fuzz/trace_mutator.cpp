@@ -7,13 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "traces/codec/block_info.hpp"
+#include "traces/codec/block.hpp"
 #include "traces/error.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/check_events.hpp"
-#include "traces/file/chunk.hpp"
+#include "traces/file/container.hpp"
 #include "traces/file/header_json.hpp"
-#include "traces/file/index.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/scene_bytes.hpp"
 #include "traces/record/trace_recorder.hpp"

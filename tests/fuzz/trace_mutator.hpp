@@ -4,7 +4,7 @@
 #include <span>
 
 #include "tests/fuzz/text_mutator.hpp"
-#include "traces/file/bytes.hpp"
+#include "traces/file/container.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep::fuzz {

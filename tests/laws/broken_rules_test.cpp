@@ -13,11 +13,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/golden/run_edits.hpp"
 #include "tests/golden/golden.hpp"
+#include "tests/golden/run_edits.hpp"
 #include "traces/check/check.hpp"
 #include "traces/events/fields.hpp"
-#include "traces/formulas/follows.hpp"
+#include "traces/formulas/situation.hpp"
 
 namespace zstep {
 namespace {

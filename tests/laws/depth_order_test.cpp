@@ -9,7 +9,7 @@
 #include "algorithms/depth_sort/depth_sort.hpp"
 #include "algorithms/depth_sort/painter.hpp"
 #include "tests/laws/agreement/scenes.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 using namespace zstep;
 using namespace zstep::test;

@@ -8,8 +8,8 @@
 
 #include "tests/golden/golden.hpp"
 #include "tests/where.hpp"
-#include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
+#include "traces/formulas/situation.hpp"
 #include "traces/formulas/walk.hpp"
 
 namespace zstep {

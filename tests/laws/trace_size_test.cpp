@@ -8,7 +8,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/golden/golden.hpp"
-#include "traces/file/trace_impl.hpp"
+#include "traces/file/visit.hpp"
 #include "traces/record/trace_recorder.hpp"
 
 using namespace zstep;

@@ -14,7 +14,6 @@
 
 #include <mpfr.h>
 
-#include "traces/math/first_tries.hpp"
 #include "traces/math/kernels.hpp"
 #include "traces/math/portable_math.hpp"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/model/against.hpp"
-#include "sim/viewer/panes/tables.hpp"
+#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/pictures.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"

@@ -13,7 +13,7 @@
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"
-#include "traces/formulas/resolution.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/oracle/exact_depth.hpp"
 
 using namespace zstep;

@@ -6,7 +6,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/workspace.hpp"
-#include "traces/file/records.hpp"
+#include "traces/file/header.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;

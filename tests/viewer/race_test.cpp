@@ -9,7 +9,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
-#include "sim/cost/book_table.hpp"
+#include "sim/cost/comparison.hpp"
 #include "sim/viewer/pictures.hpp"
 #include "sim/viewer/stage.hpp"
 #include "tests/viewer/drive.hpp"

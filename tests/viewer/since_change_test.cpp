@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/since_change.hpp"
-#include "sim/viewer/panes/tables.hpp"
 #include "sim/viewer/stage.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/made_anew.hpp"

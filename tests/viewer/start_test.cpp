@@ -5,9 +5,9 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
-#include "sim/viewer/emblems.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/stage.hpp"
+#include "sim/viewer/start_overlay.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 #include "traces/error.hpp"

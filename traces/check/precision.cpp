@@ -17,8 +17,7 @@
 
 #include "traces/events/fields.hpp"
 #include "traces/events/slots.hpp"
-#include "traces/formulas/fixed_depths.hpp"
-#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
 

@@ -4,26 +4,237 @@
 // file's header and scene state and what the block's earlier events told, and nothing else, so that each block is read
 // without the others.
 //
-// The guesses themselves stand in foretell_polygons.hpp, foretell_rows.hpp, foretell_pieces.hpp and foretell_areas.hpp,
+// The guesses themselves stand in foretell.hpp and foretell_rows.hpp,
 // to be compiled into the loops that ask for them: encoder and decoder include foretell.hpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "traces/codec/by_piece.hpp"
-#include "traces/codec/depths_along.hpp"
+#include "traces/codec/runs.hpp"
 #include "traces/codec/scene_geometry.hpp"
-#include "traces/codec/known_areas.hpp"
-#include "traces/codec/known_edges.hpp"
-#include "traces/codec/known_sweep.hpp"
+#include "traces/events/areas.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/record/event_log.hpp"
 
 namespace zstep::codec {
+
+// What a block has told of pieces by their numbers, as far as it is remembered.
+
+/// A Value for each piece that was told of: an open hash table.
+template <class Value>
+class ByPiece {
+ public:
+  /// nullptr where the block has not told of the piece.
+  const Value* find(std::int32_t piece) const {
+    if (entries_.empty()) return nullptr;
+    const std::size_t place = place_of(piece);
+    return index_[place] != 0 ? &entries_[index_[place] - 1u].value : nullptr;
+  }
+  /// Makes room for a piece, unless so many are remembered that no more will be.
+  Value& take(std::int32_t piece) {
+    if (index_.empty()) index_.resize(places);
+    const std::size_t place = place_of(piece);
+    if (index_[place] != 0) return entries_[index_[place] - 1u].value;
+    if (entries_.size() == most) return beyond_ = Value{};
+    entries_.push_back({piece, Value{}});
+    index_[place] = static_cast<std::uint16_t>(entries_.size());
+    return entries_.back().value;
+  }
+  void clear() {
+    if (!entries_.empty()) entries_.clear(), index_.clear();
+  }
+
+ private:
+  static constexpr std::size_t most = 4096, places = 2 * most;
+  struct Entry {
+    std::int32_t piece;
+    Value value;
+  };
+
+  /// Where the index names this piece, or has room for it.
+  std::size_t place_of(std::int32_t piece) const {
+    std::size_t place = (static_cast<std::uint32_t>(piece) * 0x9e3779b1u) >> 19;  // of 8192
+    while (index_[place] != 0 && entries_[index_[place] - 1u].piece != piece) place = (place + 1) % places;
+    return place;
+  }
+
+  std::vector<Entry> entries_;        ///< in the order in which they were told of
+  std::vector<std::uint16_t> index_;  ///< numbers of entries, from 1; 0 is none
+  Value beyond_{};                    ///< one that is forgotten at once
+};
+
+// Warnock's areas, as far as a block has told of them: which pieces an area will be asked about, and in which order.
+// The quarters of an area are asked about the same pieces: those that surround it, and then those that lie in it
+// partly.
+
+class KnownAreas {
+ public:
+  void clear() {
+    around_.clear();
+    told_whole_ = false;
+    forget_bins();
+  }
+
+  /// The area at work; false where the block has not told of its beginning.
+  bool at_work() const { return told_whole_; }
+  const AreaBegin& area() const { return area_; }
+  /// The piece whose bin will be told next; -1 where that is not known.
+  std::int32_t next_piece() const {
+    const bool known = told_whole_ && asked_.size() < around_.back().pieces.size();
+    return known ? around_.back().pieces[asked_.size()] : -1;
+  }
+  /// Is it one that surrounded the area around this one already?
+  bool surrounded_before() const { return told_whole_ && asked_.size() < around_.back().surrounding; }
+  /// Those of the area at work that are not disjoint from it, in the order in which their depths are compared.
+  std::size_t piece_count() const { return surrounding_.size() + partly_.size(); }
+  std::int32_t piece(std::size_t place) const {
+    return place < surrounding_.size() ? surrounding_[place] : partly_[place - surrounding_.size()];
+  }
+
+  void begin(const AreaBegin& event) {
+    while (!around_.empty() && around_.back().area != event.parent) around_.pop_back();
+    if (around_.empty()) around_.push_back({event.parent, 0, {}});
+    area_ = event;
+    told_whole_ = true;
+    forget_bins();
+  }
+  void bin(const AreaBin& event) {
+    asked_.push_back(event.piece);
+    if (event.bin == Bin::surrounding) surrounding_.push_back(event.piece);
+    else if (event.bin != Bin::disjoint) partly_.push_back(event.piece);
+    if (surrounding_.size() == asked_.size()) ++leading_;
+  }
+  void decide() {
+    if (!told_whole_) return;
+    told_whole_ = false;
+    // What the area around it was is told by its first quarter.
+    if (Area& parent = around_.back(); parent.pieces.empty()) parent = {parent.area, leading_, asked_};
+    Area decided{area_.area, surrounding_.size(), std::move(surrounding_)};
+    decided.pieces.insert(decided.pieces.end(), partly_.begin(), partly_.end());
+    around_.push_back(std::move(decided));
+    forget_bins();
+  }
+
+ private:
+  struct Area {
+    std::int32_t area;
+    std::size_t surrounding;           ///< how many of them surround it
+    std::vector<std::int32_t> pieces;  ///< that its quarters are asked about
+  };
+  void forget_bins() { asked_.clear(), surrounding_.clear(), partly_.clear(), leading_ = 0; }
+
+  std::vector<Area> around_;  ///< the area at work, from the outermost inwards, and maybe one beside it
+  AreaBegin area_{};
+  bool told_whole_ = false;
+  std::vector<std::int32_t> asked_, surrounding_, partly_;  ///< of the area at work
+  std::size_t leading_ = 0;                                 ///< that were found to surround it before any that does not
+};
+
+// The scan-line method's sweep, as far as a block has told of it: the pieces whose flag is true, in the order in which
+// they became so.
+
+class KnownSweep {
+ public:
+  void clear() { inside_.clear(); }
+
+  std::size_t count() const { return inside_.size(); }
+  /// -1 where the block has not told which it is.
+  std::int32_t piece(std::size_t place) const { return inside_[place]; }
+  bool is_inside(std::int32_t piece) const { return std::find(inside_.begin(), inside_.end(), piece) != inside_.end(); }
+
+  void flip(std::int32_t piece, bool inside) {
+    if (inside) {
+      if (inside_.size() < most) inside_.push_back(piece);
+      return;
+    }
+    auto gone = std::find(inside_.begin(), inside_.end(), piece);
+    if (gone == inside_.end()) gone = std::find(inside_.begin(), inside_.end(), -1);
+    if (gone != inside_.end()) inside_.erase(gone);
+  }
+  /// So many are inside: those that the block has not told of became so before the others.
+  void expect(std::int32_t count) {
+    const auto wanted = std::min(static_cast<std::size_t>(std::max(count, 0)), most);
+    if (wanted > inside_.size()) inside_.insert(inside_.begin(), wanted - inside_.size(), -1);
+    else inside_.erase(inside_.begin(), inside_.end() - static_cast<std::ptrdiff_t>(wanted));
+  }
+  /// The one at this place is this piece.
+  void learn(std::size_t place, std::int32_t piece) {
+    if (place < inside_.size()) inside_[place] = piece;
+  }
+
+ private:
+  static constexpr std::size_t most = 4096;
+  std::vector<std::int32_t> inside_;
+};
+
+// The edge table and the active edge list, as far as the events of a block have told them.
+
+struct KnownEdge : EdgeLine {
+  std::int32_t first_row = 0, end_row = 0;
+  double x = 0, z = 0;  ///< where it met the last scan line that told of it
+  double dx_dy = 0, dz_dy = 0;
+  bool entered = false;
+};
+
+class KnownEdges {
+ public:
+  /// The table is empty, and the list.
+  void clear();
+
+  /// An edge of the table; nullptr when this block has not told of it.
+  const KnownEdge* at(std::int32_t number) const {
+    const std::int64_t place = std::int64_t{number} - base_;
+    return place >= 0 && place < static_cast<std::int64_t>(edges_.size()) ? &edges_[static_cast<std::size_t>(place)]
+                                                                          : nullptr;
+  }
+  KnownEdge* at(std::int32_t number) { return const_cast<KnownEdge*>(std::as_const(*this).at(number)); }
+  void insert(std::int32_t number, const KnownEdge& edge);
+  /// The number that the next edge will have if the table goes on as it does.
+  std::int32_t next_number() const;
+  /// The smallest first row of the edges in the table; -1 when there are none.
+  std::int32_t first_row() const { return edges_.empty() ? -1 : first_row_; }
+
+  /// The first two active edges; nullptr where the block has not told of both.
+  std::pair<const KnownEdge*, const KnownEdge*> first_two() const {
+    if (active_.size() < 2) return {};
+    const KnownEdge *one = at(active_[0]), *other = at(active_[1]);
+    return one != nullptr && other != nullptr ? std::pair{one, other} : std::pair<const KnownEdge*, const KnownEdge*>{};
+  }
+  std::int32_t number(const KnownEdge& edge) const { return base_ + static_cast<std::int32_t>(&edge - edges_.data()); }
+
+  void begin_row();
+
+  // --- Which edge an event will be about; -1 when that is not known.
+  std::int32_t to_enter(std::int32_t row) const;
+  std::int32_t place_for(const KnownEdge& edge) const;  ///< by x and then by slope
+  std::int32_t to_retire(std::int32_t row) const;
+  std::int32_t to_step() const { return active_at(step_); }
+  std::int32_t to_begin_span(std::size_t side) const { return active_at(span_ + side); }
+
+  // --- What events do
+  void enter(std::int32_t number, std::int32_t place);
+  void retire(std::int32_t number);
+  void step() { ++step_; }
+  void swap(std::int32_t place);
+  void span() { span_ += 2; }
+
+ private:
+  std::int32_t active_at(std::size_t place) const { return place < active_.size() ? active_[place] : -1; }
+
+  std::int32_t base_ = 0;  ///< the number of the first edge in the table
+  std::vector<KnownEdge> edges_;
+  std::int32_t first_row_ = 0;
+  std::vector<std::int32_t> active_;
+  std::size_t step_ = 0, span_ = 0, retire_ = 0;  ///< places in the list that come next
+  std::size_t enter_ = 0;                         ///< place in the table after the edge that entered last
+};
 
 struct Row;
 

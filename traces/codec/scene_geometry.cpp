@@ -10,7 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include "traces/events/vocabulary.hpp"
-#include "traces/file/records.hpp"
+#include "traces/file/header.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::codec {

@@ -17,9 +17,7 @@
 #include "traces/events/polygons.hpp"
 #include "traces/file/header.hpp"
 #include "traces/formulas/coverage.hpp"
-#include "traces/formulas/lines.hpp"
 #include "traces/formulas/outlines.hpp"
-#include "traces/formulas/rectangles.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::codec {

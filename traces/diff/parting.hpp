@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "traces/diff/identity.hpp"
-#include "traces/formulas/box_margins.hpp"
+#include "traces/formulas/of_rays.hpp"
 #include "traces/replay/same.hpp"
 
 namespace zstep::diff {

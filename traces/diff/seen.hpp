@@ -1,13 +1,26 @@
-// Which polygon is seen where two runs end with different pictures, and what each of them did there: of methods that
-// have few steps in common, this is what there is to tell.
+// Which polygon is seen where two runs end with different pictures, and in which order each of them painted polygons
+// over one another: of methods that have few steps in common, this is what there is to tell.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "traces/diff/diff.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep::diff {
+
+// Polygons that are painted over one another: what comes later is seen. So their order is part of what a run does,
+// though each step may be as it should be.
+
+/// Finds where B paints, before something else, what A paints after it, and it matters: what B paints first is nearer,
+/// or another one of the two is seen at the end. Adds the first such step to the causes, unless it follows from another
+/// one, and to the differences. Steps that are about other pixels may come in any order.
+void find_wrong_order(const Trace& b, DiffReport& report);
+
+/// Of compares that part though each is right: an earlier or later one at the same pixel that has changed places with
+/// it.
+void find_other_order(const Trace& a, const Trace& b, DiffReport& report);
 
 /// What one run did with a polygon at a pixel. A step of 0: it never came to it there.
 struct DrawnAt {

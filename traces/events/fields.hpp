@@ -1,6 +1,6 @@
-// The fields of events as a table, for what asks for them by name or number while it runs. Where the kind is known when
-// it is compiled, slots.hpp has them as constants; that costs code for every kind and every use, so only what is done
-// for millions of events takes it.
+// The fields of events as a table, for what asks for them by name or number while it runs, and as a document for
+// people. Where the kind is known when it is compiled, slots.hpp has them as constants; that costs code for every kind
+// and every use, so only what is done for millions of events takes it.
 #pragma once
 
 #include <cstdint>
@@ -40,5 +40,11 @@ std::span<const std::string_view, kind_count> kind_names();
 
 /// A default event of the kind.
 Event event_of_kind(std::size_t kind);
+
+// The vocabulary as a table for people, generated from its description.
+
+/// Markdown: a heading and a table of fields for every kind of event, in the vocabulary's order. It is the last section
+/// of docs/trace-format.md; a test holds the two together.
+std::string vocabulary_markdown();
 
 }  // namespace zstep

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "traces/events/description.hpp"
 #include "traces/events/field.hpp"
 
 namespace zstep {

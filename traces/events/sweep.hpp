@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "traces/events/description.hpp"
 #include "traces/events/field.hpp"
 
 namespace zstep {

@@ -26,7 +26,6 @@
 #include "traces/events/rays.hpp"
 #include "traces/events/scan_conversion.hpp"
 #include "traces/events/sweep.hpp"
-#include "traces/events/vertices.hpp"
 
 namespace zstep {
 

@@ -19,7 +19,7 @@ constexpr std::int32_t cut_vertices = 1 << 26;
 
 constexpr std::int64_t clear_budget = std::int64_t{1} << 31;  // pixels a block may clear
 
-// Scenes are held to traces/limits.hpp, so these fit.
+// Scenes are held to traces/scene.hpp, so these fit.
 std::int32_t count_of(std::size_t size) { return static_cast<std::int32_t>(size); }
 
 }  // namespace

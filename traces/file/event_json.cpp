@@ -1,16 +1,23 @@
 #include "traces/file/event_json.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <simdjson.h>
 
 #include "traces/events/fields.hpp"
-#include "traces/file/json_members.hpp"
-#include "traces/near_word.hpp"
+#include "traces/events/slots.hpp"
+#include "traces/file/header.hpp"
+#include "traces/file/json_text.hpp"
+#include "traces/text.hpp"
 
 namespace zstep {
 
@@ -86,6 +93,111 @@ Event event_from_json(std::uint8_t kind, const json& line) {
   }
   if (line.size() != names.size() + 1) refuse_others(line, names, description_of_kind(kind).name);
   return event;
+}
+
+namespace {
+
+using simdjson::ondemand::value;
+
+template <class Value>
+bool take(value& from, Value& into) {
+  if constexpr (std::is_same_v<Value, double>) {
+    return from.get_double().get(into) == simdjson::SUCCESS;
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return from.get_bool().get(into) == simdjson::SUCCESS;
+  } else if constexpr (std::is_enum_v<Value>) {
+    std::string_view word;
+    if (from.get_string().get(word) != simdjson::SUCCESS) return false;
+    for (std::size_t k = 0; k < words_of<Value>.size(); ++k)
+      if (words_of<Value>[k] == word) return into = static_cast<Value>(k), true;
+    return false;
+  } else {
+    std::int64_t whole = 0;
+    if (from.get_int64().get(whole) != simdjson::SUCCESS || whole < std::numeric_limits<std::int32_t>::min() ||
+        whole > std::numeric_limits<std::int32_t>::max())
+      return false;
+    into = static_cast<Value>(whole);
+    return true;
+  }
+}
+
+using Members = simdjson::simdjson_result<simdjson::ondemand::object_iterator>;
+
+/// The fields of an event, in any order, each once.
+template <class E>
+bool take_fields(Members& at, const Members& end, Event& into) {
+  constexpr std::size_t count = field_count<E>;
+  static_assert(count <= 32);
+  std::array<std::string_view, count + 1> names{};  // one more: some events have no fields
+  for_each_index<E>([&]<std::size_t I>() { names[I] = field_at<E, I>.name; });
+  E event{};
+  std::uint64_t seen = 0;
+  std::size_t next = 0;  // fields mostly come in their order
+  for (; at != end; ++at) {
+    auto member = *at;
+    std::string_view key;
+    value found;
+    if (member.unescaped_key().get(key) != simdjson::SUCCESS || member.value().get(found) != simdjson::SUCCESS)
+      return false;
+    std::size_t place = next;
+    if (place >= count || names[place] != key)
+      for (place = 0; place < count && names[place] != key;) ++place;
+    if (place == count || (seen >> place & 1u) != 0) return false;
+    bool taken = false;
+    for_each_index<E>([&]<std::size_t I>() {
+      if (I == place) taken = take(found, event.*field_at<E, I>.member);
+    });
+    if (!taken) return false;
+    seen |= std::uint64_t{1} << place;
+    next = place + 1;
+  }
+  into = event;
+  return seen == (std::uint64_t{1} << count) - 1;
+}
+
+}  // namespace
+
+struct QuickLine::Parser {
+  simdjson::ondemand::parser parser;
+};
+
+QuickLine::QuickLine(const Page& page) : parser_(std::make_unique<Parser>()) {
+  for (const StepInfo& step : page) {
+    steps_.emplace(step.name, find_step(page, step.name));  // the first of several of this name
+    steps_.emplace(step.module + "." + step.name, &step);
+  }
+}
+QuickLine::~QuickLine() = default;
+
+bool QuickLine::read(std::string& line, RecordedEvent& event) {
+  line.reserve(line.size() + simdjson::SIMDJSON_PADDING);
+  simdjson::ondemand::document document;
+  simdjson::ondemand::object object;
+  if (parser_->parser.iterate(line.data(), line.size(), line.capacity()).get(document) != simdjson::SUCCESS ||
+      document.get_object().get(object) != simdjson::SUCCESS)
+    return false;
+  Members at = object.begin();
+  const Members end = object.end();
+  if (at == end) return false;
+  auto first = *at;
+  std::string_view key, name;
+  if (first.unescaped_key().get(key) != simdjson::SUCCESS || key != "step" ||
+      first.value().get_string().get(name) != simdjson::SUCCESS)
+    return false;
+  const auto step = steps_.find(name);
+  if (step == steps_.end()) return false;
+  ++at;
+
+  using Take = bool (*)(Members&, const Members&, Event&);
+  static const auto takes = [] {
+    std::array<Take, kind_count> all{};
+    for_each_kind([&]<class E>() { all[kind_of<E>] = take_fields<E>; });
+    return all;
+  }();
+  event.step = step->second->id;
+  if (!takes[step->second->kind](at, end, event.event)) return false;
+  const char* behind = nullptr;
+  return document.current_location().get(behind) == simdjson::OUT_OF_BOUNDS;  // and nothing comes after it
 }
 
 }  // namespace zstep

@@ -1,12 +1,14 @@
-// What a trace says about itself, besides its scene and its events.
+// What a trace says about itself, besides its scene and its events, and what its run can have recorded.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "traces/record/step.hpp"
+#include "traces/events/vocabulary.hpp"
+#include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep {
@@ -59,5 +61,32 @@ struct Header {
 const StepInfo* find_step(const Page& page, std::uint8_t id);
 /// The step with this name ("compare", or "z_buffer.compare" where two modules share a name), or nullptr.
 const StepInfo* find_step(const Page& page, std::string_view name);
+
+// What a run can have recorded, by its pseudo-code.
+
+/// Events of this kind?
+inline bool records(const Header& header, std::size_t kind) {
+  return std::any_of(header.page.begin(), header.page.end(), [&](const StepInfo& step) { return step.kind == kind; });
+}
+template <class E>
+bool records(const Header& header) {
+  return records(header, kind_of<E>);
+}
+
+/// Where the method itself keeps depths to compare with: for the whole picture, for one scan line, or nowhere. What is
+/// painted has a depth in the trace even where the method never looks at it.
+enum class DepthBuffer : std::uint8_t { none, line, picture };
+inline DepthBuffer depth_buffer(const Header& header) {
+  const bool keeps = records<DepthInterpolate>(header) || records<DepthCompare>(header) || records<DepthWrite>(header);
+  if (!keeps) return DepthBuffer::none;
+  if (!records<SpanFlags>(header)) return DepthBuffer::picture;
+  // The scan-line method has steps for both of its ways.
+  const auto resolve = header.conventions.options.find("resolve");
+  const bool by_line = resolve != header.conventions.options.end() && resolve->second == "line-buffer";
+  return by_line ? DepthBuffer::line : DepthBuffer::none;
+}
+
+/// Scan lines that go through all polygons at once, whose edges stand in one table?
+inline bool sweeps(const Header& header) { return records<FlagFlip>(header); }
 
 }  // namespace zstep

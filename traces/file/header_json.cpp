@@ -5,7 +5,7 @@
 
 #include "traces/events/fields.hpp"
 #include "traces/events/vocabulary.hpp"
-#include "traces/file/json_members.hpp"
+#include "traces/file/json_text.hpp"
 
 namespace zstep {
 

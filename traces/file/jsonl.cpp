@@ -7,9 +7,8 @@
 
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
+#include "traces/file/files.hpp"
 #include "traces/file/header_json.hpp"
-#include "traces/file/output.hpp"
-#include "traces/outcome.hpp"
 #include "traces/text.hpp"
 
 namespace zstep {

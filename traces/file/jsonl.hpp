@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "traces/file/input.hpp"
+#include "traces/file/files.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/trace_recorder.hpp"
 

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "traces/codec/block_encoder.hpp"
+#include "traces/codec/block.hpp"
 #include "traces/error.hpp"
+#include "traces/file/files.hpp"
 #include "traces/file/header_json.hpp"
-#include "traces/file/input.hpp"
 #include "traces/file/scene_bytes.hpp"
-#include "traces/file/trace_impl.hpp"
+#include "traces/file/visit.hpp"
 #include "traces/record/journal.hpp"
 #include "traces/text.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "traces/events/slots.hpp"
 #include "traces/file/header_json.hpp"
-#include "traces/limits.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 

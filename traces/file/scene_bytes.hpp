@@ -1,7 +1,7 @@
 // The scene as it stands in a trace file: small things as JSON, arrays as columns.
 #pragma once
 
-#include "traces/file/bytes.hpp"
+#include "traces/file/container.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep {

@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 
 #include "traces/file/header_json.hpp"
-#include "traces/file/json_members.hpp"
-#include "traces/limits.hpp"
+#include "traces/file/json_text.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 

@@ -1,13 +1,18 @@
+// An opened trace: its events by position, the next and the previous of a kind, and whose polygon an event is about.
+
 #include "traces/file/trace.hpp"
 
 #include <algorithm>
+#include <bitset>
+#include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "traces/error.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/file/check_events.hpp"
 #include "traces/file/visit.hpp"
-#include "traces/outcome.hpp"
 
 namespace zstep {
 
@@ -253,6 +258,256 @@ std::optional<Trace::Pixel> pixel_of(const Event& event) {
         else return std::nullopt;
       },
       event);
+}
+
+namespace {
+
+using Kinds = std::bitset<kind_count>;
+
+/// Those that occur.
+Kinds kinds_in(const Trace& trace) {
+  Kinds kinds;
+  for (std::size_t kind = 0; kind < kind_count; ++kind) kinds[kind] = trace.has(static_cast<std::uint8_t>(kind));
+  return kinds;
+}
+
+/// What is about all polygons at once, after the work on each of them.
+Kinds about_all(const Kinds& recorded) {
+  Kinds kinds;
+  for (std::size_t kind = 0; kind < kind_count; ++kind) kinds[kind] = description_of_kind(kind).after_polygons;
+  if (recorded[kind_of<TablesBegin>]) kinds.set(kind_of<ScanLineBegin>);
+  return kinds & recorded;
+}
+
+}  // namespace
+
+const Trace::Impl::Turns& Trace::Impl::turns(const Trace& trace) const {
+  if (known_turns) return *known_turns;
+  Turns& turns = known_turns.emplace(Turns{0, size + 1});
+  const Kinds recorded = kinds_in(trace), ends = about_all(recorded);
+  if (polygons.empty() || ends.none()) return turns;
+  auto after_last = polygons.end();
+  if (recorded[kind_of<PieceDraw>])
+    after_last = std::partition_point(polygons.begin(), polygons.end(), [&](const PolygonMark& mark) {
+      return holds<PolygonBegin>(trace.event(mark.position).event);
+    });
+  if (after_last == polygons.begin()) return turns;
+  turns.last = static_cast<std::size_t>(after_last - polygons.begin()) - 1;
+  const std::int64_t drawn =
+      after_last == polygons.end() ? size + 1 : after_last->position;  // from there on pieces take turns
+  const auto end = trace.next(
+      polygons[turns.last].position,
+      [&](const RecordedEvent& recorded_event) { return ends[recorded_event.event.index()]; },
+      Trace::Among({}, {}, drawn - 1));
+  turns.end = end.value_or(size + 1);
+  return turns;
+}
+
+std::int64_t Trace::end_of_turns() const { return impl_->turns(*this).end; }
+
+std::int32_t Trace::polygon_at_work(std::int64_t position) const {
+  const auto marks = polygons();
+  const auto after = std::upper_bound(marks.begin(), marks.end(), position,
+                                      [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
+  if (after == marks.begin()) return no_polygon;
+  const Impl::Turns& turns = impl_->turns(*this);
+  const bool is_last = static_cast<std::size_t>(after - marks.begin()) - 1 == turns.last;
+  return is_last && position >= turns.end ? no_polygon : (after - 1)->polygon;
+}
+
+std::int32_t Trace::polygon_of_piece(std::int32_t piece) const {
+  if (!impl_->polygon_by_piece) {
+    std::vector<std::int32_t>& made = impl_->polygon_by_piece.emplace();
+    scan(Among({}, kind_of<PieceMake>), [&](std::int64_t, const RecordedEvent& recorded) {
+      const auto& event = get<PieceMake>(recorded.event);
+      if (static_cast<std::size_t>(event.piece) == made.size()) made.push_back(event.polygon);
+      return true;
+    });
+  }
+  const std::vector<std::int32_t>& made = *impl_->polygon_by_piece;
+  return piece >= 0 && static_cast<std::size_t>(piece) < made.size() ? made[static_cast<std::size_t>(piece)]
+                                                                     : no_polygon;
+}
+
+std::optional<std::int32_t> Trace::polygon_named(const Event& event) const {
+  return visit_event(
+      [&]<class E>(const E& known) -> std::optional<std::int32_t> {
+        if constexpr (names_polygon<E> == Names::polygon) return known.polygon;
+        else if constexpr (names_polygon<E> == Names::facet) {
+          const std::vector<Facet>& facets = scene().facets;
+          return known.facet >= 0 && static_cast<std::size_t>(known.facet) < facets.size()
+                     ? facets[static_cast<std::size_t>(known.facet)].polygon
+                     : no_polygon;
+        } else if constexpr (names_polygon<E> == Names::piece) return polygon_of_piece(known.piece);
+        else return std::nullopt;
+      },
+      event);
+}
+
+// Trace::next and Trace::previous: block by block, and of a block only what can be meant.
+
+namespace {
+
+/// Gives each event of a range that is meant to `each`, until it returns false.
+using Each =
+    std::function<bool(std::int64_t, const RecordedEvent&)>;  // one type, so that reading a block is compiled once
+
+struct Search {
+  const Trace::Among& among;
+  Each each;
+  bool stopped = false;
+
+  template <class E>
+  bool operator()(std::int64_t position, std::uint8_t step, const E& event) {
+    if (among.kind && *among.kind != kind_of<E>) return true;
+    if (among.pixel) {
+      if constexpr (requires { event.x, event.y; }) {
+        if (event.x != among.pixel->x || event.y != among.pixel->y) return true;
+      } else {
+        return true;
+      }
+    }
+    stopped = !each(position, RecordedEvent{step, event});
+    return !stopped;
+  }
+  bool operator()(std::int64_t before, const codec::Row& row) { return among.pixel || expand(before, row); }
+  bool operator()(std::int64_t before, const codec::FragmentRun& run) { return beside(run) || expand(before, run); }
+  bool operator()(std::int64_t before, const codec::PaintRun& run) { return beside(run) || expand(before, run); }
+
+ private:
+  template <class Run>
+  bool beside(const Run& run) const {
+    return among.pixel && (among.pixel->y != run.y || among.pixel->x < run.x || among.pixel->x >= run.end());
+  }
+  template <class Run>
+  bool expand(std::int64_t before, const Run& run) {
+    if (among.kind && !run.has(*among.kind)) return true;
+    std::int64_t position = before;
+    return run.expand([&](std::uint8_t step, const auto& event) { return (*this)(++position, step, event); });
+  }
+};
+
+Search search_for(const Trace::Among& among, Each each) { return {among, std::move(each)}; }
+
+/// The steps that record a kind; all where none is asked for.
+StepSet steps_of(const Page& page, std::optional<std::uint8_t> kind) {
+  StepSet steps;
+  for (const StepInfo& step : page)
+    if (!kind || step.kind == *kind) steps.add(step.id);
+  return steps;
+}
+
+/// The last position of a block that can be meant; 0 if none can.
+std::int64_t last_meant(const Trace::Impl& trace, std::size_t block, const StepSet& steps,
+                        const std::optional<Trace::Pixel>& pixel) {
+  const BlockInfo& info = trace.blocks[block].info;
+  if (!info.steps.meets(steps)) return 0;
+  return pixel ? trace.last_touch(block, *pixel) : info.first_position + info.count;
+}
+
+}  // namespace
+
+std::int64_t Trace::Impl::last_touch(std::size_t block, Trace::Pixel pixel) const {
+  const Block& touched = blocks[block];
+  if (!touched.info.tiles.touched(pixel.x, pixel.y)) return 0;
+  const bool is_last = block + 1 == blocks.size();
+  std::size_t mark = is_last ? polygons.size() : blocks[block + 1].first_mark;
+  std::int64_t end = touched.info.first_position + touched.info.count;
+  for (; mark > touched.first_mark; --mark) {
+    if (boxes[mark - 1].holds(pixel.x, pixel.y)) return end;
+    end = polygons[mark - 1].position - 1;
+  }
+  return touched.info.lead.holds(pixel.x, pixel.y) ? end : 0;
+}
+
+bool Trace::may_be_of(std::int32_t polygon, Pixel pixel) const {
+  const std::vector<PolygonMark>& marks = impl_->polygons;
+  for (std::size_t block = 0; block < impl_->blocks.size(); ++block) {
+    const auto& [info, first_mark, place, frame, checked, lost] = impl_->blocks[block];
+    if (!info.tiles.touched(pixel.x, pixel.y)) continue;
+    if (!info.keeps_to_marks) return true;
+    const std::size_t end = block + 1 < impl_->blocks.size() ? impl_->blocks[block + 1].first_mark : marks.size();
+    for (std::size_t mark = first_mark; mark < end; ++mark)
+      if (marks[mark].polygon == polygon && impl_->boxes[mark].holds(pixel.x, pixel.y)) return true;
+    if (!info.lead.holds(pixel.x, pixel.y)) continue;
+    if (first_mark > 0 && marks[first_mark - 1].polygon == polygon) return true;
+    bool named = false;
+    visit(info.first_position, first_mark < end ? marks[first_mark].position - 1 : info.first_position + info.count,
+          search_for(pixel, [&](std::int64_t, const RecordedEvent& recorded) {
+            named = polygon_named(recorded.event) == polygon;
+            return !named;
+          }));
+    if (named) return true;
+  }
+  return false;
+}
+
+std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& predicate, const Among& among) const {
+  return next_at(
+      from, [&](std::int64_t, const RecordedEvent& recorded) { return predicate(recorded); }, among);
+}
+std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& predicate, const Among& among) const {
+  return previous_at(
+      from, [&](std::int64_t, const RecordedEvent& recorded) { return predicate(recorded); }, among);
+}
+
+std::optional<std::int64_t> Trace::next_at(std::int64_t from, const PredicateAt& predicate, const Among& among) const {
+  const StepSet steps = steps_of(header().page, among.kind);
+  const std::int64_t end = std::min(size(), among.until.value_or(size()));
+  for (std::int64_t position = std::max<std::int64_t>(from, 0); position < end;) {
+    const std::size_t block = impl_->block_of(position + 1);
+    const BlockInfo& info = impl_->blocks[block].info;
+    std::optional<std::int64_t> found;
+    visit(position, std::min(end, last_meant(*impl_, block, steps, among.pixel)),
+          search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
+            if (predicate(at, recorded)) found = at;
+            return !found;
+          }));
+    if (found) return found;
+    position = info.first_position + info.count;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> Trace::previous_at(std::int64_t from, const PredicateAt& predicate,
+                                               const Among& among) const {
+  const StepSet steps = steps_of(header().page, among.kind);
+  const std::int64_t begin = std::max<std::int64_t>(0, among.until.value_or(1) - 1);
+  for (std::int64_t position = std::min(from - 1, size()); position > begin;) {
+    const std::size_t block = impl_->block_of(position);
+    const std::int64_t block_begin = std::max(begin, impl_->blocks[block].info.first_position);
+    std::optional<std::int64_t> found;
+    visit(block_begin, std::min(position, last_meant(*impl_, block, steps, among.pixel)),
+          search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
+            if (predicate(at, recorded)) found = at;
+            return true;
+          }));
+    if (found) return found;
+    position = block_begin;
+  }
+  return std::nullopt;
+}
+
+void Trace::each(std::int64_t first, std::int64_t last,
+                 const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const {
+  RecordedEvent recorded;
+  visit(first, last, [&](std::int64_t position, std::uint8_t step, const auto& event) {
+    recorded.step = step;
+    recorded.event = event;
+    return visitor(position, recorded);
+  });
+}
+
+void Trace::scan(const Among& among, const std::function<bool(std::int64_t, const RecordedEvent&)>& each) const {
+  const StepSet steps = steps_of(header().page, among.kind);
+  const std::int64_t end = std::min(size(), among.until.value_or(size()));
+  for (std::size_t block = 0; block < impl_->blocks.size(); ++block) {
+    const std::int64_t begin = impl_->blocks[block].info.first_position;
+    if (begin >= end) return;
+    auto search = search_for(among, each);
+    visit(begin, std::min(end, last_meant(*impl_, block, steps, among.pixel)), search);
+    if (search.stopped) return;
+  }
 }
 
 }  // namespace zstep

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::formulas {

@@ -1,5 +1,5 @@
 // Which pixels lie between two edges, and which scan lines an edge meets (000; the top-left rule of Foley et al.,
-// section 3.6). Templates for the reason in lines.hpp.
+// section 3.6). Templates for the reason in outlines.hpp.
 #pragma once
 
 #include <cmath>

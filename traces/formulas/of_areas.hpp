@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "traces/formulas/rectangles.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/formulas/situation.hpp"
 
 namespace zstep::formulas {

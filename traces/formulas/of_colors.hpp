@@ -10,9 +10,8 @@
 #include <glm/matrix.hpp>
 
 #include "traces/formulas/attributes.hpp"
-#include "traces/formulas/from_raster.hpp"
-#include "traces/formulas/light.hpp"
 #include "traces/formulas/of_curves.hpp"
+#include "traces/formulas/of_light.hpp"
 #include "traces/formulas/of_rays.hpp"
 #include "traces/formulas/viewing.hpp"
 

@@ -1,15 +1,18 @@
-// The floating horizon (004, "Some of the methods of hidden surface elimination").
+// Curves and lines: the floating horizon (004, "Some of the methods of hidden surface elimination"), and edges that
+// faces cross and hide.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
 
-#include "traces/formulas/lines.hpp"
-#include "traces/formulas/follows.hpp"
+#include "traces/formulas/of_polygons.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
+#include "traces/formulas/vectors.hpp"
 
 namespace zstep::formulas {
 
@@ -167,5 +170,154 @@ inline DrawnOfCurve drawn_of_curve(const Situation& at, const ColorWrite& e) {
 }
 
 }  // namespace detail
+
+// Edges as lines of the picture: where faces cross them, what they hide, and what is seen of them.
+
+/// Where on a line of the picture, from 0 at p to 1 at q, it is crossed by the line through a and b.
+template <class T>
+T where_lines_cross(const T& p_x, const T& p_y, const T& q_x, const T& q_y, const T& a_x, const T& a_y, const T& b_x,
+                    const T& b_y) {
+  return ((a_x - p_x) * (b_y - a_y) - (a_y - p_y) * (b_x - a_x)) /
+         ((q_x - p_x) * (b_y - a_y) - (q_y - p_y) * (b_x - a_x));
+}
+
+namespace detail {
+
+/// What a corner may lie beside a line and yet count as on it, in pixels.
+inline constexpr double beside_line = 1e-9;
+
+/// Where a face meets a line, as parts of its way: in space, where the line goes through the face's plane, and on the
+/// picture, where it crosses the face's outline, each from one vertex to the next.
+struct Crossings {
+  std::vector<Rounded> in_space, on_picture;
+  std::vector<std::array<std::int32_t, 2>> outline;  ///< those edges, as `on_picture` has them
+  bool any() const { return !in_space.empty() || !on_picture.empty(); }
+  /// The edge that is crossed at t.
+  std::optional<std::array<std::int32_t, 2>> edge_at(double t) const {
+    if (on_picture.empty()) return std::nullopt;
+    const auto nearer = [&](const Rounded& a, const Rounded& b) {
+      return std::abs(a.value - t) < std::abs(b.value - t);
+    };
+    const auto best = std::min_element(on_picture.begin(), on_picture.end(), nearer);
+    return outline[static_cast<std::size_t>(best - on_picture.begin())];
+  }
+};
+
+inline void cross_piece(Crossings& crossings, const Situation& at, const Piece& piece, const Vector<Rounded>& a,
+                        const Vector<Rounded>& b) {
+  const auto point = [](const Vector<Rounded>& v) { return glm::dvec3(v.x.value, v.y.value, v.z.value); };
+  if (piece.plane) {
+    const Rounded t =
+        where_zero(plane_value<Rounded>(*piece.plane, point(a)), plane_value<Rounded>(*piece.plane, point(b)));
+    if (std::isfinite(t.value)) crossings.in_space.push_back(t);
+  }
+  const Rounded along_x = b.x - a.x, along_y = b.y - a.y, square = along_x * along_x + along_y * along_y;
+  const double allowed = beside_line * std::sqrt(square.value);
+  const auto side = [&](const Vector<Rounded>& corner) {
+    Rounded value = along_x * (corner.y - a.y) - along_y * (corner.x - a.x);
+    value.spread += allowed / rounding_of_float64;
+    return value;
+  };
+  std::vector<Vector<Rounded>> corners;
+  for (const std::int32_t vertex : piece.outline) {
+    const auto corner = at.on_raster(vertex);
+    if (!corner) return;
+    corners.push_back(rounded({corner->x, corner->y, corner->z}));
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector<Rounded>&start = corners[i], &end = corners[i + 1 < corners.size() ? i + 1 : 0];
+    const Rounded side_0 = side(start), side_1 = side(end);
+    if (std::abs(side_0.value) <= allowed && std::abs(side_1.value) <= allowed) continue;  // it lies on the line
+    const Rounded part = where_zero(side_0, side_1);
+    const double off = rounding_of_float32 * std::max(part.spread, 1.0);
+    if (!(part.value >= -off && part.value <= 1 + off)) continue;  // beside the edge
+    Rounded t = where_lines_cross(a.x, a.y, b.x, b.y, start.x, start.y, end.x, end.y);
+    if (!std::isfinite(t.value)) continue;
+    // A corner beside the line counts as on it: that moves the crossing the farther, the more the two run alike.
+    const Rounded side_by_side = (end.x - start.x) * along_x + (end.y - start.y) * along_y;
+    t.spread += std::abs(side_by_side.value / (side_1 - side_0).value) * allowed / square.value / rounding_of_float64;
+    crossings.on_picture.push_back(t);
+    crossings.outline.push_back({piece.outline[i], piece.outline[i + 1 < corners.size() ? i + 1 : 0]});
+  }
+}
+
+/// Of the pieces of a facet's polygon: which of them the facet is, they do not say. Pieces are gathered in the order of
+/// their polygons; in one that is another nothing is found.
+inline Crossings crossings_of(const Situation& at, const LineBegin& line, std::int32_t facet) {
+  Crossings crossings;
+  if (!at.records<OutlineVertex>() || !at.records<PlaneEquation>()) return crossings;  // half of them says nothing
+  const auto a = at.on_raster(line.vertex_0), b = at.on_raster(line.vertex_1);
+  if (!a || !b || corners_of(at, facet).empty()) return crossings;
+  if (!at.has_depth(line.vertex_0) || !at.has_depth(line.vertex_1)) return crossings;
+  const std::int32_t polygon = at.scene.facets[static_cast<std::size_t>(facet)].polygon;
+  const auto& pieces = at.method().pieces;
+  std::size_t first = 0;
+  for (std::size_t end = pieces.size(); first < end;) {
+    const std::size_t middle = (first + end) / 2;
+    if (pieces[middle].polygon < polygon) first = middle + 1;
+    else end = middle;
+  }
+  for (std::size_t i = first; i < pieces.size() && pieces[i].polygon == polygon; ++i)
+    cross_piece(crossings, at, pieces[i], rounded({a->x, a->y, a->z}), rounded({b->x, b->y, b->z}));
+  return crossings;
+}
+
+inline const LineRow* line_row(const Situation& at, std::int32_t number) {
+  const auto line = static_cast<std::size_t>(number);
+  return number >= 0 && line < at.method().lines.size() ? &at.method().lines[line] : nullptr;
+}
+
+}  // namespace detail
+
+/// Parts of a line follow one another, each ends where something begins or ends to hide it, and those that a face hides
+/// are not seen.
+template <class Out>
+void derive(const LinePiece& e, const Situation& at, Out& out) {
+  const LineRow* row = detail::line_row(at, e.line);
+  if (!row) return;
+  out.is(&LinePiece::t_0, row->pieces.empty() ? 0.0 : row->pieces.back().t_1);
+  out.rule(Rule::hides_of_line, e.t_0 <= e.t_1 && e.t_1 <= 1);
+  const double middle = (e.t_0 + e.t_1) / 2;
+  const bool hidden = std::any_of(row->hidden.begin(), row->hidden.end(),
+                                  [&](const LineHide& hide) { return hide.t_0 <= middle && middle <= hide.t_1; });
+  if (!at.records<LineHide>()) return;
+  std::vector<Rounded> ends{1.0};
+  for (const LineHide& hide : row->hidden) ends.insert(ends.end(), {Rounded(hide.t_0), Rounded(hide.t_1)});
+  out.near(&LinePiece::t_1, nearest_of(e.t_1, ends));
+  // Edges between faces that all face away are dropped as a whole.
+  if (row->entry.kind != LineKind::back) out.is(&LinePiece::visible, !hidden);
+}
+
+/// A face hides a line between two of its crossings, or from its beginning, or to its end.
+template <class Out>
+void derive(const LineHide& e, const Situation& at, Out& out) {
+  out.rule(Rule::hides_of_line, 0 <= e.t_0 && e.t_0 <= e.t_1 && e.t_1 <= 1);
+  const LineRow* row = detail::line_row(at, e.line);
+  if (!row) return;
+  detail::Crossings crossings = detail::crossings_of(at, row->entry, e.facet);
+  if (!crossings.any()) return;
+  std::vector<Rounded>& all = crossings.on_picture;
+  all.insert(all.end(), crossings.in_space.begin(), crossings.in_space.end());
+  all.push_back(0.0);
+  out.near(&LineHide::t_0, nearest_of(e.t_0, all));
+  all.back() = 1.0;
+  out.near(&LineHide::t_1, nearest_of(e.t_1, all));
+}
+
+template <class Out>
+void derive(const LineCross& e, const Situation& at, Out& out) {
+  const LineRow* row = detail::line_row(at, e.line);
+  if (!row) return;
+  const LineBegin& entry = row->entry;
+  const auto a = at.on_raster(entry.vertex_0), b = at.on_raster(entry.vertex_1);
+  if (!a || !b) return;
+  const Place from{Place::In::vertex, entry.vertex_0}, to{Place::In::vertex, entry.vertex_1};
+  const auto t = out.number("t", e.t, Place{});
+  out.gives(&LineCross::x_at, part_of_way(out.number("x_0", a->x, from["x_s"]), out.number("x_1", b->x, to["x_s"]), t));
+  out.gives(&LineCross::y_at, part_of_way(out.number("y_0", a->y, from["y_s"]), out.number("y_1", b->y, to["y_s"]), t));
+  const detail::Crossings crossings = detail::crossings_of(at, entry, e.facet);
+  const std::vector<Rounded>& all = e.in_space ? crossings.in_space : crossings.on_picture;
+  if (!all.empty()) out.near(&LineCross::t, nearest_of(e.t, all));
+}
 
 }  // namespace zstep::formulas

@@ -6,14 +6,10 @@
 #include "traces/formulas/of_curves.hpp"
 #include "traces/formulas/of_edges.hpp"
 #include "traces/formulas/of_light.hpp"
-#include "traces/formulas/of_lines.hpp"
-#include "traces/formulas/of_orders.hpp"
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/of_polygons.hpp"
 #include "traces/formulas/of_rays.hpp"
-#include "traces/formulas/of_sweep.hpp"
-#include "traces/formulas/of_vertices.hpp"
 
 namespace zstep::formulas {
 

@@ -1,15 +1,37 @@
-// Rays: the boxes and cells that they pass, the plane of a facet and the point on it (002, "Simple Ray Tracing").
+// Rays: the boxes and cells that they pass, how much wider programs make these, the plane of a facet and the point on
+// it (002, "Simple Ray Tracing").
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
-#include "traces/formulas/boxes.hpp"
-#include "traces/formulas/facet_planes.hpp"
 #include "traces/formulas/of_polygons.hpp"
+#include "traces/formulas/vectors.hpp"
 
 namespace zstep::formulas {
+
+// Boxes around facets, the cells of a grid, and where a ray comes to their sides (002, "Simple Ray Tracing"). Templates
+// for the reason in outlines.hpp.
+
+/// A side of the box around a coordinate, which reaches somewhat farther.
+template <class T>
+T side_of_box(const T& p, const T& pad, bool low) {
+  return low ? p - pad : p + pad;
+}
+
+/// The side between the k-th cell and the one before, of `cells` from `low` to `high`.
+template <class T>
+T side_of_cells(const T& low, const T& high, const T& k, const T& cells) {
+  return low + (high - low) * k / cells;
+}
+
+/// t where a ray comes to a side.
+template <class T>
+T ray_at_side(const T& side, const T& from, const T& along) {
+  return (side - from) / along;
+}
 
 /// The coordinate at t of a ray that begins at `from` and gains `along` where t gains 1.
 template <class T>
@@ -311,6 +333,39 @@ void derive(const RayHit& e, const Situation& at, Out& out) {
   if (detail::ray_cast_last(at) != ray || !e.inside || !(e.t >= reach.least && e.t <= reach.most)) return;
   const RayHit* kept = detail::kept_hit(at);
   if (!kept || e.t != kept->t) out.is(&RayHit::nearest, !kept || e.t < kept->t);
+}
+
+// Boxes about polygons: programs make them wider by a little, which changes their sides and where rays meet them.
+
+/// The largest number of a box; 0 of other steps. Its sides are off by a share of that, for they may be 0.
+template <class E>
+double size_of_box(const E& e) {
+  if constexpr (std::is_same_v<E, BoxMake>)
+    return std::max({std::abs(e.x_min), std::abs(e.x_max), std::abs(e.y_min), std::abs(e.y_max), std::abs(e.z_min),
+                     std::abs(e.z_max)});
+  else return 0;
+}
+
+/// By what share a box, or where a ray meets it, is off with such a margin; `apart(a, b)` is the share between two.
+template <class E, class Apart>
+double off_by_margin(const E& e, const Situation& at, double margin, Apart&& apart) {
+  if constexpr (std::is_same_v<E, BoxMake>) {
+    return margin / size_of_box(e);
+  } else if constexpr (std::is_same_v<E, BoxTest>) {
+    const RayBegin* ray = detail::ray_cast_last(at);
+    const auto& boxes = at.method().boxes;
+    const auto number = static_cast<std::size_t>(e.box);
+    if (!ray || e.box < 0 || number >= boxes.size()) return 0;
+    BoxMake wider = boxes[number].entry;
+    const detail::Passage through = detail::passage_of(*ray, wider);
+    wider.x_min -= margin, wider.y_min -= margin, wider.z_min -= margin;
+    wider.x_max += margin, wider.y_max += margin, wider.z_max += margin;
+    const detail::Passage about = detail::passage_of(*ray, wider);
+    const auto moved = [&](double one, double other) { return one == other ? 0 : apart(one, other); };
+    return std::max(moved(through.enter.value, about.enter.value), moved(through.leave.value, about.leave.value));
+  } else {
+    return 0;
+  }
 }
 
 }  // namespace zstep::formulas

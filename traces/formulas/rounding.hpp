@@ -1,4 +1,5 @@
-// When a recorded number is what its formula gives: the one tolerance of all commands and of the viewer.
+// When a recorded number is what its formula gives: the one tolerance of all commands and of the viewer; and which
+// depths a depth buffer can hold.
 //
 // Of a number that a program has recorded, some last digits are rounding: it may write fewer digits than it computes
 // with, multiply before it divides, or go on with what it did not record. So each operand counts as known to so many
@@ -7,10 +8,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <string_view>
 
+#include "traces/events/vocabulary.hpp"
 #include "traces/file/header.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::formulas {
 
@@ -95,4 +102,79 @@ inline Tolerance tolerance_of(const Scene& scene, const Header& header) {
   return {rounding_of(header), unit > 0 ? 16 * std::max(unit, 1 / fixed_positions_a_pixel) : 0};
 }
 
+// Which depths a depth buffer can hold: how far apart they are, and how many there are.
+
+/// How far apart in z_v two neighbouring numbers of the depth buffer are at this z_v: what it cannot tell apart.
+inline double resolution(const Scene& scene, const Conventions& conventions, double z_v) {
+  const double depth = buffer_depth(scene.camera, conventions, z_v);
+  const double unit = last_digit(depth, conventions.number_format, depth_unit(scene, conventions));
+  return std::abs(view_depth_error(scene.camera, conventions, depth, unit));
+}
+
+/// How many numbers the depth buffer has between two depths z_v, counting one of the two.
+inline double depths_between(const Scene& scene, const Conventions& conventions, double z_v, double other) {
+  const double a = buffer_depth(scene.camera, conventions, z_v), b = buffer_depth(scene.camera, conventions, other);
+  if (const double unit = depth_unit(scene, conventions); unit > 0) return std::abs(a - b) / unit;
+  // The bits of a floating-point number, read as a whole one, count the numbers from 0 to it.
+  const auto place = [&](double depth) {
+    const double size = conventions.number_format == NumberFormat::float32
+                            ? static_cast<double>(std::bit_cast<std::uint32_t>(static_cast<float>(std::abs(depth))))
+                            : static_cast<double>(std::bit_cast<std::uint64_t>(std::abs(depth)));
+    return depth < 0 ? -size : size;
+  };
+  return std::abs(place(a) - place(b));
+}
+
+/// The z_v between the near plane and the far one that as many of the buffer's depths are nearer than as are farther.
+inline double middle_depth(const Scene& scene, const Conventions& conventions) {
+  double from = scene.camera.near, to = scene.camera.far;
+  const double half = depths_between(scene, conventions, from, to) / 2;
+  for (int halvings = 0; halvings < 60; ++halvings) {
+    const double middle = (from + to) / 2;
+    (depths_between(scene, conventions, scene.camera.near, middle) < half ? from : to) = middle;
+  }
+  return (from + to) / 2;
+}
+
+// Fixed-point depths: N bits hold 2ᴺ numbers, 0 for the least depth that there can be and 2ᴺ − 1 for the greatest.
+// depth_unit() is how far apart they are.
+
+/// The greatest number that a depth of the format can be, 2ᴺ − 1; 0 where the format is floating point.
+constexpr double greatest_number(NumberFormat format) {
+  return static_cast<double>((std::uint64_t{1} << bits_of(format)) - 1);
+}
+
+/// What fixed-point depths are counted from: the least one between the near plane and the far one; in a screen scene,
+/// the least z of its points. depth_range() is the distance from it to the greatest.
+double least_depth(const Scene& scene, Conventions::Depth depth);
+
 }  // namespace zstep::formulas
+
+namespace zstep {
+
+// Where a run may have NaN or an infinity: everywhere else a finite number must stand.
+
+/// Of a number that no formula gives: may it be this one, which is not finite? docs/trace-format.md says so of each.
+inline bool may_be(const Header& header, std::uint8_t kind, std::string_view field, double value) {
+  struct Field {
+    std::uint8_t kind;
+    std::string_view name;
+  };
+  // A horizon begins nowhere, nothing is met, nothing is shared, a vertex lies behind the eye, or a ray runs along a
+  // plane.
+  static constexpr std::array<Field, 8> not_finite{{{kind_of<HorizonMove>, "y_curve"},
+                                                    {kind_of<OverlapTest>, "x_at"},
+                                                    {kind_of<OverlapTest>, "y_at"},
+                                                    {kind_of<FacingTest>, "projected_normal_z"},
+                                                    {kind_of<RayPlane>, "t"},
+                                                    {kind_of<RayEnd>, "t"},
+                                                    {kind_of<BoxTest>, "t_enter"},
+                                                    {kind_of<BoxTest>, "t_leave"}}};
+  for (const Field& one : not_finite)
+    if (one.kind == kind && one.name == field) return true;
+  if (kind == kind_of<BuffersClear>) return std::isinf(value);
+  // What is written may be the depth of nothing: a buffer may be cleared pixel by pixel.
+  return (kind == kind_of<DepthWrite> || kind == kind_of<PixelPaint>)&&value == header.empty_depth();
+}
+
+}  // namespace zstep

@@ -1,9 +1,13 @@
-// From view coordinates to the raster (000, "Viewing"; 003 for pseudodepth; 001, "Scaling Z"). Templates for the
-// reason in lines.hpp.
+// From view coordinates to the raster (000, "Viewing"; 003 for pseudodepth; 001, "Scaling Z"), back from there, and the
+// rays through pixels. Templates for the reason in outlines.hpp.
 #pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include "traces/conventions.hpp"
 #include "traces/events/polygons.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::formulas {
 
@@ -91,5 +95,78 @@ template <class T>
 T screen_y(const T& y_p, const T& w_y, const T& height) {
   return (w_y - y_p) / (T(2) * w_y) * height - T(0.5);
 }
+
+// From a pixel and its depth back to view coordinates: undoes the steps above, the last one first. Templates
+// for the reason in outlines.hpp.
+
+/// Where on the projection plane the centre of a pixel is, in a window of half width w_x and half height w_y.
+template <class T>
+T window_x(const T& x, const T& w_x, const T& width) {
+  return (T(2) * (x + T(0.5)) / width - T(1)) * w_x;
+}
+template <class T>
+T window_y(const T& y, const T& w_y, const T& height) {
+  return (T(1) - T(2) * (y + T(0.5)) / height) * w_y;
+}
+
+/// z_v from z* = f (a z + b) / z with a = -(f + F) / (f (f - F)) and b = 2 F / (f - F) (003), solved for z.
+template <class T>
+T depth_of_pseudodepth(const T& near, const T& far, const T& z) {
+  return T(2) * near * far / (far + near - z * (far - near));
+}
+/// The same in parallel projection.
+template <class T>
+T depth_of_parallel_pseudodepth(const T& near, const T& far, const T& z) {
+  return near + (z + T(1)) * (far - near) / T(2);
+}
+
+// The rays through the centres of a picture's pixels, X = X_0 + t dX in the world (002): from the eye, with t = 1 on
+// the projection plane; parallel ones have t = z_v, those of a screen scene its z.
+
+/// A pixel's centre on the projection plane.
+template <class T>
+T ray_x(const T& x, const T& w_x, const T& width) {
+  return (x + T(0.5)) * T(2) * w_x / width - w_x;
+}
+template <class T>
+T ray_y(const T& y, const T& w_y, const T& height) {
+  return w_y - (y + T(0.5)) * T(2) * w_y / height;
+}
+
+class EyeRays {
+ public:
+  EyeRays(const Camera& camera, const Raster& raster)
+      : kind_(camera.kind),
+        d_(camera.d),
+        window_x_(camera.window * raster.width / raster.height),
+        window_y_(camera.window),
+        width_(raster.width),
+        height_(raster.height) {
+    const glm::dmat4& view = camera.view;
+    right_ = {view[0][0], view[1][0], view[2][0]};
+    up_ = {view[0][1], view[1][1], view[2][1]};
+    away_ = {view[0][2], view[1][2], view[2][2]};
+    const glm::dvec3 origin(view[3]);  // of the world, in view coordinates
+    const bool parallel = kind_ == Camera::Kind::orthographic;
+    eye_ = parallel ? -(origin.x * right_ + origin.y * up_ + origin.z * away_) : camera.eye;
+  }
+
+  struct Ray {
+    glm::dvec3 from, along;
+  };
+  /// Of a place of the raster; pixels' centres are at integers.
+  Ray through(double x, double y) const {
+    if (kind_ == Camera::Kind::screen) return {{x, y, 0}, {0, 0, 1}};
+    const double x_p = ray_x(x, window_x_, width_), y_p = ray_y(y, window_y_, height_);
+    const glm::dvec3 across = x_p * right_ + y_p * up_;
+    if (kind_ == Camera::Kind::orthographic) return {eye_ + across, away_};
+    return {eye_, across + d_ * away_};
+  }
+
+ private:
+  Camera::Kind kind_;
+  double d_, window_x_, window_y_, width_, height_;
+  glm::dvec3 eye_, right_, up_, away_;  // the axes of view coordinates in the world
+};
 
 }  // namespace zstep::formulas

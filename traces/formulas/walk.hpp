@@ -1,11 +1,85 @@
-// From the first step of a trace to the last, each with everything before it.
+// From the first step of a trace to the last, each with everything before it and with what its formulas may look at.
 #pragma once
 
-#include "traces/formulas/situation_of.hpp"
+#include "traces/file/trace.hpp"
+#include "traces/formulas/situation.hpp"
 #include "traces/replay/apply.hpp"
-#include "traces/replay/beginning.hpp"
+#include "traces/replay/key_frames.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::formulas {
+
+// What a trace's steps may look at.
+
+namespace detail {
+
+/// Does the run print spans of several polygons before any pixel?
+inline bool prints_spans_first(const Trace& trace) {
+  if (!trace.has(kind_of<SpanBegin>) || trace.has(kind_of<TablesBegin>)) return false;
+  const auto first = trace.next<SpanBegin>(0, [](const SpanBegin& span) { return span.first <= span.last; });
+  bool another = false, pixels = false;  // a polygon began after the first span
+  int polygons = 1;
+  if (first)
+    trace.each(*first, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+      const auto& event = recorded.event;
+      another = another || holds<PolygonBegin>(event) || holds<PieceDraw>(event);
+      if (const auto* span = get_if<SpanBegin>(&event); span && another && span->first <= span->last)
+        ++polygons, another = false;
+      pixels = holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event);
+      return !pixels;
+    });
+  return pixels && polygons > 1;
+}
+
+/// The spans that the pixels at a position may belong to, where these are several.
+inline void recall_spans(const Trace& trace, Situation& at) {
+  const std::int64_t position = at.before.position;
+  if (position == 0 || !trace.has(kind_of<SpanBegin>) || (!at.ahead.of_all && !at.method().span)) return;
+  std::int64_t from = 0;
+  if (!at.ahead.of_all) {
+    const auto is_span = [](const RecordedEvent& step) { return holds<SpanBegin>(step.event); };
+    const auto ends = [](const RecordedEvent& step) {
+      return holds<DepthInterpolate>(step.event) || holds<DepthCompare>(step.event) || holds<PixelPaint>(step.event) ||
+             holds<PolygonBegin>(step.event) || holds<PieceDraw>(step.event);
+    };
+    const auto last = trace.previous(position + 1, is_span);
+    if (!last) return;
+    from = trace.previous(*last, ends).value_or(0);
+    const auto before = trace.previous(*last, is_span);
+    if (!before || *before < from) return;
+    at.ahead.begin(at.method().polygon);
+  }
+  trace.each(from, position, [&](std::int64_t, const RecordedEvent& recorded) {
+    visit_event([&](const auto& e) { at.passed(e); }, recorded.event);
+    return true;
+  });
+}
+
+}  // namespace detail
+
+/// Before the step that follows `before`, under the conventions of `header`. Both are looked at, not copied.
+inline Situation situation_of(const Trace& trace, const State& before, const Header& header) {
+  Situation at{header, trace.scene(), before};
+  if (trace.scene().light) at.lamp = camera_of(*trace.scene().light);
+  for (std::size_t kind = 0; kind < kind_count; ++kind)
+    at.kinds_recorded[kind] = trace.has(static_cast<std::uint8_t>(kind));
+  at.ahead.of_all = detail::prints_spans_first(trace);
+  at.ahead.reciprocal = header.conventions.depth == Conventions::Depth::corrected;
+  detail::recall_spans(trace, at);
+  at.look();
+  return at;
+}
+
+inline Situation situation_of(const Trace& trace, const State& before) {
+  return situation_of(trace, before, trace.header());
+}
+
+/// After the step that led to `after`, for who looks at that step: its pixel is at work.
+inline Situation situation_after(const Trace& trace, const State& after) {
+  Situation at = situation_of(trace, after);
+  at.has_passed = true;
+  return at;
+}
 
 /// visit(position, const E& event, const Situation& before) for every step, until it returns false;
 /// impossible(position, why) where a step does not go with what was before it, which is left out then. Returns the

@@ -12,12 +12,10 @@
 #include "traces/diff/parting.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/events/vocabulary.hpp"
-#include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
+#include "traces/formulas/situation.hpp"
 #include "traces/formulas/walk.hpp"
-#include "traces/grade/numbering.hpp"
 #include "traces/mistakes/name.hpp"
-#include "traces/mistakes/turned.hpp"
 
 namespace zstep::grade {
 

@@ -1,5 +1,5 @@
 // The mistakes that programs of this field are known to make: each has a name, a question that leads to it, and the
-// place in a lesson that is about it (catalogue.cpp). What each of them does to a step stands in the files beside it.
+// place in a lesson that is about it. What each of them does to a step stands in the files beside it.
 #pragma once
 
 #include <cstddef>

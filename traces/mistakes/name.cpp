@@ -1,19 +1,116 @@
 #include "traces/mistakes/name.hpp"
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "traces/formulas/walk.hpp"
-#include "traces/mistakes/of_areas.hpp"
-#include "traces/mistakes/of_curves.hpp"
-#include "traces/mistakes/of_edges.hpp"
-#include "traces/mistakes/of_orders.hpp"
-#include "traces/mistakes/of_pixels.hpp"
-#include "traces/mistakes/of_rays.hpp"
-#include "traces/mistakes/of_sweep.hpp"
-#include "traces/mistakes/of_vertices.hpp"
+#include "traces/mistakes/of_methods.hpp"
+#include "traces/mistakes/of_polygons.hpp"
+#include "traces/mistakes/supposed.hpp"
 
 namespace zstep::mistakes {
+
+namespace {
+
+/// What is done at a pixel: which it is, and what comes out.
+struct AtPixel {
+  std::uint8_t kind = 0;
+  std::int32_t polygon = no_polygon, x = 0, y = 0;
+  double z = 0;
+  std::int32_t says = 0;  ///< the verdict, or the polygon that is written
+
+  auto where() const { return std::tie(kind, polygon, x, y); }
+};
+using Pixels = std::vector<AtPixel>;
+
+/// By pixel, and of one pixel in the order of work. A polygon at work is told of where both runs say which one that is.
+Pixels pixels_of(const Trace& run, const std::array<bool, kind_count>& both) {
+  Pixels pixels;
+  std::int32_t polygon = no_polygon;
+  run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    visit_event(
+        [&]<class E>(const E& e) {
+          if (!both[kind_of<E>]) return;
+          if constexpr (std::is_same_v<E, PolygonBegin>) polygon = e.polygon;
+          if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthWrite>)
+            pixels.push_back({kind_of<E>, polygon, e.x, e.y, e.z, 0});
+          if constexpr (std::is_same_v<E, DepthCompare>)
+            pixels.push_back({kind_of<E>, polygon, e.x, e.y, e.z, e.nearer});
+          if constexpr (std::is_same_v<E, PixelWrite>) pixels.push_back({kind_of<E>, polygon, e.x, e.y, 0, e.polygon});
+        },
+        recorded.event);
+    return true;
+  });
+  return pixels;
+}
+
+/// Of the kinds that are compared here.
+bool is_of_pixel(std::uint8_t kind) {
+  return kind == kind_of<DepthInterpolate> || kind == kind_of<DepthCompare> || kind == kind_of<DepthWrite> ||
+         kind == kind_of<PixelWrite>;
+}
+
+void sort(Pixels& pixels) {
+  std::stable_sort(pixels.begin(), pixels.end(),
+                   [](const AtPixel& one, const AtPixel& other) { return one.where() < other.where(); });
+}
+
+/// Is each of a few of the run somewhere in the reference? Of a run that is not turned hardly any is, and that is found
+/// without sorting what may be millions.
+bool few_are_there(const Pixels& reference, const Pixels& run, const Supposed& numbers) {
+  constexpr std::size_t few = 8;
+  for (std::size_t k = 0; k < few; ++k) {
+    const AtPixel& one = run[k * run.size() / few];
+    const auto is_one = [&](const AtPixel& other) {
+      return other.where() == one.where() && other.says == one.says && numbers.equal(one.z, Rounded(other.z));
+    };
+    if (std::none_of(reference.begin(), reference.end(), is_one)) return false;
+  }
+  return true;
+}
+
+/// Is `run`, once both are sorted, part of `reference`, and all of it where `whole`?
+bool same(Pixels reference, Pixels run, bool whole, const Supposed& numbers) {
+  if (run.empty() || run.size() > reference.size() || (whole && run.size() < reference.size())) return false;
+  if (!few_are_there(reference, run, numbers)) return false;
+  sort(reference);
+  sort(run);
+  auto at = reference.begin();
+  for (const AtPixel& one : run) {
+    while (at != reference.end() && at->where() < one.where()) ++at;
+    if (at == reference.end() || at->where() != one.where() || at->says != one.says ||
+        !numbers.equal(one.z, Rounded(at->z)))
+      return false;
+    ++at;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Mistake> turned_of(const Trace& reference, const Trace& run, const Precision& precision) {
+  // What is wrong before the pixels, or with their numbers, is not explained by where they are.
+  for (const Fault& fault : faults_of(run, precision))
+    if (!is_of_pixel(fault.kind)) return std::nullopt;
+  std::array<bool, kind_count> both{};
+  for (std::size_t kind = 0; kind < kind_count; ++kind)
+    both[kind] = reference.has(static_cast<std::uint8_t>(kind)) && run.has(static_cast<std::uint8_t>(kind));
+  const Pixels right = pixels_of(reference, both);
+  Pixels upside_down = pixels_of(run, both), exchanged = upside_down;
+  const Supposed numbers(precision);
+  const auto [width, height] = std::pair(reference.scene().raster.width, reference.scene().raster.height);
+  for (AtPixel& one : upside_down) one.y = height - 1 - one.y;
+  for (AtPixel& one : exchanged) std::swap(one.x, one.y);
+  // A run ends at the first pixel outside the raster; on a square one there is none.
+  const bool down = same(right, std::move(upside_down), true, numbers),
+             over = same(right, std::move(exchanged), width == height, numbers);
+  if (down == over) return std::nullopt;
+  return down ? y_upside_down : x_y_exchanged;
+}
 
 namespace {
 

@@ -1,4 +1,4 @@
-// Which known mistake did the program make that wrote a run?
+// Which known mistake did the program make that wrote a run? Among them those that put every pixel elsewhere.
 #pragma once
 
 #include <array>
@@ -6,11 +6,18 @@
 #include <span>
 #include <vector>
 
+#include "traces/check/precision.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/mistakes/mistake.hpp"
 #include "traces/mistakes/supposed.hpp"
 
 namespace zstep::mistakes {
+
+// Mistakes that put every pixel elsewhere: found by moving all of them back, as nothing else in such a run is wrong.
+
+/// y_upside_down or x_y_exchanged, where the run has the reference's steps at pixels, number by number, once y is
+/// turned over or x and y are exchanged; and not both of them do.
+std::optional<Mistake> turned_of(const Trace& reference, const Trace& run, const Precision& precision);
 
 /// How each mistake fits the run; `faults` is what is wrong in it. Goes through it once.
 std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precision, std::span<const Fault> faults);

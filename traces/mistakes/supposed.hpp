@@ -35,7 +35,6 @@
 #include "traces/check/check.hpp"
 #include "traces/check/precision.hpp"
 #include "traces/events/fields.hpp"
-#include "traces/formulas/follows.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
 #include "traces/mistakes/mistake.hpp"

@@ -5,12 +5,8 @@
 #include <tuple>
 
 #include "traces/formulas/walk.hpp"
-#include "traces/oracle/decide_curves.hpp"
-#include "traces/oracle/decide_pieces.hpp"
-#include "traces/oracle/decide_planes.hpp"
-#include "traces/oracle/decide_polygons.hpp"
-#include "traces/oracle/decide_rays.hpp"
 #include "traces/oracle/errors.hpp"
+#include "traces/oracle/judges.hpp"
 
 namespace zstep::oracle {
 

@@ -11,12 +11,11 @@
 #include <utility>
 
 #include "traces/check/precision.hpp"
-#include "traces/oracle/exact_depth.hpp"
-#include "traces/oracle/exact_rays.hpp"
-#include "traces/oracle/exact_vertices.hpp"
-#include "traces/formulas/of_orders.hpp"
+#include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/walk.hpp"
+#include "traces/oracle/exact_depth.hpp"
+#include "traces/oracle/exact_geometry.hpp"
 
 namespace zstep::oracle {
 

@@ -1,5 +1,5 @@
 // The depth of a span without any rounding: from its edges' vertices as the trace has them, in whole numbers of any
-// size.
+// size; where a run records no vertices, by the plane that is seen.
 //
 // All that interpolation does is + − × ÷, so from doubles, which are fractions, the exact depth is a fraction, too.
 // Along one scan line it is a quotient of two linear functions of x with whole coefficients, found once a span; where
@@ -11,7 +11,9 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "traces/conventions.hpp"
 #include "traces/oracle/exact_geometry.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::oracle {
 
@@ -72,5 +74,16 @@ class ExactDepth {
   Whole below(std::int32_t x) const { return b_0_ + b_1_ * x; }
   Whole a_0_, a_1_ = 0, b_0_, b_1_ = 0;  ///< (a_0 + a_1 x)/(b_0 + b_1 x)
 };
+
+// The plane of a facet as it is seen: where a run does not record its vertices, its depths are held against that.
+
+/// Found without rounding, then rounded once.
+struct SeenPlane {
+  double dz_dx = 0, dz_dy = 0;  ///< of the depth along the raster
+  double bend = 0;              ///< by how much the depth of a corner is off the plane at most: of three corners, 0
+};
+/// Nothing where the plane is seen edge-on, has a corner in the plane of the eye, or where its depth is not linear on
+/// the raster.
+std::optional<SeenPlane> seen_plane(const Scene& scene, Conventions::Depth depth, std::int32_t facet);
 
 }  // namespace zstep::oracle

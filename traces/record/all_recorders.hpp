@@ -4,7 +4,6 @@
 //     ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
 #pragma once
 
-#include "traces/record/collect_recorder.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/record/trace_recorder.hpp"
 

@@ -17,7 +17,7 @@
 #define ZSTEP_STRINGIZE(text) ZSTEP_STRINGIZE_(text)
 #endif
 
-#include "traces/record/step.hpp"
+#include "traces/record/recorder.hpp"
 
 namespace zstep::ZSTEP_MODULE {
 

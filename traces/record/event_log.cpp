@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-#include "traces/limits.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 

@@ -20,8 +20,8 @@
 
 #include "traces/error.hpp"
 #include "traces/events/slots.hpp"
-#include "traces/file/chunk.hpp"
-#include "traces/file/input.hpp"
+#include "traces/file/container.hpp"
+#include "traces/file/files.hpp"
 
 namespace zstep {
 

@@ -13,14 +13,12 @@
 
 #include <fmt/format.h>
 
-#include "traces/codec/block_encoder.hpp"
-#include "traces/file/chunk.hpp"
+#include "traces/codec/block.hpp"
+#include "traces/error.hpp"
+#include "traces/file/container.hpp"
+#include "traces/file/files.hpp"
 #include "traces/file/header_json.hpp"
-#include "traces/file/index.hpp"
-#include "traces/file/output.hpp"
 #include "traces/file/scene_bytes.hpp"
-#include "traces/outcome.hpp"
-#include "traces/record/background_worker.hpp"
 #include "traces/record/journal.hpp"
 
 namespace zstep {

@@ -1,17 +1,62 @@
-// Whole states along a trace, from which a seek starts. Of a picture, a frame keeps the pixels that differ from the
-// frame before; every sixteenth keeps all that was drawn, so that no more than sixteen make a picture.
+// Whole states along a trace: the beginning, and key frames, from which a seek starts. Of a picture, a frame keeps the
+// pixels that differ from the frame before; every sixteenth keeps all that was drawn, so that no more than sixteen make
+// a picture.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "traces/replay/beginning.hpp"
-#include "traces/replay/picture_change.hpp"
+#include "traces/file/container.hpp"
+#include "traces/file/trace.hpp"
 #include "traces/replay/state.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
+
+// The pixels in which one picture differs from another of the same size, in few bytes.
+
+/// Intervales of changed pixels that show one polygon: how many pixels come between, how many there are, the polygon,
+/// and of each depth how far it is from where the two before it lead. Along a span that is next to nothing, and a byte
+/// does.
+class PictureChange {
+ public:
+  PictureChange() = default;
+  /// `before`: nullptr for a picture that nothing was drawn to, whose depths are all `empty_depth`.
+  PictureChange(const Picture* before, const Picture& after, double empty_depth = no_depth);
+  /// Makes of the one picture the other.
+  void apply_to(Picture& picture) const;
+  std::size_t bytes() const { return bytes_.size(); }
+
+ private:
+  Bytes bytes_;
+};
+
+// What a state is before anything has happened.
+
+class Beginning {
+ public:
+  /// The trace must live as long as this does.
+  explicit Beginning(const Trace& trace);
+
+  std::size_t points() const { return scene_->points.size(); }
+  State state() const;
+  MethodState machine() const;
+  /// The same for parts of a state that there is already.
+  void begin_pictures(State& state) const;
+  void begin_vertices(State& state) const;
+  double empty_depth() const { return empty_depth_; }
+
+ private:
+  const Scene* scene_;
+  double empty_depth_;   ///< what depth buffers hold where nothing was drawn
+  bool colors_ = false;  ///< pixels have colours of their own
+  bool light_ = false;   ///< there is a pass for the light
+  bool compares_write_ = false, edges_told_ = false, enters_told_ = false, polygons_told_ = false, rays_told_ = false,
+       tables_not_told_ = false;
+};
 
 class KeyFrames {
  public:

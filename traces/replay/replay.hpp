@@ -1,4 +1,5 @@
-// Replay: the state at any position of a trace, forwards, backwards and by seek.
+// Replay: the state at any position of a trace, forwards, backwards and by seek; for the words of one step also without
+// a replay.
 //
 // Forwards, an event is applied. What is large (buffers, vertices) leaves its old value in an undo log; what is small
 // (MethodState) is copied at check-points. Backwards, the large is undone and the small re-applied from the last
@@ -8,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "traces/file/trace.hpp"
 #include "traces/replay/state.hpp"
@@ -57,5 +59,17 @@ class Replay {
 /// returned.
 std::int64_t next_unit(const Trace& trace, std::int64_t from, Unit unit);
 std::int64_t previous_unit(const Trace& trace, std::int64_t from, Unit unit);
+
+// The state at a step without a replay, where the events around it tell all that the words for it need.
+
+/// What a pixel held before a step.
+struct HeldBefore {
+  double depth = no_depth;
+  std::int32_t polygon = no_polygon;
+};
+
+/// nullopt where only a replay knows it. `before`: of its pixel, for a step of one pixel.
+std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::int32_t polygon,
+                                  std::optional<HeldBefore> before);
 
 }  // namespace zstep

@@ -1,10 +1,11 @@
-// A long vector in pieces, which copies share until one of them changes: a copy costs a pointer a piece, and then what
-// differs. States are copied often, as check-points and key frames, and little of them changes in between.
+// Vectors and lists in pieces, which copies share until one of them changes: a copy costs a pointer a piece, and then
+// what differs. States are copied often, as check-points and key frames, and little of them changes in between.
 #pragma once
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -106,6 +107,146 @@ class SharedChunks {
 
   std::size_t size_ = 0;
   std::vector<Chunk> chunks_;
+};
+
+// A list in pieces, which copies share until one of them changes, into whose middle items go, and whose items are found
+// by a number that each has for itself.
+
+/// `T::*key`: an item's number, from 0; no two items have the same one.
+template <class T, std::int32_t T::*key>
+class SharedList {
+ public:
+  static constexpr std::size_t longest = 512;  ///< items of a piece; one more, and it becomes two
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  /// In as many steps as there are pieces; go through a list by its iterators.
+  const T& operator[](std::size_t place) const {
+    const auto [piece, at] = find(place);
+    return pieces_[piece].items()[at];
+  }
+  bool contains(std::int32_t number) const {
+    return number >= 0 && static_cast<std::size_t>(number) < homes_.size() && homes_[index(number)] != nowhere;
+  }
+  /// Where the item of a number stands, which the list contains.
+  std::size_t place_of(std::int32_t number) const {
+    const std::uint32_t home = homes_[index(number)];
+    std::size_t place = 0;
+    auto piece = pieces_.begin();
+    for (; piece->home != home; ++piece) place += piece->items().size();
+    const auto item =
+        std::find_if(piece->items().begin(), piece->items().end(), [&](const T& one) { return one.*key == number; });
+    return place + static_cast<std::size_t>(item - piece->items().begin());
+  }
+
+  class Iterator {
+   public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = T;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const T*;
+    using reference = const T&;
+
+    Iterator() = default;
+    Iterator(const SharedList& list, std::size_t piece) : list_(&list), piece_(piece) {}
+    reference operator*() const { return list_->pieces_[piece_].items()[at_]; }
+    pointer operator->() const { return &**this; }
+    Iterator& operator++() {
+      if (++at_ == list_->pieces_[piece_].items().size()) ++piece_, at_ = 0;
+      return *this;
+    }
+    Iterator operator++(int) {
+      Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    bool operator==(const Iterator& other) const { return piece_ == other.piece_ && at_ == other.at_; }
+
+   private:
+    const SharedList* list_ = nullptr;
+    std::size_t piece_ = 0, at_ = 0;
+  };
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, pieces_.size()}; }
+
+  /// Its number must stay as it is.
+  T& edit(std::size_t place) {
+    const auto [piece, at] = find(place);
+    return own(piece)[at];
+  }
+  /// Before what stands at `place`, or at the end.
+  void insert(std::size_t place, T item) {
+    if (pieces_.empty()) add_piece(0, {});
+    const auto [piece, at] = place < size_ ? find(place) : std::pair{pieces_.size() - 1, pieces_.back().items().size()};
+    settle(item, pieces_[piece].home);
+    std::vector<T>& items = own(piece);
+    items.insert(items.begin() + static_cast<std::ptrdiff_t>(at), std::move(item));
+    ++size_;
+    if (items.size() <= longest) return;
+    const auto half = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
+    std::vector<T> rest(half, items.end());
+    items.erase(half, items.end());
+    add_piece(piece + 1, std::move(rest));
+  }
+  void erase(std::size_t place) {
+    const auto [piece, at] = find(place);
+    std::vector<T>& items = own(piece);
+    settle(items[at], nowhere);
+    items.erase(items.begin() + static_cast<std::ptrdiff_t>(at));
+    --size_;
+    if (items.empty()) pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(piece));
+  }
+
+  bool shares_with(const SharedList& other) const {
+    return size_ == other.size_ &&
+           std::equal(pieces_.begin(), pieces_.end(), other.pieces_.begin(), other.pieces_.end(),
+                      [](const Piece& one, const Piece& its) { return one.shared == its.shared; });
+  }
+  /// Calls each(const std::vector<…>&) for what this alone holds of both: its pieces, and where its items are found.
+  template <class Each>
+  void for_each_beyond(const SharedList& other, Each&& each) const {
+    std::vector<const std::vector<T>*> theirs;
+    for (const Piece& piece : other.pieces_) theirs.push_back(&piece.items());
+    std::sort(theirs.begin(), theirs.end());
+    for (const Piece& piece : pieces_)
+      if (!std::binary_search(theirs.begin(), theirs.end(), &piece.items())) each(piece.items());
+    homes_.for_each_beyond(other.homes_, each);
+  }
+
+ private:
+  struct Piece {
+    std::uint32_t home = 0;                  ///< its own number, whichever its place
+    std::shared_ptr<std::vector<T>> shared;  ///< never empty
+    const std::vector<T>& items() const { return *shared; }
+  };
+  static constexpr std::uint32_t nowhere = 0;
+
+  static std::size_t index(std::int32_t number) { return static_cast<std::size_t>(number); }
+  std::pair<std::size_t, std::size_t> find(std::size_t place) const {
+    std::size_t piece = 0;
+    for (; place >= pieces_[piece].items().size(); ++piece) place -= pieces_[piece].items().size();
+    return {piece, place};
+  }
+  std::vector<T>& own(std::size_t number) {
+    std::shared_ptr<std::vector<T>>& shared = pieces_[number].shared;
+    if (shared.use_count() > 1) shared = std::make_shared<std::vector<T>>(*shared);
+    return *shared;
+  }
+  void settle(const T& item, std::uint32_t home) {
+    if (homes_.size() <= index(item.*key)) homes_.resize(index(item.*key) + 1);
+    homes_.edit(index(item.*key)) = home;
+  }
+  void add_piece(std::size_t number, std::vector<T> items) {
+    const std::uint32_t home = ++last_home_;
+    for (const T& item : items) settle(item, home);
+    pieces_.insert(pieces_.begin() + static_cast<std::ptrdiff_t>(number),
+                   Piece{home, std::make_shared<std::vector<T>>(std::move(items))});
+  }
+
+  std::size_t size_ = 0;
+  std::vector<Piece> pieces_;
+  SharedChunks<std::uint32_t> homes_;  ///< by an item's number, the piece that it is in
+  std::uint32_t last_home_ = nowhere;
 };
 
 }  // namespace zstep

@@ -1,4 +1,4 @@
-// The control points of Newell's teapot.
+// Newell's teapot: its control points, and the polygons made of its patches.
 
 #include <array>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "algorithms/scene/built_in/built_in.hpp"
-#include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/files/polygon_soup.hpp"
+#include "algorithms/scene/files/tokens.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::scene {

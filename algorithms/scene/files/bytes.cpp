@@ -1,8 +1,6 @@
-
 #include "algorithms/scene/files/bytes.hpp"
 
-#include "traces/file/input.hpp"
-#include "traces/file/output.hpp"
+#include "traces/file/files.hpp"
 
 namespace zstep::scene {
 

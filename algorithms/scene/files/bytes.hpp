@@ -1,4 +1,4 @@
-// Files read whole.
+// Files read whole, and numbers read from their bytes, in either order.
 #pragma once
 
 #include <bit>

@@ -1,4 +1,5 @@
-// What a mesh reader hands on: points and outlines, in the order of the file, checked.
+// What a mesh reader hands on: points and outlines, in the order of the file, checked; points that are the same are
+// merged.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "traces/limits.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::scene {

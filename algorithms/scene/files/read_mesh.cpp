@@ -6,7 +6,7 @@
 
 #include "algorithms/scene/files/bytes.hpp"
 #include "traces/error.hpp"
-#include "traces/file/output.hpp"
+#include "traces/file/files.hpp"
 
 namespace zstep::scene {
 

@@ -1,4 +1,5 @@
-// A text file as lines of tokens. Lines end with LF, CR LF or CR alone, even mixed within one file.
+// A text file as lines of tokens, and tokens as numbers. Lines end with LF, CR LF or CR alone, even mixed within one
+// file.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Scene files: the format is described in docs/scene-format.md.
+// Scene files, read: the format is described in docs/scene-format.md.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,20 @@
 
 #include "algorithms/scene/files/polygon_soup.hpp"
 #include "algorithms/scene/load.hpp"
+#include "algorithms/scene/scene_file/toml_text.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::scene {
+
+// [raster], [camera] and [options] of a scene file.
+
+// `top` is the whole scene's table, `screen` whether it is in screen coordinates. All throw InputError.
+
+void read_raster(Keys& top, const std::string& file, bool screen, Raster& raster);
+/// Leaves rho, near and far at 0 where they are to come from the extent.
+void read_camera(Keys& top, const std::string& file, bool screen, Camera& camera);
+/// `two_sided`: back faces are drawn unless it says otherwise.
+void read_options(Keys& top, const std::string& file, bool two_sided, Conventions& conventions);
 
 /// Gives the mesh that a scene file names, by the path as it is written there. Throws InputError.
 using MeshFiles = std::function<PolygonSoup(const std::string& path)>;

@@ -1,4 +1,3 @@
-
 #include "algorithms/scene/scene_file/toml_text.hpp"
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 
 #include "algorithms/scene/files/tokens.hpp"
 #include "traces/error.hpp"
-#include "traces/near_word.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::scene {
 

@@ -1,4 +1,3 @@
-
 #include "algorithms/scene/surface/surface_scene.hpp"
 
 #include <algorithm>
@@ -9,10 +8,10 @@
 #include <utility>
 
 #include "algorithms/scene/files/tokens.hpp"
-#include "traces/error.hpp"
-#include "traces/limits.hpp"
-#include "traces/math/portable_math.hpp"
 #include "algorithms/scene/mesh.hpp"
+#include "traces/error.hpp"
+#include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::scene {
 

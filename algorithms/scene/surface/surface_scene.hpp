@@ -1,12 +1,12 @@
-// A scene that is one surface y = f(x, z).
+// A scene that is one surface y = f(x, z): its formula, sampled.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <string_view>
 
-#include "algorithms/scene/files/polygon_soup.hpp"
 #include "algorithms/scene/builder.hpp"
+#include "algorithms/scene/files/polygon_soup.hpp"
 #include "algorithms/scene/load.hpp"
 
 namespace zstep::scene {

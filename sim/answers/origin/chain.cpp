@@ -1,4 +1,3 @@
-
 #include "sim/answers/origin/chain.hpp"
 
 #include <algorithm>
@@ -10,8 +9,8 @@
 
 #include "sim/answers/origin/exact.hpp"
 #include "sim/words/explain.hpp"
-#include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
+#include "traces/formulas/situation.hpp"
 
 namespace zstep::answers {
 namespace {

@@ -1,16 +1,16 @@
-// Curves of a surface against the horizons, and edges as lines against faces.
+// Curves of a surface against the horizons, edges as lines against faces, and intervals of a scan line.
 
 #include <algorithm>
 #include <cmath>
 
-#include "sim/answers/origin/planes.hpp"
+#include "sim/answers/origin/orders.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/formulas/of_colors.hpp"
-#include "traces/formulas/of_lines.hpp"
-#include "traces/formulas/of_sweep.hpp"
+#include "traces/formulas/of_curves.hpp"
+#include "traces/formulas/of_edges.hpp"
 #include "traces/formulas/outlines.hpp"
-#include "traces/formulas/situation_of.hpp"
+#include "traces/formulas/walk.hpp"
 
 namespace zstep::answers {
 namespace {

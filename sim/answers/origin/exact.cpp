@@ -1,4 +1,3 @@
-
 #include "sim/answers/origin/exact.hpp"
 
 #include <algorithm>
@@ -7,7 +6,7 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
-#include "traces/file/records.hpp"
+#include "traces/file/header.hpp"
 #include "traces/formulas/rounding.hpp"
 
 namespace zstep::answers {

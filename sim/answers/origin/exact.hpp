@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "sim/answers/origin/chain.hpp"
-#include "sim/classroom/computed.hpp"
+#include "sim/classroom/expression.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/oracle/exact_geometry.hpp"

@@ -1,4 +1,4 @@
-// The fields of events as numbers of a chain.
+// The fields of events as numbers of a chain, and the step that last wrote what a formula takes as its operands.
 #pragma once
 
 #include <optional>

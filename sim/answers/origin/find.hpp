@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "traces/file/records.hpp"
+#include "traces/file/header.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/event_log.hpp"
 #include "traces/replay/state.hpp"

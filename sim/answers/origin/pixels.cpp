@@ -1,9 +1,19 @@
-// The depth of a pixel by its plane or by its ray, and colours.
+// The depth of a pixel by its plane or by its ray, colours, and the way from a pixel of the eye's picture to the
+// light's.
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include <glm/matrix.hpp>
+
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "traces/formulas/attributes.hpp"
-#include "traces/formulas/light.hpp"
+#include "traces/formulas/of_colors.hpp"
+#include "traces/formulas/of_light.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::answers {
@@ -103,6 +113,156 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& 
 
 void tell_pixels(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
   tell_one_of<PixelPaint, ColorBlend, ColorWrite>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
+}
+
+// From a pixel of the eye's picture to the light's (shadow buffer): the way of a vertex backwards, then once more
+// forwards.
+
+namespace {
+
+constexpr std::array<const char*, 3> seen_world_names{"x_w", "y_w", "z_w"}, lit_view_names{"x_v", "y_v", "z_v"};
+
+/// A row of a matrix times a point, with the entries as plain numbers.
+void tell_row(Datum& datum, const glm::dmat4& matrix, const char* letter, std::size_t row,
+              const std::array<Number, 3>& point, const std::array<const char*, 3>& names) {
+  Operands of;
+  const auto entry = [&](glm::length_t column) {
+    return of(fmt::format("{}_{}{}", letter, row + 1, column + 1), matrix[column][static_cast<glm::length_t>(row)]);
+  };
+  const Formula m_1 = entry(0), x = of(names[0], point[0]), m_2 = entry(1), y = of(names[1], point[1]), m_3 = entry(2),
+                z = of(names[2], point[2]), m_4 = entry(3);
+  datum.is(formulas::matrix_row(m_1, m_2, m_3, m_4, x, y, z), of, false);
+}
+
+/// A depth of the buffer, of this name, as far from the eye as it is.
+void tell_view_depth(Datum& datum, const viewing::Lens& lens, const std::string& name, const Number& depth) {
+  if (lens.depth == Conventions::Depth::view || std::isinf(depth.value)) return datum.same_as(name, depth);
+  Operands of;
+  const Formula n = of("n", lens.near), f = of("f", lens.far), z = of(name, depth);
+  datum.is(
+      lens.orthographic ? formulas::depth_of_parallel_pseudodepth(n, f, z) : formulas::depth_of_pseudodepth(n, f, z),
+      of);
+}
+
+/// The numbers between the two pictures, as values of the step's link.
+struct ThroughSpace {
+  Work& work;
+  std::int64_t step;
+  const ShadowCompare& e;
+  const viewing::Lens eye{work.scene.camera, work.scene.raster, work.conventions.depth};
+  const Camera camera = viewing::camera_of(*work.scene.light);
+  const viewing::Lens light{camera, work.scene.raster, work.conventions.depth};
+
+  template <class Tell>
+  Number value(const std::string& name, double is, Tell&& tell) {
+    return work.derived(step, "", "", name, is, tell);
+  }
+
+  Number depth() {
+    const double z = work.buffers().picture.depth[work.buffers().picture.at(e.x, e.y)];
+    return work.derived(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z,
+                        [&](Datum& datum) {
+                          datum.is("z", {{"z", z}});
+                          if (const Step wrote = step_of_depth(work.trace, step, {e.x, e.y}, false))
+                            work.later(*wrote, "z", "z");
+                        });
+  }
+  Number z_v() {
+    const Number z = depth();
+    return value("z_eye", view_depth(work.scene.camera, work.conventions, z.value),
+                 [&](Datum& datum) { tell_view_depth(datum, eye, "z", z); });
+  }
+  Number viewed(bool x) {
+    const Number z = z_v();
+    Operands of;
+    const Formula at = x ? of("x", e.x) : of("y", e.y), size = x ? of("W", eye.width) : of("H", eye.height),
+                  window = x ? of("w_x", work.window_width(step, "w_x", eye.window_y)) : of("w_y", eye.window_y),
+                  plane = x ? formulas::window_x(at, window, size) : formulas::window_y(at, window, size),
+                  far = of("z_eye", z), d = of("d", eye.d), seen = eye.orthographic ? plane : plane * (far / d);
+    return value(x ? "x_eye" : "y_eye", seen.value(), [&](Datum& datum) { datum.is(seen, of); });
+  }
+  Number world(std::size_t axis) {
+    const std::array<Number, 3> at{viewed(true), viewed(false), z_v()};
+    const glm::dmat4 matrix = glm::inverse(work.scene.camera.view);
+    const glm::dvec4 point = matrix * glm::dvec4(at[0].value, at[1].value, at[2].value, 1);
+    return value(seen_world_names[axis], point[static_cast<glm::length_t>(axis)], [&](Datum& datum) {
+      tell_row(datum, matrix, "V", axis, at, {"x_eye", "y_eye", "z_eye"});
+    });
+  }
+  Number seen(std::size_t axis) {
+    const std::array<Number, 3> at{world(0), world(1), world(2)};
+    const glm::dvec4 point = camera.view * glm::dvec4(at[0].value, at[1].value, at[2].value, 1);
+    return value(lit_view_names[axis], point[static_cast<glm::length_t>(axis)],
+                 [&](Datum& datum) { tell_row(datum, camera.view, "L", axis, at, seen_world_names); });
+  }
+};
+
+/// How far behind the shadow buffer a point may lie and still be lit, in 1/1000: as the run was told, or the method's
+/// own.
+double bias_of(const Conventions& conventions) {
+  const auto given = conventions.options.find("bias");
+  return std::strtod(given != conventions.options.end() ? given->second.c_str()
+                                                        : std::string(shadow_buffer::options[0].standard).c_str(),
+                     nullptr);
+}
+
+}  // namespace
+
+static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, std::string_view field) {
+  if (!work.scene.light || field == "x" || field == "y") return;
+  ThroughSpace through{work, step, e};
+  const viewing::Lens& lens = through.light;
+  Operands of;
+  if (field == "x_light") {
+    const Formula d = of("d", lens.d), x_v = of("x_v", through.seen(0)), z_v = of("z_v", through.seen(2)),
+                  w_x = of("w_light", work.window_width(step, "w_light", lens.window_y)), width = of("W", lens.width);
+    return datum.is(formulas::screen_x(formulas::projected(d, x_v, z_v), w_x, width), of, false);
+  }
+  if (field == "y_light") {
+    const Formula w_y = of("w_y", lens.window_y), d = of("d", lens.d), y_v = of("y_v", through.seen(1)),
+                  z_v = of("z_v", through.seen(2)), height = of("H", lens.height);
+    return datum.is(formulas::screen_y(formulas::projected(d, y_v, z_v), w_y, height), of, false);
+  }
+  if (field == "z_light") {
+    const Formula n = of("n", lens.near), a = of("a", lens.a), z_v = of("z_v", through.seen(2)), b = of("b", lens.b);
+    return datum.is(lens.depth == Conventions::Depth::view ? z_v : formulas::pseudodepth(n, a, b, z_v), of, false);
+  }
+  const double column = std::round(e.x_light), row = std::round(e.y_light);
+  const std::vector<Number> asked{work.field(step, "z_light"), work.field(step, "x_light"),
+                                  work.field(step, "y_light")};
+  const Picture& light = work.buffers().light;
+  if (!(column >= 0 && column < light.width && row >= 0 && row < light.height))
+    return datum.comes_of("false beside the light's picture", asked);
+  const Trace::Pixel pixel{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
+  const double stored = light.depth[light.at(pixel.x, pixel.y)];
+  const Number shadow = work.derived(
+      step, "shadow",
+      fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, work.label(light.polygon[light.at(pixel.x, pixel.y)])),
+      "shadow", stored, [&](Datum& inner) {
+        const Step wrote = step_of_depth(work.trace, step, pixel, true);
+        if (!wrote) return inner.note("the light saw nothing there");
+        inner.is("z", {{"z", stored}});
+        work.later(*wrote, "z", "z");
+      });
+  // It is by how far they are from the light that the two depths are held against each other.
+  const Number z_v = through.seen(2);
+  if (z_v.value < through.camera.near)
+    return datum.comes_of("false before the light's near plane", {z_v, asked[0], asked[1], asked[2]});
+  const Number behind = through.value("z_shadow", view_depth(through.camera, work.conventions, stored),
+                                      [&](Datum& inner) { tell_view_depth(inner, lens, "shadow", shadow); });
+  const double bias = bias_of(work.conventions);
+  const bool as_recorded = e.lit == (z_v.value * (1 - bias / 1000) <= behind.value);
+  if (!as_recorded && !work.conventions.options.contains("bias"))
+    return datum.comes_of("by z_v and z_shadow; the trace does not say how large its bias is",
+                          {z_v, behind, asked[0], shadow, asked[1], asked[2]});
+  const Formula depth = of("z_v", z_v), nearer = formulas::nearer_by_bias(depth, of("bias", bias) / Formula(1000)),
+                lit = Formula::compared(nearer, "<=", of("z_shadow", behind), as_recorded);
+  datum.holds_if(lit.text(), of.in(lit));
+  datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
+}
+
+void tell_light(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<ShadowCompare>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

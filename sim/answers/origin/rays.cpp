@@ -9,9 +9,9 @@
 #include "algorithms/ray_tracing/ray_tracing.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
-#include "traces/formulas/boxes.hpp"
-#include "traces/formulas/facet_planes.hpp"
 #include "traces/formulas/of_colors.hpp"
+#include "traces/formulas/of_rays.hpp"
+#include "traces/formulas/vectors.hpp"
 
 namespace zstep::answers {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/answers/origin/planes.hpp"
+#include "sim/answers/origin/orders.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/formulas/viewing.hpp"

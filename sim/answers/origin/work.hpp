@@ -152,7 +152,7 @@ class Work {
   /// Another number of what was asked about, below it and told once all else is.
   void also(std::int64_t step, std::string_view name);
 
-  // --- What many numbers come from (vertices.cpp, operands.cpp, planes.cpp)
+  // --- What many numbers come from (vertices.cpp, fields.cpp, orders.cpp)
 
   enum class Axis3 { x, y, z };
   Number world(std::int32_t vertex, Axis3 axis);               ///< as the scene, or cutting in the world, has it

@@ -1,11 +1,10 @@
-
 #include "sim/viewer/charts/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "sim/words/markup.hpp"
+#include "sim/words/escaped.hpp"
 #include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {

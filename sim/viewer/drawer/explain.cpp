@@ -11,7 +11,6 @@
 #include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
-#include "sim/words/hex.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {

@@ -1,4 +1,4 @@
-// Questions in SQL: what is typed, and the rows of the answer.
+// Questions in SQL, what is typed and the rows of the answer; and places: conditions and bookmarks.
 
 #include <algorithm>
 #include <cmath>

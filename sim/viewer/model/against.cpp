@@ -1,17 +1,32 @@
 #include "sim/viewer/model/against.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "sim/viewer/model/before_change.hpp"
 #include "sim/words/derived.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/diff/buffers.hpp"
 #include "traces/events/fields.hpp"
-#include "traces/formulas/situation_of.hpp"
+#include "traces/formulas/walk.hpp"
 
 namespace zstep::viewer {
+
+BeforeChange::BeforeChange(const Session& now, std::shared_ptr<const Trace> before)
+    : now_(now),
+      trace_(std::move(before)),
+      both_(diff::align(now.trace(), *trace_, nullptr, diff::Way::fast, 0)),
+      session_(*trace_, nullptr) {}
+
+void BeforeChange::follow() { session_.go_to(moment_in_b(both_, now_.position(), now_.size(), session_.size())); }
+
+std::int64_t moment_in_b(const diff::Alignment& both, std::int64_t at, std::int64_t size_a, std::int64_t size_b) {
+  if (at == 0) return 0;
+  if (at == size_a) return size_b;
+  const std::int64_t partner = both.in_b(at);
+  return partner != 0 ? partner : both.before_in_b(at);
+}
 
 Against::Against(Session& a, const AgainstRun& with)
     : a_(a), report_(*with.report), b_(*with.trace, nullptr), marks_a_(*this, true), marks_b_(*this, false) {}

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/words/numbers.hpp"
-#include "traces/formulas/situation_of.hpp"
+#include "traces/formulas/walk.hpp"
 
 namespace zstep::viewer {
 

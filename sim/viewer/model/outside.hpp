@@ -1,18 +1,52 @@
 // The scene from outside: the run's own eye, its window and its clipping planes stand in it as things, and a reader
-// walks round them. Looking never changes the run.
+// walks round them and picks vertices and edges. Looking never changes the run.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "algorithms/viewing/camera.hpp"
-#include "traces/formulas/eye_rays.hpp"
+#include "traces/events/vocabulary.hpp"
+#include "traces/formulas/viewing.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
+
+// Vertices and edges of a scene as a reader picks them: the same at every step, whatever polygon is at work.
+
+/// Up to so many corners of its polygons, a scene's edges are drawn and can be picked.
+inline constexpr std::size_t most_corners_picked = 2000;
+
+/// An edge by its vertices, the smaller number first.
+using EdgeEnds = std::pair<std::int32_t, std::int32_t>;
+
+/// Each edge of the scene's polygons once, in order; none of a scene with too many.
+std::vector<EdgeEnds> edges_of(const Scene& scene);
+
+/// A vertex or an edge.
+struct ScenePart {
+  std::optional<std::int32_t> vertex;
+  std::optional<EdgeEnds> edge;
+  bool operator==(const ScenePart&) const = default;
+  bool any() const { return vertex || edge; }
+};
+
+/// The polygons that have it, by their numbers.
+std::vector<std::int32_t> polygons_with(const Scene& scene, const ScenePart& part);
+/// "vertex B", "edge AB", "edge 3–7".
+std::string name_of(const Scene& scene, const ScenePart& part);
+/// "solids.off:12": where the file has it, an edge's first vertex; empty where it has no line.
+std::string place_in_file(const Scene& scene, const ScenePart& part);
+/// What it is, in a sentence.
+std::string told_of(const Scene& scene, const ScenePart& part);
+/// Is the step about it?
+bool is_about(const Event& event, const ScenePart& part);
 
 /// From where a reader looks, against where one begins: at the side of the run's eye, and above.
 struct Look {

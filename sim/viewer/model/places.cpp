@@ -8,7 +8,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
-#include "traces/file/records.hpp"
+#include "traces/file/header.hpp"
 
 namespace zstep::viewer {
 

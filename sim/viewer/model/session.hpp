@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/classroom/lesson.hpp"
-#include "sim/viewer/model/scene_parts.hpp"
+#include "sim/viewer/model/outside.hpp"
 #include "traces/replay/replay.hpp"
 
 namespace zstep::viewer {

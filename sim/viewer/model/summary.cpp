@@ -5,7 +5,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "traces/file/records.hpp"
+#include "traces/file/header.hpp"
 #include "traces/file/visit.hpp"
 
 namespace zstep::viewer {

@@ -1,4 +1,4 @@
-// Framebuffer and depth buffer.
+// Framebuffer and depth buffer, with depths in units and their errors; the shadow buffer.
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 #include "sim/viewer/panes/relief.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
-#include "traces/file/records.hpp"
-#include "traces/formulas/resolution.hpp"
+#include "traces/file/header.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {

@@ -12,7 +12,7 @@
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
-#include "sim/words/piece_labels.hpp"
+#include "sim/words/pieces.hpp"
 
 namespace zstep::viewer {
 namespace {

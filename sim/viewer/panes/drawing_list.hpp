@@ -1,4 +1,4 @@
-// The pair under test in the drawing list's pane: which of its tests have been made, and how they ended.
+// Depth sort's list and the pair under test: which of its tests have been made, and how they ended.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The edge table of the polygon at work, in buckets by first scan line.
+// The edge table of the polygon at work, in buckets by first scan line, and the active edges.
 
 #include <algorithm>
 #include <fmt/format.h>

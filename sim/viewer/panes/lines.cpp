@@ -1,14 +1,14 @@
-// The edges with their visible and hidden pieces, the one at work and the face it is held against; a table of its
-// intervals.
+// The edges with their visible and hidden pieces, the one at work and the face it is held against, a table of its
+// intervals; and the floating horizon's two horizons.
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/since_change.hpp"
-#include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/math/portable_math.hpp"

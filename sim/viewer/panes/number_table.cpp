@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <map>
 #include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/since_change.hpp"

@@ -1,4 +1,5 @@
-// A table of numbers: columns as wide as their content, aligned at the decimal point, rows that can be pointed at.
+// A table of numbers: columns as wide as their content, aligned at the decimal point, rows that can be pointed at and
+// held against a second run's.
 #pragma once
 
 #include <optional>
@@ -56,5 +57,18 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
 std::vector<TableRow> rows_of_both(Ui& ui, std::vector<TableRow> (*rows_of)(Ui&));
 /// What a row of an edge is about: numbers of edges are each run's own.
 std::string about_edge(const EdgeTableInsert& edge);
+
+// The rows of panes' tables that a second run is held against (rows_of_both in number_table.hpp).
+
+/// The scan-line method's polygons, with planes and flags.
+std::vector<TableRow> polygon_rows(Ui& ui);
+/// The intervals of the edge at work, as faces hide it and as it is cut.
+std::vector<TableRow> interval_rows(Ui& ui);
+/// What the ray at work was held against.
+std::vector<TableRow> ray_test_rows(Ui& ui);
+/// The rays of the pixel at work.
+std::vector<TableRow> ray_tree_rows(Ui& ui);
+/// The nodes from the root of the BSP tree to the one at work.
+std::vector<TableRow> path_rows(Ui& ui);
 
 }  // namespace zstep::viewer

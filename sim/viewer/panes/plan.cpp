@@ -10,7 +10,7 @@
 
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
-#include "sim/viewer/panes/taken_places.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/math/portable_math.hpp"

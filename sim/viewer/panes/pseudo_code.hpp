@@ -1,4 +1,4 @@
-// A block of code or a small table in a pane narrower than its lines.
+// Pseudo-code with the line at work, and a block of code or a small table in a pane narrower than its lines.
 #pragma once
 
 #include <string>

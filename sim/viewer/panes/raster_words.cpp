@@ -1,11 +1,9 @@
-
 #include "sim/viewer/panes/raster_words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "sim/viewer/panes/taken_places.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {

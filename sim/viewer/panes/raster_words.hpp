@@ -1,17 +1,35 @@
-// What is written on a raster and beside it: numbers in pixels, letters of polygons, columns and rows along the sides.
+// What is written on a raster and beside it: numbers in pixels, letters of polygons, columns and rows along the sides,
+// none over another.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <imgui.h>
+
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/model/raster_view.hpp"
-#include "sim/viewer/panes/taken_places.hpp"
 #include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
+
+// Which places of a picture words and marks stand on already, so that none is written over another.
+
+class TakenPlaces {
+ public:
+  void take(ImVec2 at, ImVec2 size) { boxes_.push_back({at.x, at.y, at.x + size.x, at.y + size.y}); }
+  bool free(ImVec2 at, ImVec2 size) const {
+    return std::none_of(boxes_.begin(), boxes_.end(), [&](const ImVec4& box) {
+      return at.x < box.z && box.x < at.x + size.x && at.y < box.w && box.y < at.y + size.y;
+    });
+  }
+
+ private:
+  std::vector<ImVec4> boxes_;  ///< left, top, right, bottom
+};
 
 // Paints a raster's cells into a canvas of a pane's size.
 

@@ -1,5 +1,5 @@
 // The rays of the pixel at work, seen from above: through the boxes or cells that they are held against, to what they
-// meet.
+// meet; and tables of their tests.
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,10 @@
 #include <optional>
 
 #include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
-#include "sim/viewer/panes/tables.hpp"
 
 namespace zstep::viewer {
 namespace {

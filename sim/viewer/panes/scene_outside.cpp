@@ -1,4 +1,3 @@
-
 #include "sim/viewer/panes/scene_outside.hpp"
 
 #include <algorithm>
@@ -9,8 +8,8 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/scene_in_space.hpp"
-#include "sim/viewer/panes/taken_places.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"

@@ -1,7 +1,7 @@
 // The scene's pane as seen from outside: polygons, the run's eye, and what the step at work does in space.
 #pragma once
 
-#include "sim/viewer/model/scene_parts.hpp"
+#include "sim/viewer/model/outside.hpp"
 #include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
-#include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
-#include "traces/file/records.hpp"
+#include "traces/file/header.hpp"
 
 namespace zstep::viewer {
 

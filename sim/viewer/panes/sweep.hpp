@@ -1,10 +1,10 @@
-// Where the span at work begins and ends on the raster: x_L and x_R, which lie between pixels' centres.
+// The span and the scan line at work: where they begin and end on the raster, which lies between pixels' centres.
 #pragma once
 
 #include <array>
 #include <optional>
 
-#include "sim/viewer/panes/taken_places.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {

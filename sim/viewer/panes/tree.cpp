@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/since_change.hpp"
-#include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
 

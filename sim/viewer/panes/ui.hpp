@@ -27,7 +27,7 @@
 #include "sim/viewer/model/slice.hpp"
 #include "sim/viewer/model/summary.hpp"
 #include "sim/viewer/motion.hpp"
-#include "sim/viewer/targets.hpp"
+#include "sim/viewer/touch.hpp"
 
 namespace zstep::viewer {
 

@@ -1,4 +1,5 @@
-// The viewing transformation one matrix after the other, T_1 … T_4: the axes before and after, and the matrix in type.
+// The viewing transformation one matrix after the other, T_1 … T_4: the axes before and after, the matrix in type, and
+// a vertex at each stage.
 #pragma once
 
 #include <glm/vec3.hpp>

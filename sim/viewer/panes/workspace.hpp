@@ -1,5 +1,5 @@
-// Which panes of a trace lead on the stage, and which stand small below it. A method needs no entry here: its panes say
-// how much they matter (Pane::leads).
+// The panes of a trace: which there are, which lead on the stage, and which stand small below it. A method needs no
+// entry here: its panes say how much they matter (Pane::leads).
 #pragma once
 
 #include <string>

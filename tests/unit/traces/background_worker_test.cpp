@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "traces/record/background_worker.hpp"
+#include "traces/record/journal.hpp"
 
 using namespace zstep;
 

@@ -13,7 +13,6 @@
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "traces/check/check.hpp"
-#include "traces/check/not_judged.hpp"
 
 using namespace zstep;
 

@@ -11,7 +11,6 @@
 #include "tests/where.hpp"
 #include "tests/zoo/runs.hpp"
 #include "traces/check/check.hpp"
-#include "traces/check/not_judged.hpp"
 #include "traces/file/jsonl.hpp"
 
 using namespace zstep;

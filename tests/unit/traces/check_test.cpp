@@ -19,7 +19,6 @@
 #include "tests/zoo/programs.hpp"
 #include "tests/zoo/runs.hpp"
 #include "tests/zoo/wrong_programs.hpp"
-#include "traces/check/not_judged.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/jsonl.hpp"

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "tests/unit/traces/some_trace.hpp"
-#include "traces/file/chunk.hpp"
-#include "traces/file/trace_impl.hpp"
+#include "traces/file/container.hpp"
+#include "traces/file/visit.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;

@@ -22,7 +22,7 @@
 #include "traces/diff/seen.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/jsonl.hpp"
-#include "traces/file/trace_impl.hpp"
+#include "traces/file/visit.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;

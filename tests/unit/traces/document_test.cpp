@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "tests/where.hpp"
-#include "traces/events/document.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/replay/replay.hpp"
 

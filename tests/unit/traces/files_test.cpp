@@ -13,8 +13,7 @@
 
 #include "sim/image/file.hpp"
 #include "traces/error.hpp"
-#include "traces/file/input.hpp"
-#include "traces/file/output.hpp"
+#include "traces/file/files.hpp"
 
 namespace fs = std::filesystem;
 using namespace zstep;

@@ -13,12 +13,12 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/golden/golden.hpp"
-#include "tests/zoo/runs.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/where.hpp"
+#include "tests/zoo/runs.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/oracle/errors.hpp"
-#include "traces/oracle/exact_rays.hpp"
+#include "traces/oracle/exact_geometry.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;

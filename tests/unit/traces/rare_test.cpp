@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "traces/rare.hpp"
 #include "traces/scene.hpp"
 
 using namespace zstep;

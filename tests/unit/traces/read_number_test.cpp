@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "traces/math/read_number.hpp"
+#include "traces/math/portable_math.hpp"
 
 using zstep::read_number;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/unit/traces/some_trace.hpp"
-#include "traces/file/trace_impl.hpp"
+#include "traces/file/visit.hpp"
 
 using namespace zstep;
 

@@ -10,12 +10,10 @@
 #include <vector>
 
 #include "tests/unit/traces/some_trace.hpp"
-#include "traces/replay/beginning.hpp"
 #include "traces/replay/key_frames.hpp"
-#include "traces/replay/memory.hpp"
 #include "traces/replay/replay.hpp"
+#include "traces/replay/same.hpp"
 #include "traces/replay/shared_chunks.hpp"
-#include "traces/replay/shared_list.hpp"
 
 using namespace zstep;
 

@@ -1,5 +1,5 @@
 // Mistakes that put every pixel elsewhere are known by moving all of them back.
-#include "traces/mistakes/turned.hpp"
+#include "traces/mistakes/name.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

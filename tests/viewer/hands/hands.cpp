@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/cli/open.hpp"
+#include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
-#include "sim/words/shell_word.hpp"
+#include "sim/words/escaped.hpp"
 #include "tests/viewer/hands/words.hpp"
 #include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"

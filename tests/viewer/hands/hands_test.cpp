@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "sim/image/png.hpp"
-#include "sim/words/shell_word.hpp"
+#include "sim/words/escaped.hpp"
 #include "tests/viewer/hands/hands.hpp"
 #include "tests/where.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
-#include "traces/file/records.hpp"
+#include "traces/file/header.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;

@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "sim/words/derived.hpp"
 #include "sim/words/explain.hpp"
-#include "sim/words/shown.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/viewer/words/printed.hpp"
 #include "tests/viewer/words/some_runs.hpp"

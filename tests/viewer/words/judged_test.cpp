@@ -10,7 +10,7 @@
 #include "tests/where.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/file/jsonl.hpp"
-#include "traces/formulas/situation_of.hpp"
+#include "traces/formulas/walk.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;

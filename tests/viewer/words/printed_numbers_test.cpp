@@ -12,7 +12,7 @@
 #include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/viewer/words/printed.hpp"
-#include "traces/formulas/situation_of.hpp"
+#include "traces/formulas/walk.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;

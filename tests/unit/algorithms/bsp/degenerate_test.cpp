@@ -7,7 +7,7 @@
 #include "algorithms/bsp/bsp.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 using namespace zstep;
 using namespace zstep::bsp;

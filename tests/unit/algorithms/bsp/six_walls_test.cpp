@@ -10,7 +10,7 @@
 #include "algorithms/bsp/bsp.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/where.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 using namespace zstep;
 using namespace zstep::bsp;

@@ -8,7 +8,7 @@
 
 #include "algorithms/depth_sort/depth_sort.hpp"
 #include "tests/unit/algorithms/depth_sort/scenes.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 namespace zstep::test {
 

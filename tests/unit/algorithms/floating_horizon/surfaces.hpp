@@ -6,7 +6,7 @@
 
 #include "algorithms/floating_horizon/floating_horizon.hpp"
 #include "algorithms/scene/load.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::test {

@@ -9,7 +9,7 @@
 
 #include "algorithms/hidden_line/hidden_line.hpp"
 #include "algorithms/hidden_line/wireframe.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 namespace zstep::test {
 

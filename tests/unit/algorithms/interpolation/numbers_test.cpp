@@ -11,7 +11,7 @@
 #include <doctest/doctest.h>
 
 #include "traces/formulas/attributes.hpp"
-#include "traces/formulas/planes.hpp"
+#include "traces/formulas/outlines.hpp"
 
 using namespace zstep;
 

@@ -6,7 +6,7 @@
 #include "algorithms/scan_line/scan_line.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 using namespace zstep;
 using test::screen_scene;

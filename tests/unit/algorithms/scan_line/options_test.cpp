@@ -12,7 +12,7 @@
 #include "tests/laws/agreement/scenes.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "traces/error.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 using namespace zstep;
 using test::screen_scene;

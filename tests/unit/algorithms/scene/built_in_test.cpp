@@ -8,13 +8,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "algorithms/scene/built_in/built_in.hpp"
 #include "algorithms/scene/builder.hpp"
+#include "algorithms/scene/built_in/built_in.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/mesh.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 using namespace zstep;
 using namespace zstep::scene;

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <string>
 
-#include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/load.hpp"
+#include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/scene_file/read_scene.hpp"
 #include "algorithms/scene/surface/surface_scene.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
-#include "traces/limits.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 using namespace zstep;
 using namespace zstep::scene;

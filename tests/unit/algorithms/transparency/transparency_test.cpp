@@ -9,7 +9,6 @@
 #include "algorithms/transparency/transparency.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
-#include "traces/record/collect_recorder.hpp"
 #include "traces/record/recorder.hpp"
 
 using namespace zstep;

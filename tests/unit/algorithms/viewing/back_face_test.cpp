@@ -7,7 +7,7 @@
 #include "algorithms/viewing/back_face.hpp"
 #include "algorithms/viewing/clip.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 using namespace zstep;
 

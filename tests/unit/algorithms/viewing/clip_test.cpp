@@ -8,7 +8,7 @@
 
 #include "algorithms/viewing/clip.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 using namespace zstep;
 

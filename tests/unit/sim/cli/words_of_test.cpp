@@ -3,7 +3,7 @@
 
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
-#include "sim/words/shell_word.hpp"
+#include "sim/words/escaped.hpp"
 
 using namespace zstep::cli;
 using zstep::as_command;

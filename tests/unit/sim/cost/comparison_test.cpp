@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 
 #include "algorithms/catalog/catalog.hpp"
-#include "sim/cost/book_table.hpp"
 #include "sim/cost/comparison.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 

@@ -9,7 +9,7 @@
 #include "algorithms/interpolation/interpolation.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/where.hpp"
-#include "traces/record/collect_recorder.hpp"
+#include "traces/record/recorder.hpp"
 
 using namespace zstep;
 using namespace zstep::compare;

@@ -11,7 +11,7 @@
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "traces/oracle/errors.hpp"
-#include "traces/oracle/seen_plane.hpp"
+#include "traces/oracle/exact_depth.hpp"
 
 using namespace zstep;
 

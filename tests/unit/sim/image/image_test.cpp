@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "sim/image/file.hpp"
-#include "sim/image/npy.hpp"
 #include "sim/image/png.hpp"
+#include "sim/image/tables.hpp"
 #include "traces/error.hpp"
 
 namespace fs = std::filesystem;

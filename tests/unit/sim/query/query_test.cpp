@@ -8,15 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "sim/query/columns.hpp"
 #include "sim/query/database.hpp"
-#include "sim/query/walk.hpp"
+#include "sim/query/virtual_table.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/polygons_by_hand.hpp"
 #include "tests/unit/traces/some_trace.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
-#include "traces/file/bytes.hpp"
+#include "traces/file/container.hpp"
 
 using namespace zstep;
 using query::Database, query::Limits, query::Stopped;

@@ -1,0 +1,292 @@
+// What is asked of a polygon's pixels as a whole: which compares and writes go together, and whether all pixels are
+// there, from the outline to the edge table, the spans and the pixels.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "traces/file/trace.hpp"
+#include "traces/formulas/coverage.hpp"
+#include "traces/formulas/of_edges.hpp"
+#include "traces/formulas/of_pixels.hpp"
+#include "traces/formulas/of_polygons.hpp"
+#include "traces/formulas/situation.hpp"
+
+namespace zstep {
+
+/// What only writes what a compare decided: it comes between a win and the write of its colour.
+template <class E>
+inline constexpr bool only_writes = std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelWrite> ||
+                                    std::is_same_v<E, ColorWrite> || std::is_same_v<E, AttributeInterpolate>;
+/// What comes once a pixel is done: the next one, or something that goes on without any.
+template <class E>
+inline constexpr bool ends_pixel =
+    std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, ScanLineBegin> ||
+    std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear>;
+
+/// What a run tells of its pixels' colours only later: gone through before its steps are judged. A write goes with the
+/// last compare of its pixel since the polygon began; without one, with the next.
+class ColorWrites {
+ public:
+  explicit ColorWrites(const Trace& trace);
+
+  enum class Early : std::uint8_t { no, wins, loses, never_compared };
+  /// Of a write that comes before the compare of its pixel: how that one ends.
+  Early early(std::int64_t step) const;
+  /// The compare at this step is won, and the pixel's colour is not written.
+  bool is_unpainted(std::int64_t step) const { return std::binary_search(unpainted_.begin(), unpainted_.end(), step); }
+  /// The last step that ends work on a pixel.
+  std::int64_t last_end() const { return last_end_; }
+  /// Colours that are still due when the run ends may only be cut off.
+  bool all_known() const { return all_known_; }
+
+ private:
+  struct EarlyWrite {
+    std::int64_t step = 0;
+    Early early = Early::no;
+  };
+  std::vector<EarlyWrite> early_;        ///< by step
+  std::vector<std::int64_t> unpainted_;  ///< likewise
+  std::int64_t last_end_ = 0;
+  bool all_known_ = true;
+};
+
+class Wins {
+ public:
+  explicit Wins(const Trace& trace) : colors_written_(trace) {}
+
+  bool all_known() const { return colors_written_.all_known(); }
+
+  /// A write at another pixel than the one at work is held to have been won there since the polygon began; and before
+  /// something else begins the last win is held to have been written, as it is before the next pixel.
+  template <class E, class Out>
+  void look_at(const E& e, std::int64_t step, const formulas::Situation& at, Out& out) {
+    using formulas::Rule;
+    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, ScanLineBegin> || std::is_same_v<E, SpanBegin> ||
+                  std::is_same_v<E, BuffersClear>)
+      if (formulas::detail::last_win_is_missing(at, out)) out.rule(Rule::win_is_written, false);
+    // Where its depth is missing, too, that says it.
+    if (unpainted_ && (ends_pixel<E> || (!only_writes<E> && step > colors_written_.last_end()))) {
+      unpainted_ = false;
+      if (!formulas::detail::last_win_is_missing(at, out)) out.rule(Rule::win_is_painted, false);
+    }
+    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear> || std::is_same_v<E, PassBegin>) {
+      ++turn_;
+    } else if constexpr (std::is_same_v<E, DepthCompare>) {
+      const std::size_t pixel = place(at, e.x, e.y);
+      depths_[pixel] = colors_[pixel] = blends_[pixel] = e.nearer ? turn_ : 0;
+      unpainted_ = colors_written_.is_unpainted(step);
+    } else if constexpr (std::is_same_v<E, DepthWrite>) {
+      written(depths_, e, at, out);
+    } else if constexpr (std::is_same_v<E, ColorBlend>) {
+      written(blends_, e, at, out);
+    } else if constexpr (std::is_same_v<E, PixelWrite>) {
+      const auto early = colors_written_.early(step);
+      if (early == ColorWrites::Early::no) written(colors_, e, at, out);
+      else out.rule(Rule::write_after_win, early == ColorWrites::Early::wins);
+    }
+  }
+
+ private:
+  std::size_t place(const formulas::Situation& at, std::int32_t x, std::int32_t y) {
+    if (depths_.empty()) depths_.resize(at.before.picture.depth.size()), blends_ = colors_ = depths_;
+    return static_cast<std::size_t>(at.pixel(x, y));
+  }
+  template <class E, class Out>
+  void written(std::vector<std::uint32_t>& won, const E& e, const formulas::Situation& at, Out& out) {
+    const auto& fragment = at.method().fragment;
+    const bool compared = fragment && fragment->nearer, here = at.fragment(e.x, e.y) != nullptr;
+    const std::size_t pixel = place(at, e.x, e.y);
+    if (compared && !here) out.rule(formulas::Rule::write_after_win, won[pixel] == turn_);
+    won[pixel] = 0;
+  }
+
+  ColorWrites colors_written_;
+  std::uint32_t turn_ = 1;  ///< of the polygon at work
+  bool unpainted_ = false;  ///< the pixel before was won, and its colour is not written
+  /// By pixel, the turn in which it was won and not yet written; else 0.
+  std::vector<std::uint32_t> depths_{}, colors_{}, blends_{};
+};
+
+// Are all pixels of a polygon there? From its outline to the edge table, from there to the active edges, from these to
+// spans and from spans to pixels nothing may be left out. Judged of runs that record each of these.
+
+class Filling {
+  using Situation = formulas::Situation;
+  using Rule = formulas::Rule;
+
+ public:
+  explicit Filling(const Trace& trace)
+      : pixel_(trace.has(kind_of<DepthCompare>)       ? kind_of<DepthCompare>
+               : trace.has(kind_of<DepthInterpolate>) ? kind_of<DepthInterpolate>
+                                                      : kind_of<PixelPaint>),
+        judges_(trace.has(kind_of<EdgeTableInsert>) && trace.has(kind_of<EdgeEnter>) && trace.has(kind_of<EdgeStep>) &&
+                trace.has(kind_of<ScanLineBegin>) && trace.has(kind_of<SpanBegin>) && trace.has(pixel_) &&
+                (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceDraw>))),
+        pieces_(trace.has(kind_of<PieceDraw>)) {}
+
+  /// Nothing of the run was left open.
+  bool judges_all() const { return judges_; }
+
+  template <class E, class Out>
+  void look_at(const E& e, const Situation& at, Out& out) {
+    if (!judges_) return;
+    constexpr bool begins_polygon = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
+    constexpr bool begins_line = std::is_same_v<E, ScanLineBegin>, begins_span = std::is_same_v<E, SpanBegin>;
+    if constexpr (begins_line || begins_span)
+      if (at.ahead.has_pixels()) end_spans(out);
+    if constexpr (begins_polygon)
+      if (!at.ahead.of_all) end_spans(out);
+    if constexpr (begins_polygon || begins_line) end_line(at, out);
+    if constexpr (begins_polygon) end_polygon(at, out);
+    if constexpr (begins_line) {
+      if (at.method().keeps_all) judges_ = false;  // a table of all polygons
+      else if (!at.method().scan_line) edges_are_whole(at, out);
+      line_ = e.y;
+    }
+    if constexpr (begins_span) {
+      if (active_.empty()) active_ = formulas::detail::active_on(at, e.y);
+      spans_ += e.first <= e.last;
+      open_.push_back({e, std::vector<bool>(static_cast<std::size_t>(std::max(0, at.scene.raster.width)))});
+    }
+    if constexpr (requires { e.x, e.y; })
+      if (kind_of<E> == pixel_) visit(e.x, e.y, at.span_of(e));
+  }
+
+  /// The run is over. Where something is still due its end may be missing, or more.
+  void end(const Situation& at) {
+    struct Due {
+      bool all_done = true;
+      void rule(Rule, bool holds) { all_done = all_done && holds; }
+      bool equal(double one, double other) const { return one == other; }
+      bool every_digit() const { return true; }
+    } due;
+    if (!judges_) return;
+    end_spans(due);
+    end_line(at, due);
+    end_polygon(at, due);
+    judges_ = judges_ && due.all_done && !formulas::detail::last_win_is_missing(at, due);
+  }
+
+ private:
+  void visit(std::int32_t x, std::int32_t y, const Situation::SpanOfPixel& of) {
+    const auto number = static_cast<std::size_t>(of.place.number);
+    const bool known = of && number < open_.size() && open_[number].span.y == y && x >= 0;
+    if (!known || static_cast<std::size_t>(x) >= open_[number].visited.size()) judges_ = false;
+    else open_[number].visited[static_cast<std::size_t>(x)] = true;
+  }
+  /// Their pixels may come after several spans.
+  template <class Out>
+  void end_spans(Out& out) {
+    bool filled = true;
+    for (const auto& [span, visited] : open_)
+      for (std::int32_t x = std::max(0, span.first); x <= span.last && filled; ++x)
+        filled = static_cast<std::size_t>(x) >= visited.size() || visited[static_cast<std::size_t>(x)];
+    if (!open_.empty()) out.rule(Rule::span_is_filled, filled);
+    open_.clear();
+  }
+
+  /// How many spans with pixels lie between these edges. `sure`: so much of a pixel beside a centre rounding may
+  /// decide.
+  static int spans_between(std::vector<ActiveEdge> edges, const Situation& at, double sure) {
+    std::sort(edges.begin(), edges.end(),
+              [](const ActiveEdge& one, const ActiveEdge& other) { return one.x < other.x; });
+    const std::int32_t width = at.scene.raster.width;
+    const auto has_pixels = [&](double left, double right, Conventions::Coverage coverage) {
+      return std::max(0, formulas::limited_column(formulas::first_pixel(left + sure, coverage), width)) <
+             formulas::limited_column(formulas::last_pixel(right - sure, coverage) + 1, width);
+    };
+    int count = 0;
+    using enum Conventions::Coverage;
+    for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
+      const double left = edges[i].x, right = edges[i + 1].x;
+      count += at.header.declares(Convention::coverage)
+                   ? has_pixels(left, right, at.header.conventions.coverage)
+                   : has_pixels(left, right, top_left) && has_pixels(left, right, round);
+    }
+    return count;
+  }
+  template <class Out>
+  void end_line(const Situation& at, Out& out) {
+    if (line_ == none) return;
+    const std::int32_t y = line_;
+    line_ = none;
+    int due = 0;
+    constexpr double rounded = 1e-3, added = 1e-6;
+    if (!active_.empty()) {
+      due = spans_between(std::move(active_), at, out.every_digit() ? 0 : rounded);
+    } else {
+      // Of those that entered, as the table has them: some may have moved on to the next line, or left too early.
+      std::vector<ActiveEdge> edges;
+      const auto& table = at.method().edge_table;
+      for (std::size_t edge = 0; edge < table.size(); ++edge)
+        if (const EdgeTableInsert& entry = table[edge];
+            at.method().edge_stages[edge] != EdgeStage::waiting && entry.first_row <= y && y < entry.end_row)
+          edges.push_back({entry.edge, entry.x_edge + (y - entry.first_row) * entry.dx_dy, 0});
+      due = spans_between(std::move(edges), at, out.every_digit() ? added : rounded);
+    }
+    active_.clear();
+    out.rule(Rule::pair_has_span, std::exchange(spans_, 0) >= due);
+  }
+
+  /// Each edge of the outline at work that meets a scan line is in the table.
+  template <class Out>
+  void edges_are_whole(const Situation& at, Out& out) {
+    const MethodState& method = at.method();
+    std::span<const std::int32_t> outline = method.outline;
+    if (const Piece* piece = at.piece(method.piece)) outline = piece->outline;
+    if (outline.empty() && at.on_screen()) outline = formulas::detail::corners_of(at, method.facet);
+    if (outline.size() < 3) return void(judges_ = false);
+    const auto is_there = [&](std::int32_t one, std::int32_t other) {
+      const auto a = at.on_raster(one), b = at.on_raster(other);
+      const std::int32_t height = at.scene.raster.height;
+      if (!a || !b) return void(judges_ = false), true;
+      if (formulas::row_from(a->y, height) == formulas::row_from(b->y, height)) return true;
+      for (const EdgeTableInsert& entry : method.edge_table)
+        if (std::minmax(entry.vertex_0, entry.vertex_1) == std::minmax(one, other)) return true;
+      return false;
+    };
+    bool whole = true;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      whole = whole && is_there(outline[i], outline[(i + 1) % outline.size()]);
+    // Without any edge the polygon may be dropped for a reason that the run does not have.
+    if (!whole && method.edge_table.empty()) return void(judges_ = false);
+    out.rule(Rule::outline_is_closed, whole);
+  }
+  template <class Out>
+  void end_polygon(const Situation& at, Out& out) {
+    const MethodState& method = at.method();
+    if (method.keeps_all || method.rejected || method.polygon == no_polygon || (pieces_ && method.piece < 0)) return;
+    if (!method.scan_line) edges_are_whole(at, out);
+    bool all_entered = true, all_ended = true;
+    for (std::size_t edge = 0; edge < method.edge_table.size(); ++edge) {
+      const EdgeTableInsert& entry = method.edge_table[edge];
+      all_entered = all_entered && (method.edge_stages[edge] != EdgeStage::waiting || entry.first_row >= entry.end_row);
+    }
+    for (const ActiveEdge& active : method.active)
+      if (const EdgeTableInsert* entry = at.edge(active.edge); entry && method.scan_line)
+        all_ended = all_ended && entry->end_row <= *method.scan_line + 1;
+    out.rule(Rule::edge_missing, all_entered);
+    out.rule(Rule::line_is_next, all_ended);
+  }
+
+  static constexpr std::int32_t none = std::numeric_limits<std::int32_t>::min();
+  std::uint8_t pixel_;  ///< the kind of event that each pixel of a span has
+  bool judges_;
+  bool pieces_;                       ///< what is drawn are pieces, after all polygons began
+  std::int32_t line_ = none;          ///< the scan line at work
+  std::vector<ActiveEdge> active_{};  ///< as its first span found them
+  int spans_ = 0;                     ///< of this line, with pixels
+  struct OpenSpan {
+    SpanBegin span;
+    std::vector<bool> visited;  ///< by column
+  };
+  std::vector<OpenSpan> open_{};  ///< spans that no pixel came between, as Situation::ahead has them
+};
+
+}  // namespace zstep
