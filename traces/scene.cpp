@@ -114,7 +114,7 @@ const Placement* placement_of(const Scene& scene, std::int32_t point) {
 Color color_at(const Picture& picture, const Scene& scene, std::size_t pixel) {
   if (!picture.ink.empty() && picture.ink[pixel] != no_ink) return color_of(picture.ink[pixel]);
   const std::int32_t polygon = picture.polygon[pixel];
-  return polygon == no_polygon ? scene.background : scene.polygons.at(static_cast<std::size_t>(polygon)).color;
+  return polygon == no_polygon ? scene.background : scene.polygons.at(polygon).color;
 }
 
 glm::dmat4 view_from_rows(glm::dvec4 row_1, glm::dvec4 row_2, glm::dvec4 row_3) {

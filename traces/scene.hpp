@@ -24,6 +24,23 @@
 
 namespace zstep {
 
+/// How many there are, in the type of the numbers of vertices, polygons and pixels. For what is held to the limits
+/// below or is no longer than a page.
+template <class Items>
+constexpr std::int32_t size32(const Items& items) {
+  return static_cast<std::int32_t>(items.size());
+}
+/// The number of one of them.
+template <std::unsigned_integral Index>
+constexpr std::int32_t index32(Index index) {
+  return static_cast<std::int32_t>(index);
+}
+/// What share of `whole` a count is.
+template <std::integral Count, std::integral Whole>
+constexpr double ratio(Count count, Whole whole) {
+  return static_cast<double>(count) / static_cast<double>(whole);
+}
+
 // How large a scene can be. Files from others are held to these before memory is asked for.
 
 inline constexpr std::int32_t largest_side = 16384;   ///< of a raster
@@ -211,12 +228,10 @@ struct Picture {
   Picture(std::int32_t width_, std::int32_t height_)
       : width(width_),
         height(height_),
-        polygon(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), no_polygon),
+        polygon(static_cast<std::size_t>(width_) * height_, no_polygon),
         depth(polygon.size(), no_depth) {}
 
-  std::size_t at(std::int32_t x, std::int32_t y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-  }
+  std::size_t at(std::int32_t x, std::int32_t y) const { return static_cast<std::size_t>(y) * width + x; }
   bool operator==(const Picture&) const = default;
   void use_ink() { ink.assign(polygon.size(), no_ink); }
 };

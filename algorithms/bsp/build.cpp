@@ -9,6 +9,7 @@
 #include "algorithms/pieces/pieces.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::bsp {
 
@@ -39,11 +40,11 @@ double tolerance_for(const Tree& tree) {
 
 template <Recorder R>
 Tree gather(const Scene& scene, std::span<const std::int32_t> facets, R& record) {
-  record(step::tables, TablesBegin{static_cast<std::int32_t>(scene.polygons.size())});
+  record(step::tables, TablesBegin{size32(scene.polygons)});
   Tree tree;
   tree.points = scene.points;
   for (const std::int32_t number : facets) {
-    const Facet& facet = scene.facets[static_cast<std::size_t>(number)];
+    const Facet& facet = scene.facets[number];
     record(step::polygon, PolygonBegin{facet.polygon, number});
 
     const auto corners = scene.corners.begin() + facet.first_corner;
@@ -57,7 +58,7 @@ Tree gather(const Scene& scene, std::span<const std::int32_t> facets, R& record)
       record(step::corner, OutlineVertex{vertex});
       points.push_back(tree.point(vertex));
     }
-    record(step::make, PieceMake{static_cast<std::int32_t>(tree.pieces.size()), facet.polygon, -1});
+    record(step::make, PieceMake{size32(tree.pieces), facet.polygon, -1});
     const pieces::Plane plane = pieces::plane_of(points);
     tree.pieces.push_back({facet.polygon, number, outline, plane, pieces::bend_of(plane, points)});
   }
@@ -94,7 +95,7 @@ std::int32_t count_splits(const Tree& tree, const Numbers& pieces, std::int32_t 
 template <Recorder R>
 std::int32_t choose_root(const Tree& tree, const Numbers& pieces, const BuildOptions& options, std::mt19937_64& random,
                          R& record) {
-  if (options.root == Root::random) return pieces[static_cast<std::size_t>(random() % pieces.size())];
+  if (options.root == Root::random) return pieces[random() % pieces.size()];
   if (options.root == Root::first || pieces.size() == 1) return pieces.front();
 
   const std::size_t count = std::min(static_cast<std::size_t>(options.candidates), pieces.size());
@@ -109,7 +110,7 @@ std::int32_t choose_root(const Tree& tree, const Numbers& pieces, const BuildOpt
 
 template <Recorder R>
 std::int32_t add_part(Tree& tree, std::int32_t whole, const clipping::Outline& outline, R& record) {
-  const auto number = static_cast<std::int32_t>(tree.pieces.size());
+  const auto number = size32(tree.pieces);
   for (const std::int32_t vertex : outline) {
     record(cutting::step::outline, OutlineVertex{vertex});
   }
@@ -128,7 +129,7 @@ void cut(Tree& tree, std::int32_t number, std::int32_t root, Space space, Number
       whole.outline, whole.plane, whole.bend, tree.piece(root).plane, tree.tolerance,
       [&](std::int32_t vertex) { return tree.point(vertex); },
       [&](std::int32_t from, std::int32_t to, double t, glm::dvec3 point) {
-        const auto made = static_cast<std::int32_t>(tree.points.size());
+        const auto made = size32(tree.points);
         record(cutting::step::cut, SplitVertex{from, to, t, made, space, point.x, point.y, point.z});
         tree.points.push_back(point);
         return made;
@@ -140,12 +141,12 @@ void cut(Tree& tree, std::int32_t number, std::int32_t root, Space space, Number
 // A node for the root of these pieces; the others go to its two sides.
 template <Recorder R>
 void divide(Tree& tree, const Open& work, std::int32_t root, Space space, Open& front, Open& back, R& record) {
-  const auto number = static_cast<std::int32_t>(tree.nodes.size());
+  const auto number = size32(tree.nodes);
   const pieces::Plane plane = tree.piece(root).plane;
   record(step::node, NodeMake{number, work.parent, work.front, root});
   record(step::plane, PlaneEquation{root, plane.a, plane.b, plane.c, plane.d});
   if (work.parent >= 0) {
-    Node& parent = tree.nodes[static_cast<std::size_t>(work.parent)];
+    Node& parent = tree.nodes[work.parent];
     (work.front ? parent.front : parent.back) = number;
   }
   Node node{plane, {root}};

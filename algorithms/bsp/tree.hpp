@@ -32,9 +32,9 @@ struct Tree {
   std::vector<Node> nodes;  ///< node 0 is the root; empty for a scene without polygons
   double tolerance = 0;     ///< values of a plane within this count as on it
 
-  const Piece& piece(std::int32_t number) const { return pieces[static_cast<std::size_t>(number)]; }
-  const Node& node(std::int32_t number) const { return nodes[static_cast<std::size_t>(number)]; }
-  glm::dvec3 point(std::int32_t vertex) const { return points[static_cast<std::size_t>(vertex)]; }
+  const Piece& piece(std::int32_t number) const { return pieces[number]; }
+  const Node& node(std::int32_t number) const { return nodes[number]; }
+  glm::dvec3 point(std::int32_t vertex) const { return points[vertex]; }
 };
 
 }  // namespace zstep::bsp

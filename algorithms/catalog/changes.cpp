@@ -16,6 +16,7 @@
 #include "algorithms/scene/load.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 namespace {
@@ -106,7 +107,7 @@ std::string text_of(const glm::dvec3& point) { return fmt::format("{} {} {}", po
 /// order of their polygons: as if the scene had been read so. `before`: where the points were.
 void cut_anew(Scene& scene, const std::vector<glm::dvec3>& before, const Place& place) {
   std::vector<int> facets_of(scene.polygons.size(), 0);
-  for (const Facet& facet : scene.facets) ++facets_of[static_cast<std::size_t>(facet.polygon)];
+  for (const Facet& facet : scene.facets) ++facets_of[facet.polygon];
   std::vector<Facet> old = std::exchange(scene.facets, {});
   const std::vector<std::int32_t> corners = std::exchange(scene.corners, {});
   std::stable_sort(old.begin(), old.end(), [](const Facet& a, const Facet& b) { return a.polygon < b.polygon; });
@@ -118,7 +119,7 @@ void cut_anew(Scene& scene, const std::vector<glm::dvec3>& before, const Place& 
       return std::vector<std::int32_t>(first, first + one.corner_count);
     };
     std::vector<std::int32_t> ring = corners_of(facet), triangles;
-    bool whole = facets_of[static_cast<std::size_t>(facet.polygon)] == 1;
+    bool whole = facets_of[facet.polygon] == 1;
     if (const bool first = at == 0 || old[at - 1].polygon != facet.polygon; first && !whole) {
       for (std::size_t k = at; k < old.size() && old[k].polygon == facet.polygon; ++k)
         for (const std::int32_t corner : corners_of(old[k])) triangles.push_back(corner);
@@ -135,9 +136,8 @@ void cut_anew(Scene& scene, const std::vector<glm::dvec3>& before, const Place& 
         place.refuse("it bends a polygon of too many corners to cut it into triangles", "move another vertex");
     }
     for (std::size_t from = 0; from < pieces.size(); from += size) {
-      scene.facets.push_back(
-          {facet.polygon, static_cast<std::int32_t>(scene.corners.size()), static_cast<std::int32_t>(size)});
-      const auto first = pieces.begin() + static_cast<std::ptrdiff_t>(from);
+      scene.facets.push_back({facet.polygon, size32(scene.corners), index32(size)});
+      const auto first = pieces.begin() + from;
       scene.corners.insert(scene.corners.end(), first, first + static_cast<std::ptrdiff_t>(size));
     }
   }

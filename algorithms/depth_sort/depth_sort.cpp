@@ -5,6 +5,7 @@
 
 #include "algorithms/depth_sort/pair_tests.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::depth_sort {
 
@@ -83,7 +84,7 @@ struct DepthSort {
 
     const pieces::Plane plane = all[plane_of].plane;
     const pieces::Parts parts = pieces::cut(all, whole, plane, tolerance, record);
-    const std::vector<std::int32_t> gone(list.pieces.begin(), list.pieces.begin() + static_cast<std::ptrdiff_t>(place));
+    const std::vector<std::int32_t> gone(list.pieces.begin(), list.pieces.begin() + place);
     for (std::size_t i = 0; i <= place; ++i) {
       record(step::remove, ListRemove{list.pieces.front()});
       list.remove(0);
@@ -140,7 +141,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
   pieces::Pieces all = pieces::gather(scene, conventions, record);
   const double tolerance = tolerance_for(all);
   DepthSort<R> sort{std::move(all), tolerance, {}, record};
-  for (std::int32_t piece = 0; piece < static_cast<std::int32_t>(sort.all.pieces.size()); ++piece) {
+  for (std::int32_t piece = 0; piece < size32(sort.all.pieces); ++piece) {
     const std::int32_t place = sort.list.place_for(sort.all, piece);
     sort.list.insert(piece, place);
     record(step::insert, ListInsert{piece, place});

@@ -3,6 +3,7 @@
 
 #include "algorithms/depth_sort/depth_sort.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::painter {
 
@@ -13,7 +14,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
 
   const pieces::Pieces all = pieces::gather(scene, conventions, record);
   depth_sort::DrawingList list;
-  for (std::int32_t piece = 0; piece < static_cast<std::int32_t>(all.pieces.size()); ++piece) {
+  for (std::int32_t piece = 0; piece < size32(all.pieces); ++piece) {
     const std::int32_t place = list.place_for(all, piece);
     list.insert(piece, place);
     record(step::insert, ListInsert{piece, place});

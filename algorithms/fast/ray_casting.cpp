@@ -80,7 +80,7 @@ std::vector<Shape> shapes_of(const Scene& scene) {
   for (const glm::dvec3& point : scene.points) scale = std::max(scale, glm::length(point));
   std::vector<Shape> shapes;
   shapes.reserve(scene.corners.size());
-  for (std::int32_t n = 0; n < static_cast<std::int32_t>(scene.facets.size()); ++n) {
+  for (std::int32_t n = 0; n < size32(scene.facets); ++n) {
     const Target target = target_of(scene, n);
     if (!can_be_met(scene, target)) continue;
     const std::vector<glm::dvec3>& corners = target.corners;
@@ -181,13 +181,13 @@ class Builder {
         if (sum < least) least = sum, best_axis = axis, best_bin = bin;
       }
     }
-    const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(whole.first);
-    const auto end = order_.begin() + static_cast<std::ptrdiff_t>(whole.end);
+    const auto begin = order_.begin() + whole.first;
+    const auto end = order_.begin() + whole.end;
     auto middle = begin + (end - begin) / 2;  // all centres in one place
     if (best_axis >= 0) {
       middle = std::partition(begin, end, [&](std::size_t shape) { return bin_of(shape, best_axis) < best_bin; });
     }
-    const auto at = static_cast<std::size_t>(middle - order_.begin());
+    const std::size_t at = middle - order_.begin();
     return {range(whole.first, at), range(at, whole.end)};
   }
 
@@ -208,14 +208,14 @@ class Builder {
       parts.push_back(other);
     }
 
-    const auto made = static_cast<std::int32_t>(tree_.nodes.size());
+    const auto made = size32(tree_.nodes);
     tree_.nodes.emplace_back();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < children; ++i) {
       const bool some = i < parts.size() && parts[i].size() > 0;
       std::int32_t child = 0;
       if (some) child = parts[i].size() <= most_in_leaf ? ~make_packet(parts[i]) : make_node(parts[i]);
-      Node& node = tree_.nodes[static_cast<std::size_t>(made)];
+      Node& node = tree_.nodes[made];
       node.child[i] = child;
       for (int axis = 0; axis < 3; ++axis) {
         // Wider by more than single precision loses on the way to t.
@@ -240,7 +240,7 @@ class Builder {
       packet.facet[lane] = shape.facet;
     }
     tree_.packets.push_back(packet);
-    return static_cast<std::int32_t>(tree_.packets.size()) - 1;
+    return size32(tree_.packets) - 1;
   }
 
   const std::vector<Shape>& shapes_;
@@ -258,13 +258,13 @@ Tree build_tree(const Scene& scene) {
   const glm::dvec3 eye = glm::abs(scene.camera.eye);
   Builder(shapes_of(scene), std::max({eye.x, eye.y, eye.z}), tree).build();
   for (const Facet& facet : scene.facets) {
-    tree.first_corner.push_back(static_cast<std::int32_t>(tree.corners.size()));
+    tree.first_corner.push_back(size32(tree.corners));
     for (std::int32_t i = 0; i < facet.corner_count; ++i) {
-      const std::int32_t corner = scene.corners[static_cast<std::size_t>(facet.first_corner + i)];
-      tree.corners.push_back(scene.points[static_cast<std::size_t>(corner)]);
+      const std::int32_t corner = scene.corners[facet.first_corner + i];
+      tree.corners.push_back(scene.points[corner]);
     }
   }
-  tree.first_corner.push_back(static_cast<std::int32_t>(tree.corners.size()));
+  tree.first_corner.push_back(size32(tree.corners));
   return tree;
 }
 
@@ -324,8 +324,8 @@ ZSTEP_INLINE unsigned meet_boxes(const Node& node, const Slabs& slabs, float t_m
 }
 
 bool passes_inside(const Tree& tree, std::int32_t facet, const Ray& ray) {
-  const auto first = static_cast<std::size_t>(tree.first_corner[static_cast<std::size_t>(facet)]);
-  const auto end = static_cast<std::size_t>(tree.first_corner[static_cast<std::size_t>(facet) + 1]);
+  const std::size_t first = tree.first_corner[facet];
+  const std::size_t end = tree.first_corner[static_cast<std::size_t>(facet) + 1];
   return passes_inside(AlongRay(ray), std::span(tree.corners).subspan(first, end - first));
 }
 
@@ -369,9 +369,9 @@ ZSTEP_INLINE Hit first_on(const Tree& tree, const Ray& ray, bool cull) {
   std::int32_t at = 0;
   while (true) {
     if (at < 0) {
-      meet_packet(tree, tree.packets[static_cast<std::size_t>(~at)], ray, cull, hit);
+      meet_packet(tree, tree.packets[~at], ray, cull, hit);
     } else {
-      const Node& node = tree.nodes[static_cast<std::size_t>(at)];
+      const Node& node = tree.nodes[at];
       const float t_far = std::nextafter(static_cast<float>(hit.t), std::numeric_limits<float>::infinity());
       alignas(32) float t_enter[children];
       unsigned met = meet_boxes(node, slabs, t_far, t_enter);
@@ -416,7 +416,7 @@ ZSTEP_INLINE void cast_all(Cast& cast) {
       const Hit hit = first_on(cast.tree, rays.through(x, y), cull);
       if (hit.facet == Hit{}.facet) continue;
       const std::size_t pixel = cast.picture.at(x, y);
-      cast.picture.polygon[pixel] = cast.scene.facets[static_cast<std::size_t>(hit.facet)].polygon;
+      cast.picture.polygon[pixel] = cast.scene.facets[hit.facet].polygon;
       cast.picture.depth[pixel] = rays.depth(hit.t);
     }
   }

@@ -32,7 +32,7 @@ void parallel_for(int threads, std::size_t parts, Work&& work) {
     }
   };
   std::vector<std::thread> others;
-  others.reserve(static_cast<std::size_t>(threads > 1 ? threads - 1 : 0));
+  others.reserve(threads > 1 ? threads - 1 : 0);
   try {
     for (int k = 1; k < threads && static_cast<std::size_t>(k) < parts; ++k) others.emplace_back(take_parts);
   } catch (const std::system_error&) {  // no thread is to be had
@@ -97,7 +97,7 @@ ZSTEP_INLINE void fill_span(double x_left, double z_left, double dx, double dz, 
   const std::size_t start = picture.at(0, row);
   double* const depth = picture.depth.data() + start;
   std::int32_t* const frame = picture.polygon.data() + start;
-  const auto room = static_cast<std::ptrdiff_t>(picture.at(0, band_end) - start);
+  const std::ptrdiff_t room = picture.at(0, band_end) - start;
   std::int32_t x = first;
   for (; x < end && x + four <= room; x += four) {
     fill_pixels(x_left, z_left, dx, dz, x, end, depth + x, frame + x, polygon);
@@ -208,7 +208,7 @@ void fill_with_tables(Fill& fill, const FastOutline& outline) {
   viewing::Vertices vertices;
   std::vector<std::int32_t> numbers;
   for (std::int32_t i = 0; i < outline.count; ++i) {
-    const RasterPoint& point = fill.all.points[static_cast<std::size_t>(corners_of(fill, outline)[i])];
+    const RasterPoint& point = fill.all.points[corners_of(fill, outline)[i]];
     vertices.push_back({{}, {point.x, point.y, point.z}, 0});
     numbers.push_back(i);
   }
@@ -277,7 +277,7 @@ void run_fast(const Scene& scene, const Conventions& conventions, Picture& pictu
 
   const int threads = threads_for(raster, wanted);
   const std::int32_t bands = bands_for(raster, threads);
-  const auto parts = static_cast<std::size_t>(threads);
+  const std::size_t parts = threads;
   Outlines all(scene, conventions, parts);
   // To begin a thread takes as long as some thousands of these.
   const int viewing = scene.points.size() < 30'000 ? 1 : threads, finding = scene.facets.size() < 4'000 ? 1 : threads;

@@ -12,6 +12,7 @@
 
 #include "algorithms/viewing/clip.hpp"
 #include "traces/record/recorder.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::z_buffer {
 
@@ -140,7 +141,7 @@ ZSTEP_INLINE void find_facets(Stage& stage) {
     const Seen seen = screen ? Seen::yes : test_facet(stage, corners);
     if (seen == Seen::no) continue;
     if (seen == Seen::unclear || outside_some != 0) {
-      found.push_back({facet.polygon, static_cast<std::int32_t>(number), wants_a_look, false, 0, 0});
+      found.push_back({facet.polygon, index32(number), wants_a_look, false, 0, 0});
     } else {
       const std::int32_t row = row_from(top, scene.raster.height), end_row = row_from(low, scene.raster.height);
       if (row < end_row) found.push_back({facet.polygon, facet.first_corner, facet.corner_count, false, row, end_row});
@@ -154,12 +155,12 @@ ZSTEP_FOR_THIS_PROCESSOR(find_facets, Stage)
 // The taught way, for one facet. False if it is not to be drawn.
 bool look_closely(Outlines& all, const viewing::Lens& lens, viewing::Vertices& vertices, FastOutline& outline) {
   const Scene& scene = all.scene;
-  const Facet& facet = scene.facets[static_cast<std::size_t>(outline.first)];
+  const Facet& facet = scene.facets[outline.first];
   NullRecorder record;
   const std::size_t points = scene.points.size();
   vertices.resize(points);
   for (std::int32_t i = 0; i < facet.corner_count; ++i) {
-    const auto n = static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + i)]);
+    const std::size_t n = scene.corners[facet.first_corner + i];
     const RasterPoint& point = all.points[n];
     const glm::dvec3 view(scene.camera.view * glm::dvec4(scene.points[n], 1));
     vertices[n] = {view, {point.x, point.y, point.z}, point.outside & ~unsound};
@@ -168,13 +169,13 @@ bool look_closely(Outlines& all, const viewing::Lens& lens, viewing::Vertices& v
   if (!clipping::find_outline(scene, facet, all.conventions.cull, lens, vertices, clipped, record)) return false;
 
   const auto before = static_cast<std::int32_t>(all.points.size() - points);
-  outline.first = static_cast<std::int32_t>(all.made.size());
-  outline.count = static_cast<std::int32_t>(clipped.size());
+  outline.first = size32(all.made);
+  outline.count = size32(clipped);
   outline.clipped = true;
   double top = std::numeric_limits<double>::infinity(), low = -top;
   for (const std::int32_t index : clipped) {
     all.made.push_back(static_cast<std::size_t>(index) < points ? index : index + before);
-    const double y = vertices[static_cast<std::size_t>(index)].raster.y;
+    const double y = vertices[index].raster.y;
     top = std::min(top, y), low = std::max(low, y);
   }
   for (std::size_t i = points; i < vertices.size(); ++i) {

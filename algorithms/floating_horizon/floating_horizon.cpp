@@ -24,7 +24,7 @@ struct Drawing {
   std::optional<std::pair<std::int32_t, std::int32_t>> dot;  ///< its pixel that was drawn last
 
   std::optional<Interval> interval(std::int32_t a, std::int32_t b) const {
-    return interval_on_raster(lens, vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)]);
+    return interval_on_raster(lens, vertices[a], vertices[b]);
   }
 };
 
@@ -162,7 +162,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
   drawing.vertices = viewing::view_vertices(scene, drawing.lens, record);
   const bool sides = is_on(options, conventions, "sides"), across = is_on(options, conventions, "across");
   const std::int32_t columns = scene.surface->columns;
-  const auto world = [&](std::int32_t vertex) { return scene.points[static_cast<std::size_t>(vertex)]; };
+  const auto world = [&](std::int32_t vertex) { return scene.points[vertex]; };
   std::int32_t curve = 0;
   const Order order = rows_front_to_back(scene), column_order = columns_front_to_back(scene);
   for (const std::vector<std::int32_t>& rows : order) {

@@ -82,7 +82,7 @@ struct Horizons {
   struct Entry {
     double &upper, &lower;
   };
-  Entry at(std::int32_t x) { return {upper[static_cast<std::size_t>(x)], lower[static_cast<std::size_t>(x)]}; }
+  Entry at(std::int32_t x) { return {upper[x], lower[x]}; }
 
   std::vector<double> upper, lower;
 };

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "traces/formulas/outlines.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::hidden_line {
 
@@ -98,12 +99,12 @@ Grid::Grid(const pieces::Pieces& faces, const Raster& raster)
     : faces_(faces),
       columns_(std::max(1, (raster.width + cell - 1) / cell)),
       rows_(std::max(1, (raster.height + cell - 1) / cell)),
-      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+      cells_(static_cast<std::size_t>(columns_) * rows_) {
   for (std::size_t i = 0; i < faces.pieces.size(); ++i) {
     const Cells reach = cells_of(faces.pieces[i].low, faces.pieces[i].high);
     for (std::int32_t row = reach.first_row; row <= reach.last_row; ++row) {
       for (std::int32_t column = reach.first_column; column <= reach.last_column; ++column) {
-        at(column, row).push_back(static_cast<std::int32_t>(i));
+        at(column, row).push_back(index32(i));
       }
     }
   }
@@ -114,7 +115,7 @@ Grid::Cells Grid::cells_of(glm::dvec3 low, glm::dvec3 high) const {
 }
 
 std::vector<std::int32_t>& Grid::at(std::int32_t column, std::int32_t row) {
-  return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+  return cells_[static_cast<std::size_t>(row) * columns_ + column];
 }
 
 std::vector<std::int32_t> Grid::near(const lines::Line& line) {

@@ -8,6 +8,7 @@
 #include "algorithms/viewing/back_face.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::lines {
 
@@ -45,8 +46,8 @@ std::vector<Cut> find_cuts(const Scene& scene) {
     const Facet& facet = scene.facets[i];
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
       const std::int32_t next = k + 1 < facet.corner_count ? k + 1 : 0;
-      const auto [low, high] = std::minmax(scene.corners[static_cast<std::size_t>(facet.first_corner + k)],
-                                           scene.corners[static_cast<std::size_t>(facet.first_corner + next)]);
+      const auto [low, high] =
+          std::minmax(scene.corners[facet.first_corner + k], scene.corners[facet.first_corner + next]);
       sides.emplace_back(facet.polygon, low, high);
     }
   }
@@ -81,15 +82,15 @@ std::vector<Edge> find_edges(const Scene& scene, const viewing::Vertices& vertic
     bool is_cut = false;
     const auto facet_of = [&](HalfEdgeMesh::HalfedgeHandle half) {
       const std::int32_t facet = half_edges.face_handle(half).idx();
-      if (facet == -1 || facing[static_cast<std::size_t>(facet)] == Face::none) return -1;
-      const std::int32_t polygon = scene.facets[static_cast<std::size_t>(facet)].polygon;
+      if (facet == -1 || facing[facet] == Face::none) return -1;
+      const std::int32_t polygon = scene.facets[facet].polygon;
       is_cut =
           is_cut || std::binary_search(cuts.begin(), cuts.end(), Cut{polygon, std::min(from, to), std::max(from, to)});
       return facet;
     };
     const std::int32_t left = facet_of(forth), right = facet_of(back);
     if (is_cut || (left == -1 && right == -1)) continue;
-    const auto face = [&](std::int32_t f) { return f == -1 ? Face::none : facing[static_cast<std::size_t>(f)]; };
+    const auto face = [&](std::int32_t f) { return f == -1 ? Face::none : facing[f]; };
     edges.push_back({from, to, left, right, kind_of_edge(face(left), face(right))});
   }
   return edges;
@@ -98,8 +99,8 @@ std::vector<Edge> find_edges(const Scene& scene, const viewing::Vertices& vertic
 template <Recorder R>
 bool bring_into_view(Edge& edge, const Scene& scene, const viewing::Lens& lens, viewing::Vertices& vertices,
                      R& record) {
-  const auto vertex = [&](std::int32_t index) -> viewing::Vertex& { return vertices[static_cast<std::size_t>(index)]; };
-  const auto points = static_cast<std::int32_t>(scene.points.size());
+  const auto vertex = [&](std::int32_t index) -> viewing::Vertex& { return vertices[index]; };
+  const auto points = size32(scene.points);
   const bool on_raster = scene.camera.kind == Camera::Kind::screen;
   for (int plane = 0; plane < 6 && !on_raster; ++plane) {
     const auto which = static_cast<ClipPlane>(plane);
@@ -112,7 +113,7 @@ bool bring_into_view(Edge& edge, const Scene& scene, const viewing::Lens& lens, 
     const std::int32_t inside = d_0 >= 0 ? edge.vertex_0 : edge.vertex_1;
     const double t = d_0 >= 0 ? formulas::where_zero(d_0, d_1) : formulas::where_zero(d_1, d_0);
     const glm::dvec3 view = formulas::part_of_way(vertex(inside).view, vertex(outer).view, t);
-    const auto made = static_cast<std::int32_t>(vertices.size());
+    const auto made = size32(vertices);
     record(step::clip, ClipCross{which, inside, outer, t, made, view.x, view.y, view.z});
     vertices.push_back({view, {}, 0});
     outer = made;

@@ -30,7 +30,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
       record(step::back, LinePiece{number, 0, 1, false});
     } else {
       record(step::whole, LinePiece{number, 0, 1, true});
-      const auto corner = [&](std::int32_t vertex) { return vertices[static_cast<std::size_t>(vertex)].raster; };
+      const auto corner = [&](std::int32_t vertex) { return vertices[vertex].raster; };
       const lines::Line line{corner(edge.vertex_0), corner(edge.vertex_1)};
       lines::draw(line, 0, 1, lines::visible_ink(scene), false, picture, record);
     }

@@ -71,7 +71,7 @@ class Attributes {
 
  private:
   OverDepth of_vertex(std::int32_t number) const {
-    const glm::dvec3& view = vertices_[static_cast<std::size_t>(number)].view;
+    const glm::dvec3& view = vertices_[number].view;
     const T a = numbers_.depth(formulas::attribute_of(scene_, number, view));
     return divides_ ? formulas::over_depth(a, numbers_.depth(view.z)) : OverDepth{a, T(1)};
   }
@@ -89,7 +89,7 @@ class Attributes {
 
 /// Two vertices that make with the first one the largest triangle on the raster: what the slopes are divided by.
 std::array<std::int32_t, 2> far_from_first(const clipping::Outline& outline, const viewing::Vertices& vertices) {
-  const auto at = [&](std::size_t i) { return vertices[static_cast<std::size_t>(outline[i])].raster; };
+  const auto at = [&](std::size_t i) { return vertices[outline[i]].raster; };
   std::array<std::int32_t, 2> best{outline[0], outline[0]};
   double largest = -1;
   for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
@@ -104,7 +104,7 @@ template <class T, Recorder R>
 Plane<T> find_plane(std::int32_t polygon, const clipping::Outline& outline, const viewing::Vertices& vertices,
                     const NumbersOf<T>& numbers, R& record) {
   const auto [second, third] = far_from_first(outline, vertices);
-  const auto raster = [&](std::int32_t vertex) { return vertices[static_cast<std::size_t>(vertex)].raster; };
+  const auto raster = [&](std::int32_t vertex) { return vertices[vertex].raster; };
   const glm::dvec3 p = raster(outline[0]), q = raster(second), r = raster(third);
   Plane<T> plane{numbers.position(p.x), numbers.position(p.y), numbers.depth(p.z), T(0), T(0)};
   const T x_1 = numbers.position(q.x) - plane.x_0, y_1 = numbers.position(q.y) - plane.y_0,
@@ -186,7 +186,7 @@ class Drawing {
     const T a = attributes_.value(here);
     record_(step::attribute, AttributeInterpolate{x, y, here.over_z, here.one_over_z, a});
 
-    const Color& color = scene_.polygons[static_cast<std::size_t>(polygon_)].color;
+    const Color& color = scene_.polygons[polygon_].color;
     const double kept = formulas::stripe_shade(a);
     const auto shaded = [&](std::uint8_t channel) { return static_cast<std::uint8_t>(std::lround(channel * kept)); };
     const Color ink{shaded(color.red), shaded(color.green), shaded(color.blue)};
@@ -247,7 +247,7 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
       for (std::size_t i = 0; i + 1 < active.edges.size(); i += 2) {  // even-odd: inside between each pair
         const std::int32_t left = active.edges[i], right = active.edges[i + 1];
         const Span span = begin_span(edges, left, right, y, raster, conventions.coverage, record);
-        drawing.fill(span, edges.edges[static_cast<std::size_t>(left)], edges.edges[static_cast<std::size_t>(right)]);
+        drawing.fill(span, edges.edges[left], edges.edges[right]);
       }
     }
     end_polygon(active, record);

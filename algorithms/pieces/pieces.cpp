@@ -6,6 +6,7 @@
 #include "traces/formulas/outlines.hpp"
 #include "algorithms/scan_conversion/spans.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::pieces {
 
@@ -54,7 +55,7 @@ void describe(const Piece& piece, std::int32_t number, R& record) {
 template <Recorder R>
 Pieces gather(const Scene& scene, const Conventions& conventions, R& record) {
   const viewing::Lens lens(scene.camera, scene.raster, conventions.depth);
-  record(step::tables, TablesBegin{static_cast<std::int32_t>(scene.polygons.size())});
+  record(step::tables, TablesBegin{size32(scene.polygons)});
   Pieces all;
   all.vertices = viewing::view_vertices(scene, lens, record);
 
@@ -70,7 +71,7 @@ Pieces gather(const Scene& scene, const Conventions& conventions, R& record) {
       record(clipping::step::reject, PolygonReject{facet.polygon, Reject::edge_on});
       continue;
     }
-    const auto number = static_cast<std::int32_t>(all.pieces.size());
+    const auto number = size32(all.pieces);
     record(step::make, PieceMake{number, facet.polygon, -1});
     describe(piece, number, record);
     piece.facet = facet_number - 1;
@@ -83,7 +84,7 @@ namespace {
 
 template <Recorder R>
 std::int32_t add_part(Pieces& all, std::int32_t parent, const clipping::Outline& outline, R& record) {
-  const auto number = static_cast<std::int32_t>(all.pieces.size());
+  const auto number = size32(all.pieces);
   const std::int32_t polygon = all[parent].polygon;
   for (const std::int32_t vertex : outline) {
     record(cutting::step::outline, OutlineVertex{vertex});
@@ -107,7 +108,7 @@ Parts cut(Pieces& all, std::int32_t number, const Plane& plane, double tolerance
       outline, all[number].plane, all[number].bend, plane, tolerance,
       [&](std::int32_t vertex) { return all.corner(vertex); },
       [&](std::int32_t from, std::int32_t to, double t, glm::dvec3 point) {
-        const auto made = static_cast<std::int32_t>(all.vertices.size());
+        const auto made = size32(all.vertices);
         record(cutting::step::cut, SplitVertex{from, to, t, made, Space::raster, point.x, point.y, point.z});
         all.vertices.push_back({{}, point, 0});
         return made;

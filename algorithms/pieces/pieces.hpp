@@ -75,9 +75,9 @@ struct Pieces {
   viewing::Vertices vertices;  ///< the scene's points, then what clipping and cutting made
   std::vector<Piece> pieces;   ///< a piece's place here is its number
 
-  glm::dvec3 corner(std::int32_t vertex) const { return vertices[static_cast<std::size_t>(vertex)].raster; }
+  glm::dvec3 corner(std::int32_t vertex) const { return vertices[vertex].raster; }
   std::vector<glm::dvec3> corners(const clipping::Outline& outline) const;
-  const Piece& operator[](std::int32_t number) const { return pieces[static_cast<std::size_t>(number)]; }
+  const Piece& operator[](std::int32_t number) const { return pieces[number]; }
 };
 
 /// Views, culls and clips every facet. What is left of each is a piece, in the order of the facets; a facet that is

@@ -48,11 +48,11 @@ pieces::Plane plane_of_crossing(std::span<const glm::dvec3> corners) {
 }  // namespace
 
 Target target_of(const Scene& scene, std::int32_t facet) {
-  const Facet& entry = scene.facets[static_cast<std::size_t>(facet)];
+  const Facet& entry = scene.facets[facet];
   Target target{facet, {}, {}};
   for (std::int32_t i = 0; i < entry.corner_count; ++i) {
-    const std::int32_t corner = scene.corners[static_cast<std::size_t>(entry.first_corner + i)];
-    target.corners.push_back(scene.points[static_cast<std::size_t>(corner)]);
+    const std::int32_t corner = scene.corners[entry.first_corner + i];
+    target.corners.push_back(scene.points[corner]);
   }
   if (target.corners.size() < 3) return target;
   // The mean is added up before it is divided: facets at z = 5 get planes at 5, and not one beside it.
@@ -69,10 +69,8 @@ bool can_be_met(const Scene& scene, const Target& target) {
   }
   if (target.plane.normal() == glm::dvec3(0)) return false;
   if (scene.camera.kind == Camera::Kind::screen) return true;
-  const Facet& entry = scene.facets[static_cast<std::size_t>(target.facet)];
-  const auto corners =
-      std::span(scene.corners)
-          .subspan(static_cast<std::size_t>(entry.first_corner), static_cast<std::size_t>(entry.corner_count));
+  const Facet& entry = scene.facets[target.facet];
+  const auto corners = std::span(scene.corners).subspan(entry.first_corner, entry.corner_count);
   return !clipping::degenerate(scene, corners);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::ray_casting {
 
@@ -28,8 +29,8 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
 
       const Nearest nearest = first_hit(space, ray, meets, record);
       const bool met = nearest.facet >= 0;
-      const std::int32_t polygon = met ? scene.facets[static_cast<std::size_t>(nearest.facet)].polygon : no_polygon;
-      const Color color = met ? scene.polygons[static_cast<std::size_t>(polygon)].color : scene.background;
+      const std::int32_t polygon = met ? scene.facets[nearest.facet].polygon : no_polygon;
+      const Color color = met ? scene.polygons[polygon].color : scene.background;
       const double red = color.red / 255.0, green = color.green / 255.0, blue = color.blue / 255.0;
       record(step::ray_end, RayEnd{number, nearest.facet, met ? nearest.t : no_depth, nearest.tests, red, green, blue});
       if (!met) continue;
@@ -62,7 +63,7 @@ struct Search {
   bool worth_it(Passage passage) const { return passage.t_enter <= passage.t_leave && passage.t_enter <= nearest.t; }
 
   void test_facet(std::int32_t place) {
-    const auto i = static_cast<std::size_t>(place);
+    const std::size_t i = place;
     const Target& target = space.targets[i];
     if (space.met_by[i] == space.rays || target.facet == meets.not_facet) return;  // a facet lies in several cells
     space.met_by[i] = space.rays;
@@ -91,20 +92,20 @@ struct Search {
   }
 
   Passage test_box(std::int32_t number) {
-    const Passage passage = space.boxes[static_cast<std::size_t>(number)].box.pass(ray);
+    const Passage passage = space.boxes[number].box.pass(ray);
     record(meeting::step::box_test, BoxTest{number, passage.t_enter, passage.t_leave, worth_it(passage)});
     return passage;
   }
 
   void search_each_box() {
-    for (std::int32_t number = 0; number < static_cast<std::int32_t>(space.boxes.size()); ++number) {
-      if (worth_it(test_box(number))) test_facets(space.boxes[static_cast<std::size_t>(number)].targets);
+    for (std::int32_t number = 0; number < size32(space.boxes); ++number) {
+      if (worth_it(test_box(number))) test_facets(space.boxes[number].targets);
     }
   }
 
   // What is in a box that the ray meets; the inner box that it enters first comes first.
   void search_inside(std::int32_t number) {
-    const BoxNode& node = space.boxes[static_cast<std::size_t>(number)];
+    const BoxNode& node = space.boxes[number];
     test_facets(node.targets);
     auto [first, second] = node.inner;
     if (first < 0) return;
@@ -141,9 +142,9 @@ struct Search {
       record(meeting::step::cell, CellVisit{cell[0], cell[1], cell[2], t_enter, t_leave});
       test_facets(grid.targets[grid.place(cell)]);
 
-      std::int32_t& number = cell[static_cast<std::size_t>(through)];
+      std::int32_t& number = cell[through];
       number += ray.along[through] > 0 ? 1 : -1;
-      if (number < 0 || number >= grid.cells[static_cast<std::size_t>(through)]) return;
+      if (number < 0 || number >= grid.cells[through]) return;
       t_enter = std::max(t_enter, t_leave);
     }
   }
@@ -163,7 +164,7 @@ Nearest first_hit(Space& space, const Ray& ray, Meets meets, R& record) {
     search.search_inside(0);
   if (space.kind == Boxes::grid && !space.targets.empty()) search.search_cells();
 
-  const auto spared = static_cast<std::int32_t>(space.targets.size()) - search.nearest.tests;
+  const auto spared = size32(space.targets) - search.nearest.tests;
   if (space.kind != Boxes::none) {
     record(meeting::step::saved, Saved{Coherence::extent, spared});
   }

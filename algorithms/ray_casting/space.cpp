@@ -10,6 +10,7 @@
 #include <span>
 
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::ray_casting {
 
@@ -23,7 +24,7 @@ Box box_around(const Space& space, std::span<const std::int32_t> places, double 
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
   for (const std::int32_t place : places) {
-    for (const glm::dvec3& corner : space.targets[static_cast<std::size_t>(place)].corners) {
+    for (const glm::dvec3& corner : space.targets[place].corners) {
       box.low = glm::min(box.low, corner - pad), box.high = glm::max(box.high, corner + pad);
     }
   }
@@ -32,7 +33,7 @@ Box box_around(const Space& space, std::span<const std::int32_t> places, double 
 
 template <Recorder R>
 std::int32_t make_box(Space& space, std::int32_t parent, Places places, double pad, R& record) {
-  const auto number = static_cast<std::int32_t>(space.boxes.size());
+  const auto number = size32(space.boxes);
   const Box box = box_around(space, places, pad);
   space.boxes.push_back({box, {-1, -1}, {}});
   const BoxMake made{number, parent, box.low.x, box.high.x, box.low.y, box.high.y, box.low.z, box.high.z};
@@ -43,8 +44,8 @@ std::int32_t make_box(Space& space, std::int32_t parent, Places places, double p
 template <Recorder R>
 void fill_box(Space& space, std::int32_t number, Places places, R& record) {
   for (const std::int32_t place : places) {
-    space.boxes[static_cast<std::size_t>(number)].targets.push_back(place);
-    record(boxes::step::hold, BoxHold{number, space.targets[static_cast<std::size_t>(place)].facet});
+    space.boxes[number].targets.push_back(place);
+    record(boxes::step::hold, BoxHold{number, space.targets[place].facet});
   }
 }
 
@@ -56,7 +57,7 @@ std::int32_t make_hierarchy(Space& space, std::int32_t parent, Places places, do
     fill_box(space, number, places, record);
     return number;
   }
-  const Box box = space.boxes[static_cast<std::size_t>(number)].box;
+  const Box box = space.boxes[number].box;
   const glm::dvec3 size = box.high - box.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const auto centre = [&](std::int32_t place) {
@@ -67,7 +68,7 @@ std::int32_t make_hierarchy(Space& space, std::int32_t parent, Places places, do
   const std::size_t half = places.size() / 2;
   const std::int32_t one = make_hierarchy(space, number, places.first(half), pad, record);
   const std::int32_t other = make_hierarchy(space, number, places.subspan(half), pad, record);
-  space.boxes[static_cast<std::size_t>(number)].inner = {one, other};
+  space.boxes[number].inner = {one, other};
   return number;
 }
 
@@ -79,14 +80,14 @@ std::array<std::int32_t, 3> cells_for(const Box& box, std::size_t facets) {
   while (along_longest < most_cells && along_longest * along_longest * along_longest < 3 * facets) ++along_longest;
   std::array<std::int32_t, 3> cells{};
   for (int axis = 0; axis < 3; ++axis) {
-    cells[static_cast<std::size_t>(axis)] = std::max(
+    cells[axis] = std::max(
         1, static_cast<std::int32_t>(std::ceil(size[axis] / longest * static_cast<double>(along_longest) - 1e-6)));
   }
   return cells;
 }
 
 std::int32_t cell_of(const Grid& grid, int axis, double coordinate) {
-  const std::int32_t cells = grid.cells[static_cast<std::size_t>(axis)];
+  const std::int32_t cells = grid.cells[axis];
   const double place = (coordinate - grid.box.low[axis]) / (grid.box.high[axis] - grid.box.low[axis]) * cells;
   return std::clamp(static_cast<std::int32_t>(place), 0, cells - 1);
 }
@@ -97,8 +98,7 @@ void make_grid(Space& space, Places places, double pad, R& record) {
   grid.box = box_around(space, places, 2 * pad);
   grid.cells = cells_for(grid.box, places.size());
   const auto [cells_x, cells_y, cells_z] = grid.cells;
-  grid.targets.resize(static_cast<std::size_t>(cells_x) * static_cast<std::size_t>(cells_y) *
-                      static_cast<std::size_t>(cells_z));
+  grid.targets.resize(static_cast<std::size_t>(cells_x) * cells_y * static_cast<std::size_t>(cells_z));
   const Box& box = grid.box;
   const GridMake made{cells_x, cells_y, cells_z, box.low.x, box.high.x, box.low.y, box.high.y, box.low.z, box.high.z};
   record(boxes::step::grid, made);
@@ -107,15 +107,15 @@ void make_grid(Space& space, Places places, double pad, R& record) {
     const Box around = box_around(space, std::span(&place, 1), pad);
     std::array<std::int32_t, 3> first{}, last{};
     for (int axis = 0; axis < 3; ++axis) {
-      first[static_cast<std::size_t>(axis)] = cell_of(grid, axis, around.low[axis]);
-      last[static_cast<std::size_t>(axis)] = cell_of(grid, axis, around.high[axis]);
+      first[axis] = cell_of(grid, axis, around.low[axis]);
+      last[axis] = cell_of(grid, axis, around.high[axis]);
     }
     std::array<std::int32_t, 3> cell{};
     for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) {
       for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1]) {
         for (cell[0] = first[0]; cell[0] <= last[0]; ++cell[0]) {
           grid.targets[grid.place(cell)].push_back(place);
-          const std::int32_t facet = space.targets[static_cast<std::size_t>(place)].facet;
+          const std::int32_t facet = space.targets[place].facet;
           record(boxes::step::cell_hold, CellHold{cell[0], cell[1], cell[2], facet});
         }
       }
@@ -145,10 +145,10 @@ Space make_space(const Scene& scene, Boxes kind, R& record) {
   Space space;
   space.kind = kind;
   double size = glm::length(scene.camera.eye);
-  for (std::int32_t facet = 0; facet < static_cast<std::int32_t>(scene.facets.size()); ++facet) {
+  for (std::int32_t facet = 0; facet < size32(scene.facets); ++facet) {
     const Target target = target_of(scene, facet);
     if (!can_be_met(scene, target)) {
-      const std::int32_t polygon = scene.facets[static_cast<std::size_t>(facet)].polygon;
+      const std::int32_t polygon = scene.facets[facet].polygon;
       record(boxes::step::reject, PolygonReject{polygon, Reject::degenerate});
       continue;
     }

@@ -54,14 +54,13 @@ struct Grid {
   std::vector<std::vector<std::int32_t>> targets;  ///< by cell, x first
 
   std::size_t place(const std::array<std::int32_t, 3>& cell) const {
-    return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(cells[1]) +
-            static_cast<std::size_t>(cell[1])) *
+    return (static_cast<std::size_t>(cell[2]) * cells[1] + static_cast<std::size_t>(cell[1])) *
                static_cast<std::size_t>(cells[0]) +
            static_cast<std::size_t>(cell[0]);
   }
   /// Where cell number i along the axis begins; i may be one beyond the last.
   double edge(int axis, std::int32_t i) const {
-    return box.low[axis] + (box.high[axis] - box.low[axis]) * i / cells[static_cast<std::size_t>(axis)];
+    return box.low[axis] + (box.high[axis] - box.low[axis]) * i / cells[axis];
   }
 };
 

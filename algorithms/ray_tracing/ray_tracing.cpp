@@ -112,9 +112,7 @@ struct Tracer {
     return {light, nearest};
   }
 
-  const Polygon& polygon_of(std::int32_t facet) const {
-    return scene.polygons[static_cast<std::size_t>(scene.facets[static_cast<std::size_t>(facet)].polygon)];
-  }
+  const Polygon& polygon_of(std::int32_t facet) const { return scene.polygons[scene.facets[facet].polygon]; }
 };
 
 }  // namespace
@@ -138,7 +136,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
       if (nearest.facet < 0) continue;
 
       const std::size_t pixel = picture.at(x, y);
-      const std::int32_t polygon = scene.facets[static_cast<std::size_t>(nearest.facet)].polygon;
+      const std::int32_t polygon = scene.facets[nearest.facet].polygon;
       const double z = rays.depth(nearest.t);
       picture.polygon[pixel] = polygon;
       picture.depth[pixel] = z;

@@ -11,7 +11,7 @@ namespace {
 
 template <class T>
 EdgeOf<T>& edge_at(EdgeTableOf<T>& table, std::int32_t number) {
-  return table.edges[static_cast<std::size_t>(number)];
+  return table.edges[number];
 }
 
 template <class T>

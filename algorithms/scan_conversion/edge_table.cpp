@@ -6,6 +6,7 @@
 #include "algorithms/scan_conversion/numbers.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::scan_conversion {
 
@@ -15,7 +16,7 @@ using Outline = std::span<const std::int32_t>;
 
 // The nearest neighbour of outline[i] in the given direction that is not on the same height.
 double height_beside(Outline outline, const viewing::Vertices& vertices, std::size_t i, std::size_t direction) {
-  const auto y_of = [&](std::size_t n) { return vertices[static_cast<std::size_t>(outline[n])].raster.y; };
+  const auto y_of = [&](std::size_t n) { return vertices[outline[n]].raster.y; };
   std::size_t n = i;
   do n = (n + direction) % outline.size();
   while (n != i && y_of(n) == y_of(i));
@@ -23,7 +24,7 @@ double height_beside(Outline outline, const viewing::Vertices& vertices, std::si
 }
 
 bool local_maximum(Outline outline, const viewing::Vertices& vertices, std::size_t i) {
-  const double y = vertices[static_cast<std::size_t>(outline[i])].raster.y;
+  const double y = vertices[outline[i]].raster.y;
   return height_beside(outline, vertices, i, 1) < y && height_beside(outline, vertices, i, outline.size() - 1) < y;
 }
 
@@ -34,7 +35,7 @@ void add_edges(EdgeTableOf<T>& table, std::int32_t polygon, Outline outline, con
                const Raster& raster, Conventions::Coverage coverage, R& record) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     std::size_t from = i, to = i + 1 < outline.size() ? i + 1 : 0;
-    const auto point = [&](std::size_t n) { return vertices[static_cast<std::size_t>(outline[n])].raster; };
+    const auto point = [&](std::size_t n) { return vertices[outline[n]].raster; };
     if (point(from).y > point(to).y) std::swap(from, to);
 
     const glm::dvec3 start = point(from), end = point(to);
@@ -72,7 +73,7 @@ void add_edges(EdgeTableOf<T>& table, std::int32_t polygon, Outline outline, con
     edge.z = edge.z_at(edge.first_row);
     edge.dx_dy = formulas::slope(edge.x_0, edge.x_1, edge.y_0, edge.y_1);
     edge.dz_dy = formulas::slope(edge.z_0, edge.z_1, edge.y_0, edge.y_1);
-    const auto number = static_cast<std::int32_t>(table.edges.size());
+    const auto number = size32(table.edges);
     const EdgeTableInsert row{number,       polygon, edge.vertex_0, edge.vertex_1, edge.first_row,
                               edge.end_row, edge.x,  edge.dx_dy,    edge.z,        edge.dz_dy};
     record(step::insert_edge, row);
@@ -87,8 +88,8 @@ void add_edges(EdgeTableOf<T>& table, std::int32_t polygon, Outline outline, con
 template <class T>
 void fill_buckets(EdgeTableOf<T>& table) {
   table.buckets.resize(table.edges.size());
-  for (std::size_t i = 0; i < table.buckets.size(); ++i) table.buckets[i] = static_cast<std::int32_t>(i);
-  const auto row = [&](std::int32_t number) { return table.edges[static_cast<std::size_t>(number)].first_row; };
+  for (std::size_t i = 0; i < table.buckets.size(); ++i) table.buckets[i] = index32(i);
+  const auto row = [&](std::int32_t number) { return table.edges[number].first_row; };
   std::sort(table.buckets.begin(), table.buckets.end(), [&](std::int32_t one, std::int32_t other) {
     return row(one) != row(other) ? row(one) < row(other) : one < other;
   });

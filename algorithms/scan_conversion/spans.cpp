@@ -12,8 +12,8 @@ namespace zstep::scan_conversion {
 template <class T, Recorder R>
 Span begin_span(const EdgeTableOf<T>& table, std::int32_t left, std::int32_t right, std::int32_t y,
                 const Raster& raster, Conventions::Coverage coverage, R& record) {
-  const EdgeOf<T>& left_edge = table.edges[static_cast<std::size_t>(left)];
-  const EdgeOf<T>& right_edge = table.edges[static_cast<std::size_t>(right)];
+  const EdgeOf<T>& left_edge = table.edges[left];
+  const EdgeOf<T>& right_edge = table.edges[right];
   Span span{left, right, y, 0, 0, left_edge.x, left_edge.z, right_edge.x, right_edge.z, 0};
 
   span.first = std::max(0, formulas::limited_column(formulas::first_pixel(span.x_left, coverage), raster.width));

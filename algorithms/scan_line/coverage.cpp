@@ -32,7 +32,7 @@ void Coverage::add(std::int32_t polygon, double x_left, double x_right) {
   const auto first = static_cast<std::int32_t>(std::floor(x_left + 0.5));
   for (std::int32_t x = std::max(0, first); x < width_ && x - 0.5 < x_right; ++x) {
     const double area = (std::min(x_right, x + 0.5) - std::max(x_left, x - 0.5)) / lines_in_a_row;
-    std::vector<Share>& shares = shares_[static_cast<std::size_t>(x)];
+    std::vector<Share>& shares = shares_[x];
     const auto known = std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.polygon == polygon; });
     if (known != shares.end()) known->area += area;
     else shares.push_back({polygon, area});
@@ -51,7 +51,7 @@ void Coverage::mix_row(const Scene& scene, std::int32_t y, Picture& picture, R& 
   }
 
   for (std::int32_t x = 0; x < width_; ++x) {
-    std::vector<Share>& shares = shares_[static_cast<std::size_t>(x)];
+    std::vector<Share>& shares = shares_[x];
     const std::size_t pixel = picture.at(x, y);
     std::erase_if(shares, [](const Share& share) { return share.area < nothing; });
     double uncovered = 1;
@@ -63,7 +63,7 @@ void Coverage::mix_row(const Scene& scene, std::int32_t y, Picture& picture, R& 
     for (const Share& share : shares) {
       record(step::cover, CoverageAdd{x, y, share.polygon, share.area});
       const bool covered = share.polygon != no_polygon;
-      const Color color = covered ? scene.polygons[static_cast<std::size_t>(share.polygon)].color : scene.background;
+      const Color color = covered ? scene.polygons[share.polygon].color : scene.background;
       mixture += share.area * glm::dvec3(color.red, color.green, color.blue);
     }
     const Color color{shade(mixture.x), shade(mixture.y), shade(mixture.z)};

@@ -5,6 +5,7 @@
 
 #include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::scan_line {
 
@@ -147,7 +148,7 @@ bool Coherence::as_before(const Pieces& polygons, std::size_t place, const std::
     if (!lie_apart(polygons, seen.left, other, record)) return false;
     if (implied && !lie_apart(polygons, seen.right, other, record)) return false;
   }
-  const auto depths = 2 * static_cast<std::int32_t>(inside.size());
+  const auto depths = 2 * size32(inside);
   if (!implied) {
     record(step::saved, Saved{zstep::Coherence::scan_line, depths});
     visible.assign(1, {seen.left, interval});

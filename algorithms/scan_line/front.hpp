@@ -13,6 +13,7 @@
 
 #include "algorithms/pieces/pieces.hpp"
 #include "algorithms/scan_conversion/active_edges.hpp"
+#include "traces/scene.hpp"
 
 // The steps of the scan-line method.
 
@@ -30,8 +31,8 @@ struct Tables {
   scan_conversion::EdgeTable edges;  ///< the global edge table
   std::vector<std::int32_t> owner;   ///< of each edge, by number: the row of the polygon table
 
-  std::int32_t owner_of(std::int32_t edge) const { return owner[static_cast<std::size_t>(edge)]; }
-  double x_of(std::int32_t edge) const { return edges.edges[static_cast<std::size_t>(edge)].x; }
+  std::int32_t owner_of(std::int32_t edge) const { return owner[edge]; }
+  double x_of(std::int32_t edge) const { return edges.edges[edge].x; }
 };
 
 /// Fills the edge table and its owners from the polygon table.
@@ -41,7 +42,7 @@ void fill_edge_table(Tables& tables, const viewing::Vertices& vertices, const Ra
   for (std::size_t piece = 0; piece < tables.polygons.pieces.size(); ++piece) {
     const pieces::Piece& row = tables.polygons.pieces[piece];
     scan_conversion::add_edges(tables.edges, row.polygon, row.outline, vertices, raster, coverage, record);
-    tables.owner.resize(tables.edges.edges.size(), static_cast<std::int32_t>(piece));
+    tables.owner.resize(tables.edges.edges.size(), index32(piece));
   }
   fill_buckets(tables.edges);
 }

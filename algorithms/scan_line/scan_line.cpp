@@ -70,7 +70,7 @@ Picture run(const Scene& scene, const Conventions& given, R& record) {
   Tables tables{pieces::gather(scene, conventions, record), {}, {}};
   fill_edge_table(tables, tables.polygons.vertices, raster, conventions.coverage, record);
   scan_conversion::ActiveEdges active;
-  std::vector<double> line(static_cast<std::size_t>(raster.width));
+  std::vector<double> line(raster.width);
   std::int32_t first_row = tables.edges.first_row, end_row = tables.edges.end_row;
 
   Coherence memory;
@@ -113,7 +113,7 @@ void fill_span(const scan_conversion::Span& span, std::int32_t polygon, bool dir
     z = direct || x == span.first ? scan_conversion::depth_on(span, x) : z + span.dz_dx;
     record(step::interpolate_z, DepthInterpolate{x, y, z});
 
-    double& stored = line[static_cast<std::size_t>(x)];
+    double& stored = line[x];
     const bool is_nearer = z < stored;
     record(step::compare, DepthCompare{x, y, z, is_nearer});
     if (!is_nearer) continue;

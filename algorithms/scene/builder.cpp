@@ -16,14 +16,13 @@
 #include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/files/tokens.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::scene {
 
 namespace {
 
-const glm::dvec3& at(std::span<const glm::dvec3> points, std::int32_t corner) {
-  return points[static_cast<std::size_t>(corner)];
-}
+const glm::dvec3& at(std::span<const glm::dvec3> points, std::int32_t corner) { return points[corner]; }
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -75,10 +74,10 @@ bool EarClipper::cut(std::span<const glm::dvec3> points, std::span<const std::in
   std::vector<glm::dvec2> flat;
   for (const std::int32_t corner : corners) flat.push_back(flatten(at(points, corner), normal));
   std::vector<std::int32_t> left(corners.size());  // places in `corners`, in order
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] = index32(i);
   const std::size_t before = triangles.size();
 
-  const auto p = [&](std::size_t i) { return flat[static_cast<std::size_t>(left[i])]; };
+  const auto p = [&](std::size_t i) { return flat[left[i]]; };
   std::size_t start = 0;
   while (left.size() > 3) {
     const std::size_t n = left.size();
@@ -98,7 +97,7 @@ bool EarClipper::cut(std::span<const glm::dvec3> points, std::span<const std::in
       for (std::size_t j = 0; j < n && empty; ++j) {
         if (j == previous || j == i || j == next) continue;
         ++steps_;
-        const glm::dvec2 q = flat[static_cast<std::size_t>(left[j])];
+        const glm::dvec2 q = flat[left[j]];
         if (q == a || q == b || q == c) continue;  // the same place again, as where a hole is bridged
         empty = !(cross(b - a, q - a) >= 0 && cross(c - b, q - b) >= 0 && cross(a - c, q - c) >= 0);
       }
@@ -110,11 +109,11 @@ bool EarClipper::cut(std::span<const glm::dvec3> points, std::span<const std::in
     }
     if (ear == n) ear = sharpest;
     const std::size_t previous = (ear + n - 1) % n, next = (ear + 1) % n;
-    for (const std::size_t i : {previous, ear, next}) triangles.push_back(corners[static_cast<std::size_t>(left[i])]);
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
+    for (const std::size_t i : {previous, ear, next}) triangles.push_back(corners[left[i]]);
+    left.erase(left.begin() + ear);
     start = ear;  // the next candidate is the corner after the ear, so that ears come from all round
   }
-  for (const std::int32_t i : left) triangles.push_back(corners[static_cast<std::size_t>(i)]);
+  for (const std::int32_t i : left) triangles.push_back(corners[i]);
   return true;
 }
 
@@ -144,14 +143,14 @@ std::vector<std::int32_t> outline_of(std::span<const glm::dvec3> points, std::sp
 
 void put_in_order(Scene& scene, std::span<const std::int32_t> place_of) {
   const std::vector<Polygon> polygons = scene.polygons;
-  for (std::size_t k = 0; k < polygons.size(); ++k) scene.polygons[static_cast<std::size_t>(place_of[k])] = polygons[k];
+  for (std::size_t k = 0; k < polygons.size(); ++k) scene.polygons[place_of[k]] = polygons[k];
   std::vector<Facet> facets = std::exchange(scene.facets, {});
   const std::vector<std::int32_t> corners = std::exchange(scene.corners, {});
-  for (Facet& facet : facets) facet.polygon = place_of[static_cast<std::size_t>(facet.polygon)];
+  for (Facet& facet : facets) facet.polygon = place_of[facet.polygon];
   std::stable_sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.polygon < b.polygon; });
   for (Facet facet : facets) {
     const auto first = corners.begin() + facet.first_corner;
-    facet.first_corner = static_cast<std::int32_t>(scene.corners.size());
+    facet.first_corner = size32(scene.corners);
     scene.corners.insert(scene.corners.end(), first, first + facet.corner_count);
     scene.facets.push_back(facet);
   }
@@ -183,8 +182,8 @@ void note_topology(const PolygonSoup& soup, const std::string& where, std::int64
     double volume = 0;  // six times the signed volume: negative when the outside is inside
     for (const Facet& outline : soup.outlines)
       if (outline.corner_count >= 3)
-        volume += glm::dot(soup.points[static_cast<std::size_t>(soup.corners_of(outline)[0])],
-                           newell_normal(soup.points, soup.corners_of(outline)));
+        volume +=
+            glm::dot(soup.points[soup.corners_of(outline)[0]], newell_normal(soup.points, soup.corners_of(outline)));
     if (volume < 0)
       notes.push_back(
           fmt::format("{}: the polygons run clockwise seen from outside: all of them count as back faces", where));
@@ -193,12 +192,10 @@ void note_topology(const PolygonSoup& soup, const std::string& where, std::int64
 
 /// Does any of the facets from `first` on enclose an area?
 bool has_area(const Scene& scene, std::size_t first) {
-  return std::any_of(scene.facets.begin() + static_cast<std::ptrdiff_t>(first), scene.facets.end(),
-                     [&](const Facet& facet) {
-                       const std::span corners(scene.corners.data() + facet.first_corner,
-                                               static_cast<std::size_t>(facet.corner_count));
-                       return newell_normal(scene.points, corners) != glm::dvec3(0);
-                     });
+  return std::any_of(scene.facets.begin() + first, scene.facets.end(), [&](const Facet& facet) {
+    const std::span corners(scene.corners.data() + facet.first_corner, static_cast<std::size_t>(facet.corner_count));
+    return newell_normal(scene.points, corners) != glm::dvec3(0);
+  });
 }
 
 }  // namespace
@@ -227,8 +224,8 @@ void SceneBuilder::keep_origins(const PolygonSoup& soup, const std::string& wher
     scene.file_points.insert(scene.file_points.end(), soup.points.begin(), soup.points.end());
   if (!style.is_placed_mesh()) return;
   Placement placement = style.placement;
-  placement.first_point = static_cast<std::int32_t>(first);
-  placement.point_count = static_cast<std::int32_t>(count);
+  placement.first_point = index32(first);
+  placement.point_count = index32(count);
   placement.source = where;
   placement.line = style.line;
   scene.placements.push_back(std::move(placement));
@@ -251,7 +248,7 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
   check_limits(soup, where);
   cut_ = too_few_corners_ = no_area_ = 0;
   Scene& scene = file_.scene;
-  const auto first_point = static_cast<std::int32_t>(scene.points.size());
+  const auto first_point = size32(scene.points);
   const bool mirrored = glm::determinant(style.placement.linear) < 0;
   scene.polygons.reserve(scene.polygons.size() + soup.outlines.size());
   scene.facets.reserve(scene.facets.size() + soup.outlines.size());
@@ -278,7 +275,7 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
     else polygon.color = palette[scene.polygons.size() % palette.size()];
 
     polygon.material = style.material.over(soup.materials.empty() ? Material{} : soup.materials[k]);
-    const auto id = static_cast<std::int32_t>(scene.polygons.size());
+    const auto id = size32(scene.polygons);
     for (std::int32_t& corner : ring_) corner += first_point;
     const std::size_t facets = scene.facets.size();
     add_facets(ring_, id, where, line);
@@ -313,8 +310,7 @@ void SceneBuilder::add_facets(std::span<const std::int32_t> corners, std::int32_
   const auto append = [&](std::span<const std::int32_t> piece) {
     if (static_cast<std::int64_t>(scene.corners.size() + piece.size()) > most_corners)
       PolygonSoup::too_much(at_line(where, line), "corners", most_corners);
-    scene.facets.push_back(
-        {polygon, static_cast<std::int32_t>(scene.corners.size()), static_cast<std::int32_t>(piece.size())});
+    scene.facets.push_back({polygon, size32(scene.corners), size32(piece)});
     scene.corners.insert(scene.corners.end(), piece.begin(), piece.end());
   };
   if (is_planar(scene.points, corners)) return append(corners);

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "traces/scene.hpp"
+
 namespace zstep::scene {
 
 namespace {
@@ -98,7 +100,7 @@ class Builder {
   Builder(std::span<const glm::dvec3> points, std::size_t faces, std::size_t corners)
       : points_(points), vertex_of_point_(points.size()), valence_(points.size(), 0), mark_(points.size(), -1) {
     mesh_.half_edges.reserve(points.size(), std::min(corners, std::size_t{1} << 22), faces);
-    for (std::size_t i = 0; i < points.size(); ++i) vertex_of_point_[i] = add_vertex(static_cast<std::int32_t>(i));
+    for (std::size_t i = 0; i < points.size(); ++i) vertex_of_point_[i] = add_vertex(index32(i));
   }
 
   void add(std::span<const std::int32_t> corners) {
@@ -106,7 +108,7 @@ class Builder {
     face_.clear();
     bool repeats = false;
     for (const std::int32_t point : corners) {
-      const auto p = static_cast<std::size_t>(point);
+      const std::size_t p = point;
       repeats = repeats || mark_[p] == face_number;
       mark_[p] = face_number;
       // Where faces stand all round the point already, another surface touches it: that one has a vertex of its own
@@ -127,7 +129,7 @@ class Builder {
 
  private:
   HalfEdgeMesh::VertexHandle add_vertex(std::int32_t point) {
-    const glm::dvec3 p = point < 0 ? glm::dvec3(0) : points_[static_cast<std::size_t>(point)];
+    const glm::dvec3 p = point < 0 ? glm::dvec3(0) : points_[point];
     const auto vertex = mesh_.half_edges.add_vertex(HalfEdgeMesh::Point(p.x, p.y, p.z));
     mesh_.half_edges.data(vertex).point = point;
     return vertex;
@@ -139,7 +141,7 @@ class Builder {
     while (face_.size() < 3) face_.push_back(add_vertex(corners.empty() ? -1 : corners.front()));
     mesh_.half_edges.add_face(face_);
     ++mesh_.loose_faces;
-    loose_edges_ += static_cast<std::int64_t>(face_.size());
+    loose_edges_ += std::ssize(face_);
   }
 
   // To add a face OpenMesh walks round each of its vertices. A file of millions of triangles at one point would keep it
@@ -149,7 +151,7 @@ class Builder {
     constexpr std::int32_t crowded = 32;
     std::int32_t most = 0;
     for (const std::int32_t point : corners) {
-      std::int32_t& valence = valence_[static_cast<std::size_t>(point)];
+      std::int32_t& valence = valence_[point];
       if (steps_ > budget && valence > crowded) return false;
       most = std::max(most, ++valence);
       if (valence > crowded) steps_ += valence;
@@ -172,9 +174,7 @@ Mesh build_mesh(std::span<const glm::dvec3> points, std::span<const Facet> faces
                 std::span<const std::int32_t> corners) {
   const SilentOpenMesh silent;
   Builder builder(points, faces.size(), corners.size());
-  for (const Facet& face : faces)
-    builder.add(
-        corners.subspan(static_cast<std::size_t>(face.first_corner), static_cast<std::size_t>(face.corner_count)));
+  for (const Facet& face : faces) builder.add(corners.subspan(face.first_corner, face.corner_count));
   return builder.finish();
 }
 

@@ -70,7 +70,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
       record(step::compare_light, ShadowCompare{x, y, at.x, at.y, at.z, at.lit});
       if (at.lit) continue;
 
-      const Color color = scene.polygons[static_cast<std::size_t>(picture.polygon[pixel])].color;
+      const Color color = scene.polygons[picture.polygon[pixel]].color;
       const auto dark = [](std::uint8_t shade) { return static_cast<std::uint8_t>(std::lround(shade * in_shadow)); };
       const Color shaded{dark(color.red), dark(color.green), dark(color.blue)};
       picture.ink[pixel] = ink_of(shaded);

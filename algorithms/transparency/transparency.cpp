@@ -9,6 +9,7 @@
 #include "algorithms/viewing/clip.hpp"
 #include "traces/formulas/of_light.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::transparency {
 
@@ -27,12 +28,12 @@ struct Turns {
 };
 Turns turns_of(const Scene& scene, Order order) {
   const auto opaque = [&](std::int32_t facet) {
-    const auto polygon = static_cast<std::size_t>(scene.facets[static_cast<std::size_t>(facet)].polygon);
+    const std::size_t polygon = scene.facets[facet].polygon;
     return scene.polygons[polygon].material->opacity >= 1;
   };
   Turns turns;
   std::vector<std::int32_t> transparent;
-  for (std::int32_t facet = 0; facet < static_cast<std::int32_t>(scene.facets.size()); ++facet)
+  for (std::int32_t facet = 0; facet < size32(scene.facets); ++facet)
     (order == Order::file || opaque(facet) ? turns.listed : transparent).push_back(facet);
   if (order == Order::back_to_front) turns.sorted = transparent;
   else turns.listed.insert(turns.listed.end(), transparent.begin(), transparent.end());
@@ -42,7 +43,7 @@ Turns turns_of(const Scene& scene, Order order) {
 template <Recorder R>
 void fill(const viewing::Vertices& vertices, const clipping::Outline& outline, std::int32_t number, const Scene& scene,
           Order order, Picture& picture, R& record) {
-  const Polygon& polygon = scene.polygons[static_cast<std::size_t>(number)];
+  const Polygon& polygon = scene.polygons[number];
   const double opacity = polygon.material->opacity;
   const bool hides = opacity >= 1 || order == Order::file;
   scan_conversion::for_each_span(number, outline, vertices, scene.raster, record, [&](const SpanBegin& span) {
@@ -86,7 +87,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
 
   clipping::Outline outline;
   for (const std::int32_t number : turns.listed) {
-    const Facet& facet = scene.facets[static_cast<std::size_t>(number)];
+    const Facet& facet = scene.facets[number];
     record(step::polygon, PolygonBegin{facet.polygon, number});
     vertices.resize(scene.points.size());  // without those that clipping made for the facet before
     const bool visible = clipping::find_outline(scene, facet, cull, lens, vertices, outline, record);

@@ -18,7 +18,7 @@ bool orthographic(const Scene& scene) { return scene.camera.kind == Camera::Kind
 
 template <class Element>
 const Element& nth(const std::vector<Element>& elements, Corners corners, std::size_t n) {
-  return elements[static_cast<std::size_t>(corners[n < corners.size() ? n : 0])];
+  return elements[corners[n < corners.size() ? n : 0]];
 }
 
 // From the eye to a facet's first corner; for an orthographic camera the direction of all lines of sight.

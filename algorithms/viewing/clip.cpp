@@ -4,6 +4,7 @@
 
 #include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::clipping {
 
@@ -15,9 +16,7 @@ using viewing::Vertices;
 
 constexpr int plane_count = 6;
 
-const Vertex& vertex_at(const Vertices& vertices, std::int32_t index) {
-  return vertices[static_cast<std::size_t>(index)];
-}
+const Vertex& vertex_at(const Vertices& vertices, std::int32_t index) { return vertices[index]; }
 
 // The point at which the edge from a vertex inside to one outside meets the plane. It is always computed from the
 // inside end, so that two polygons that share the edge get the same bits, whichever way round they run along it.
@@ -29,7 +28,7 @@ std::int32_t cross(const Lens& lens, ClipPlane plane, std::int32_t inside, std::
   const double t = formulas::where_zero(d_in, d_out);
   const glm::dvec3 view = formulas::part_of_way(from, to, t);
 
-  const auto made = static_cast<std::int32_t>(vertices.size());
+  const auto made = size32(vertices);
   record(step::clip_cross, ClipCross{plane, inside, outside, t, made, view.x, view.y, view.z});
   vertices.push_back({view, {}, 0});
   return made;
@@ -92,7 +91,7 @@ bool clip(std::int32_t polygon, const Lens& lens, Vertices& vertices, Outline& o
   if (outline.size() < 3) return reject(polygon, Reject::outside, record);
 
   for (const std::int32_t index : outline) {
-    const auto i = static_cast<std::size_t>(index);
+    const std::size_t i = index;
     if (i >= known) viewing::project_vertex(lens, index, vertices[i], record);
   }
   return true;

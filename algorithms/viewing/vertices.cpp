@@ -2,6 +2,7 @@
 #include "algorithms/viewing/vertices.hpp"
 
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewing {
 
@@ -53,7 +54,7 @@ void view_points(const Camera& camera, std::span<const glm::dvec3> points, const
   const std::size_t known = vertices.size();
   vertices.resize(points.size());
   for (std::size_t i = known; i < points.size(); ++i) {
-    const auto index = static_cast<std::int32_t>(i);
+    const auto index = index32(i);
     Vertex& vertex = vertices[i];
     if (camera.kind == Camera::Kind::screen) {
       vertex.raster = points[i];

@@ -7,6 +7,7 @@
 
 #include "algorithms/pieces/pieces.hpp"
 #include "traces/record/all_recorders.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::warnock {
 
@@ -197,7 +198,7 @@ class Subdivision {
     }
   }
 
-  const Shape& shape_of(std::int32_t piece) const { return shapes_[static_cast<std::size_t>(piece)]; }
+  const Shape& shape_of(std::int32_t piece) const { return shapes_[piece]; }
 
   pieces::Pieces all_;
   std::vector<Shape> shapes_;
@@ -216,7 +217,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
 
   pieces::Pieces all = pieces::gather(scene, conventions, record);
   Numbers open(all.pieces.size());
-  for (std::size_t i = 0; i < open.size(); ++i) open[i] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < open.size(); ++i) open[i] = index32(i);
 
   Subdivision work(std::move(all), is_on(options, conventions, "boxes"), picture, record);
   work.settle({0, 0, scene.raster.width, scene.raster.height}, -1, open, {});

@@ -61,7 +61,7 @@ class Shape {
   /// Where edges cross the line of centres of row y, from left to right: it covers the centres x with
   /// crossings[0] <= x < crossings[1] and so on.
   void find_crossings(std::int32_t y, std::vector<double>& crossings) const;
-  std::int32_t edge_count() const { return static_cast<std::int32_t>(edges_.size()); }
+  std::int32_t edge_count() const { return size32(edges_); }
 
  private:
   std::vector<formulas::Segment> edges_;

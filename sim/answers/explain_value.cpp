@@ -6,6 +6,7 @@
 #include "sim/answers/origin/find.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::answers {
 
@@ -27,7 +28,7 @@ bool asks_for(const Question& question, std::uint8_t kind) {
 Chain in_reading_order(Chain chain) {
   std::vector<std::vector<std::size_t>> asked(chain.links.size());
   for (std::size_t i = 1; i < chain.links.size(); ++i)
-    if (chain.links[i].parent >= 0) asked[static_cast<std::size_t>(chain.links[i].parent)].push_back(i);
+    if (chain.links[i].parent >= 0) asked[chain.links[i].parent].push_back(i);
   std::vector<std::size_t> order, stack;
   if (!chain.links.empty()) stack.push_back(0);
   while (!stack.empty()) {
@@ -37,16 +38,16 @@ Chain in_reading_order(Chain chain) {
     stack.insert(stack.end(), asked[link].rbegin(), asked[link].rend());
   }
   std::vector<std::int32_t> place(chain.links.size(), -1);
-  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = index32(i);
   Chain sorted;
   sorted.cut = chain.cut;
   for (const std::size_t link : order) {
     sorted.links.push_back(std::move(chain.links[link]));
     ChainLink& moved = sorted.links.back();
-    if (moved.parent >= 0) moved.parent = place[static_cast<std::size_t>(moved.parent)];
+    if (moved.parent >= 0) moved.parent = place[moved.parent];
     for (ChainValue& value : moved.values)
       for (Operand& operand : value.operands)
-        if (operand.link >= 0) operand.link = place[static_cast<std::size_t>(operand.link)];
+        if (operand.link >= 0) operand.link = place[operand.link];
   }
   return sorted;
 }

@@ -4,6 +4,7 @@
 
 #include "sim/answers/origin/find.hpp"
 #include "traces/file/visit.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::answers {
 
@@ -17,7 +18,7 @@ constexpr std::int64_t near_by = 1 << 15;              // events before where on
 
 PixelCounts::PixelCounts(const Trace& trace) : trace_(&trace), width_(trace.scene().raster.width) {
   const Raster& raster = trace.scene().raster;
-  const std::size_t pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+  const std::size_t pixels = static_cast<std::size_t>(raster.width) * raster.height;
   for (auto& counts : now_.counts) counts.assign(pixels, 0);
   now_.counts[static_cast<std::size_t>(Count::first)].assign(pixels, no_polygon);
   now_.counts[static_cast<std::size_t>(Count::last)].assign(pixels, no_polygon);
@@ -34,10 +35,10 @@ void PixelCounts::cover(std::size_t pixel, std::int32_t polygon) {
   if (polygon == no_polygon || now_.covered_by[pixel] == polygon) return;
   now_.covered_by[pixel] = polygon;
   if (comes_back_) {
-    for (std::int32_t at = now_.last_met[pixel]; at >= 0; at = now_.met[static_cast<std::size_t>(at)].before)
-      if (now_.met[static_cast<std::size_t>(at)].polygon == polygon) return;
+    for (std::int32_t at = now_.last_met[pixel]; at >= 0; at = now_.met[at].before)
+      if (now_.met[at].polygon == polygon) return;
     now_.met.push_back({polygon, now_.last_met[pixel]});
-    now_.last_met[pixel] = static_cast<std::int32_t>(now_.met.size()) - 1;
+    now_.last_met[pixel] = size32(now_.met) - 1;
   }
   ++now_.counts[static_cast<std::size_t>(Count::covers)][pixel];
 }
@@ -79,7 +80,7 @@ void PixelCounts::take(const E& event) {
       const bool eye = event.role == RayRole::eye;
       now_.ray_x = eye ? event.x : -1, now_.ray_y = eye ? event.y : -1;
     } else if constexpr (std::is_same_v<E, DepthCompare>) {
-      const auto edge = static_cast<std::size_t>(now_.span_edge);
+      const std::size_t edge = now_.span_edge;
       cover(pixel, edge < now_.edges.size() ? now_.edges[edge] : now_.polygon);
       if (!event.nearer) ++counts(Count::failed);
     } else if constexpr (std::is_same_v<E, ColorWrite>) {

@@ -17,6 +17,7 @@
 #include "sim/words/rejects.hpp"
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::answers {
 
@@ -123,7 +124,7 @@ class History {
       if (!at || !at->candidate.covers) continue;
       const bool away = trace_.header().conventions.cull && scene.camera.kind != Camera::Kind::screen &&
                         !compare::facet_at(scene, facet, true, pixel_.x, pixel_.y);
-      const auto polygon = static_cast<std::size_t>(at->candidate.polygon);
+      const std::size_t polygon = at->candidate.polygon;
       there_[polygon] = true, (away ? away_ : towards_)[polygon] = true;
       facets_there_.insert(facet);
       if (away || !at->candidate.sure()) continue;
@@ -176,7 +177,7 @@ class History {
     const auto marks = trace_.polygons();
     const auto listed = all_rejects();
     for (std::size_t i = 0; i < marks.size(); ++i) {
-      if (!there_[static_cast<std::size_t>(marks[i].polygon)]) continue;
+      if (!there_[marks[i].polygon]) continue;
       const std::int64_t begin = marks[i].position,
                          end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
       for (const RejectMark& reject : listed ? rejects_among(*listed, begin, end) : rejects_within(begin, end)) {
@@ -188,7 +189,7 @@ class History {
     if (!marks.empty() && !tree) return;
     std::vector<bool> of_node = away_;  // one piece of a polygon that was cut is enough
     for (const RejectMark& reject : trace_.rejects()) {
-      const auto polygon = static_cast<std::size_t>(reject.polygon);
+      const std::size_t polygon = reject.polygon;
       if (!tree && there_[polygon]) add_rejected(reject);
       if (tree && reject.reason == Reject::back_facing && of_node[polygon])
         add_rejected(reject), of_node[polygon] = false;
@@ -241,10 +242,10 @@ class History {
     if (settled && !all_come) return;
     std::vector<bool> came(there_.size());
     for (const Visit& visit : visits_)
-      if (visit.polygon != no_polygon) came[static_cast<std::size_t>(visit.polygon)] = true;
+      if (visit.polygon != no_polygon) came[visit.polygon] = true;
     for (std::size_t polygon = 0; polygon < towards_.size(); ++polygon) {
       if (!towards_[polygon] || came[polygon] || (!cut() && begun()[polygon])) continue;
-      Visit& visit = add(trace_.size(), static_cast<std::int32_t>(polygon), Outcome::cut_off);
+      Visit& visit = add(trace_.size(), index32(polygon), Outcome::cut_off);
       visit.reason = cut() ? "the recording was cut off before its turn"
                            : fmt::format("the trace ends at step {}, before work on it begins", grouped(trace_.size()));
       visit.sentence = fmt::format("{} covers pixel ({}, {}), but {}{}.", polygon_label(trace_.scene(), visit.polygon),

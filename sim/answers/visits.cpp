@@ -6,6 +6,7 @@
 
 #include "traces/codec/scene_geometry.hpp"
 #include "traces/replay/key_frames.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::answers {
 
@@ -22,7 +23,7 @@ std::vector<bool> begun_polygons(const Trace& trace) {
   // Rays come to no polygon; and what is dropped without its work beginning is in the list of rejects.
   if (trace.polygons().empty() || trace.has(kind_of<RayBegin>) || trace.has(kind_of<PolygonReject>)) return {};
   std::vector<bool> begun(trace.scene().polygons.size(), false);
-  for (const PolygonMark& mark : trace.polygons()) begun[static_cast<std::size_t>(mark.polygon)] = true;
+  for (const PolygonMark& mark : trace.polygons()) begun[mark.polygon] = true;
   const bool all = std::find(begun.begin(), begun.end(), false) == begun.end();
   return all ? std::vector<bool>{} : begun;
 }
@@ -43,7 +44,7 @@ FacetsNear::FacetsNear(const Trace& trace) : begun_(begun_polygons(trace)) {
   for (std::size_t i = 0; i < scene.facets.size(); ++i) {
     double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
     bool before_eye = true;
-    for (const std::int32_t corner : facts.corners(static_cast<std::int32_t>(i))) {
+    for (const std::int32_t corner : facts.corners(index32(i))) {
       const codec::VertexGeometry& vertex = facts.of_point(corner);
       before_eye = before_eye && (!facts.viewed() || vertex.view.z >= nearest) && std::isfinite(vertex.raster.x) &&
                    std::isfinite(vertex.raster.y);
@@ -51,7 +52,7 @@ FacetsNear::FacetsNear(const Trace& trace) : begun_(begun_polygons(trace)) {
       top = std::min(top, vertex.raster.y), bottom = std::max(bottom, vertex.raster.y);
     }
     if (!before_eye) {
-      anywhere_.push_back(static_cast<std::int32_t>(i));
+      anywhere_.push_back(index32(i));
       continue;
     }
     Squares& squares = of_facet[i];
@@ -61,7 +62,7 @@ FacetsNear::FacetsNear(const Trace& trace) : begun_(begun_polygons(trace)) {
     squares.bottom = std::min(squares_down - 1, square(bottom + margin, squares_down));
   }
 
-  first_.assign(static_cast<std::size_t>(squares_across_) * static_cast<std::size_t>(squares_down) + 1, 0);
+  first_.assign(static_cast<std::size_t>(squares_across_) * squares_down + 1, 0);
   const auto for_each_square = [&](const Squares& squares, const auto& each) {
     for (std::int32_t row = squares.top; row <= squares.bottom; ++row)
       for (std::int32_t column = squares.left; column <= squares.right; ++column)
@@ -72,7 +73,7 @@ FacetsNear::FacetsNear(const Trace& trace) : begun_(begun_polygons(trace)) {
   facets_.resize(first_.back());
   std::vector<std::size_t> next = first_;
   for (std::size_t i = 0; i < of_facet.size(); ++i)
-    for_each_square(of_facet[i], [&](std::size_t at) { facets_[next[at]++] = static_cast<std::int32_t>(i); });
+    for_each_square(of_facet[i], [&](std::size_t at) { facets_[next[at]++] = index32(i); });
 }
 
 std::vector<std::int32_t> FacetsNear::near(Trace::Pixel pixel) const {
@@ -81,8 +82,7 @@ std::vector<std::int32_t> FacetsNear::near(Trace::Pixel pixel) const {
   std::vector<std::int32_t> found;
   const auto at = static_cast<std::size_t>(row * squares_across_ + column);
   if (pixel.x < 0 || pixel.y < 0 || column >= squares_across_ || at + 1 >= first_.size()) return found;
-  std::merge(facets_.begin() + static_cast<std::ptrdiff_t>(first_[at]),
-             facets_.begin() + static_cast<std::ptrdiff_t>(first_[at + 1]), anywhere_.begin(), anywhere_.end(),
+  std::merge(facets_.begin() + first_[at], facets_.begin() + (first_[at + 1]), anywhere_.begin(), anywhere_.end(),
              std::back_inserter(found));
   return found;
 }

@@ -12,6 +12,7 @@
 #include "sim/answers/why_not_parts.hpp"
 #include "sim/words/owners.hpp"
 #include "traces/replay/replay.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::answers {
 
@@ -39,8 +40,7 @@ Asked::Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel 
       where(fmt::format("at pixel ({}, {})", at.x, at.y)),
       z(depth_symbol(scene, asked.header().conventions)),
       at_hand_(at_hand) {
-  if (of < 0 || static_cast<std::size_t>(of) >= scene.polygons.size())
-    throw std::out_of_range("why_not: no such polygon");
+  if (of < 0 || of >= std::ssize(scene.polygons)) throw std::out_of_range("why_not: no such polygon");
   const Raster& raster = scene.raster;
   if (at.x < 0 || at.y < 0 || at.x >= raster.width || at.y >= raster.height)
     throw std::out_of_range("why_not: no such pixel");
@@ -49,7 +49,7 @@ Asked::Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel 
 std::vector<std::int32_t> Asked::facets() const {
   std::vector<std::int32_t> found;
   for (std::size_t k = 0; k < scene.facets.size(); ++k)
-    if (scene.facets[k].polygon == polygon) found.push_back(static_cast<std::int32_t>(k));
+    if (scene.facets[k].polygon == polygon) found.push_back(index32(k));
   return found;
 }
 
@@ -123,9 +123,9 @@ Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Re
 }
 
 std::optional<std::int32_t> polygon_called(const Scene& scene, const std::string& text) {
-  const auto count = static_cast<std::int32_t>(scene.polygons.size());
+  const auto count = size32(scene.polygons);
   for (std::int32_t k = 0; k < count; ++k)
-    if (*scene.polygons[static_cast<std::size_t>(k)].name == text && !text.empty()) return k;
+    if (*scene.polygons[k].name == text && !text.empty()) return k;
   const std::size_t skip = text.size() > 1 && (text[0] == 'P' || text[0] == 'p') ? 1 : 0;
   std::int32_t number = -1;
   const char *first = text.data() + skip, *last = text.data() + text.size();
@@ -155,7 +155,7 @@ std::vector<Covered> covered(const Asked& q, const std::vector<FacetThere>& face
   Scene alone = q.scene;
   alone.facets.clear();
   for (const FacetThere& there : facets)
-    if (!there.rejected() && !there.away) alone.facets.push_back(q.scene.facets[static_cast<std::size_t>(there.facet)]);
+    if (!there.rejected() && !there.away) alone.facets.push_back(q.scene.facets[there.facet]);
   if (alone.facets.empty()) return {};
   const compare::Truth truth(alone, false);
   std::vector<Covered> all;
@@ -215,7 +215,7 @@ std::string fate(const Asked& q, const std::vector<Covered>& all) {
 /// The first pixel whose centre the facet surely covers, whatever way it faces.
 std::optional<Trace::Pixel> covered_pixel(const Asked& q, std::int32_t facet) {
   Scene alone = q.scene;
-  alone.facets = {q.scene.facets[static_cast<std::size_t>(facet)]};
+  alone.facets = {q.scene.facets[facet]};
   const compare::Truth truth(alone, false);
   for (std::int32_t y = 0; y < truth.height(); ++y)
     for (std::int32_t x = 0; x < truth.width(); ++x)

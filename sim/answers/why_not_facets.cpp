@@ -11,9 +11,8 @@ namespace zstep::answers {
 namespace {
 
 std::span<const std::int32_t> corners_of(const Scene& scene, std::int32_t facet) {
-  const Facet& shape = scene.facets[static_cast<std::size_t>(facet)];
-  return std::span(scene.corners)
-      .subspan(static_cast<std::size_t>(shape.first_corner), static_cast<std::size_t>(shape.corner_count));
+  const Facet& shape = scene.facets[facet];
+  return std::span(scene.corners).subspan(shape.first_corner, shape.corner_count);
 }
 
 bool in_space(const Scene& scene) { return scene.camera.kind != Camera::Kind::screen; }
@@ -67,7 +66,7 @@ std::int64_t facing_test_of(const Trace& trace, const FacetThere& there) {
 void add_facing(Asked& q, Verdict& verdict, const FacetThere& there) {
   const auto corners = corners_of(q.scene, there.facet);
   const bool parallel = q.scene.camera.kind == Camera::Kind::orthographic;
-  const glm::dvec3 p = q.scene.points[static_cast<std::size_t>(corners[0])], e = q.scene.camera.eye;
+  const glm::dvec3 p = q.scene.points[corners[0]], e = q.scene.camera.eye;
   const glm::dvec3 n = clipping::newell_normal(q.scene, corners);
   const double value = clipping::view_dot_normal(q.scene, corners);
   if (!(value > 0)) return;

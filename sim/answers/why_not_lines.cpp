@@ -126,7 +126,7 @@ std::string place_text(double t, double from, double to) {
 /// Do all polygons at the edge face away, or lie edge-on?
 bool all_away(const Asked& q, const DrawnEdge& line) {
   for (const std::int32_t facet : {line.row.entry.left_facet, line.row.entry.right_facet}) {
-    if (facet < 0 || static_cast<std::size_t>(facet) >= q.scene.facets.size()) continue;
+    if (facet < 0 || facet >= std::ssize(q.scene.facets)) continue;
     if (!check_reject(q.scene, facet, Reject::back_facing, nullptr).holds) return false;
   }
   return true;
@@ -249,8 +249,7 @@ std::set<std::int32_t> corners_of(const Asked& q, std::int32_t polygon) {
   std::set<std::int32_t> corners;
   for (const Facet& facet : q.scene.facets) {
     if (facet.polygon != polygon) continue;
-    for (std::int32_t k = 0; k < facet.corner_count; ++k)
-      corners.insert(q.scene.corners[static_cast<std::size_t>(facet.first_corner + k)]);
+    for (std::int32_t k = 0; k < facet.corner_count; ++k) corners.insert(q.scene.corners[facet.first_corner + k]);
   }
   return corners;
 }
@@ -270,7 +269,7 @@ std::int32_t owner_of(const Asked& q, std::int64_t step) {
   for (const Facet& facet : q.scene.facets) {
     int found = 0;
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-      const std::int32_t corner = q.scene.corners[static_cast<std::size_t>(facet.first_corner + k)];
+      const std::int32_t corner = q.scene.corners[facet.first_corner + k];
       found += corner == segment.vertex_0 || corner == segment.vertex_1;
     }
     if (found == 2 && facet.polygon != q.polygon) return facet.polygon;

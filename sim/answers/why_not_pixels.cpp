@@ -6,6 +6,7 @@
 
 #include "sim/answers/why_not_parts.hpp"
 #include "traces/file/header.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::answers {
 
@@ -16,16 +17,15 @@ namespace {
 std::int32_t node_of(const MethodState& machine, std::int32_t piece) {
   for (std::size_t node = 0; node < machine.tree.size(); ++node)
     for (const std::int32_t held : machine.tree[node].pieces)
-      if (held == piece) return static_cast<std::int32_t>(node);
+      if (held == piece) return index32(node);
   return -1;
 }
 
 /// The node whose subtree holds both, nearest to them; -1 if there is none.
 std::int32_t node_over_both(const MethodState& machine, std::int32_t one, std::int32_t other) {
   std::vector<std::int32_t> above;
-  for (std::int32_t node = one; node >= 0; node = machine.tree[static_cast<std::size_t>(node)].parent)
-    above.push_back(node);
-  for (std::int32_t node = other; node >= 0; node = machine.tree[static_cast<std::size_t>(node)].parent)
+  for (std::int32_t node = one; node >= 0; node = machine.tree[node].parent) above.push_back(node);
+  for (std::int32_t node = other; node >= 0; node = machine.tree[node].parent)
     for (const std::int32_t known : above)
       if (known == node) return node;
   return -1;
@@ -36,7 +36,7 @@ void add_tree(Asked& q, const MethodState& machine, Verdict& verdict, std::int32
   const std::int32_t mine = node_of(machine, piece), other = node_of(machine, later);
   const std::int32_t node = node_over_both(machine, mine, other);
   if (node < 0) return;
-  const TreeNode& parting = machine.tree[static_cast<std::size_t>(node)];
+  const TreeNode& parting = machine.tree[node];
   const std::string wall = piece_label(q.scene, machine, parting.pieces.front());
   if (mine == other) {
     verdict.sentence += keeps_first(q.trace.header())
@@ -76,14 +76,12 @@ void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t la
   verdict.chain.push_back({*first, q.polygon, fmt::format("{} is drawn", label(piece))});
   verdict.chain.push_back({*second, verdict.other, fmt::format("{} is drawn", label(other))});
   if (records<EyeSide>(q.trace)) return add_tree(q, machine, verdict, piece, other, *first);
-  const Piece &mine = machine.pieces[static_cast<std::size_t>(piece)],
-              &its = machine.pieces[static_cast<std::size_t>(other)];
+  const Piece &mine = machine.pieces[piece], &its = machine.pieces[other];
   const std::vector<std::int32_t> places = draw_places(machine);
   if (mine.extent && its.extent)
     verdict.formulas.push_back(fmt::format("farthest {} of {} = {}, of {} = {}; drawn as number {} and {}", q.z,
                                            label(piece), told(mine.extent->z_max), label(other),
-                                           told(its.extent->z_max), places[static_cast<std::size_t>(piece)] + 1,
-                                           places[static_cast<std::size_t>(other)] + 1));
+                                           told(its.extent->z_max), places[piece] + 1, places[other] + 1));
 }
 
 namespace {

@@ -121,7 +121,7 @@ void check_no_literal(std::string_view all, const Place& place) {
       },
       [](std::string_view, std::int32_t) {});
   for (const std::string_view prose : prose_of(outside)) {
-    const auto start = static_cast<std::size_t>(prose.data() - outside.data());
+    const std::size_t start = prose.data() - outside.data();
     for (std::size_t at = prose.find_first_of(ascii_digits); at != prose.npos;
          at = prose.find_first_of(ascii_digits, at)) {
       const std::size_t begin = at;

@@ -23,6 +23,7 @@
 #include "sim/classroom/marking.hpp"
 #include "traces/error.hpp"
 #include "traces/file/files.hpp"
+#include "traces/scene.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::classroom {
@@ -323,7 +324,7 @@ std::vector<Line> split_lines(std::string_view text, const std::string& file) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    lines.push_back({line, static_cast<std::int32_t>(lines.size()) + 1});
+    lines.push_back({line, size32(lines) + 1});
     if (!is_utf8(line))
       throw InputError(fmt::format("{}:{}", file, lines.size()), "the line is not UTF-8", "save the file as UTF-8");
     text.remove_prefix(std::min(end + 1, text.size()));

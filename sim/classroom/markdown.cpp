@@ -6,6 +6,7 @@
 
 #include <md4c.h>
 
+#include "traces/scene.hpp"
 #include "traces/text.hpp"
 
 namespace zstep {
@@ -27,7 +28,7 @@ struct Builder {
   TextBlock& begin(TextBlock::Kind kind) {
     blocks.emplace_back();
     blocks.back().kind = kind;
-    blocks.back().depth = static_cast<std::int32_t>(lists.size());
+    blocks.back().depth = size32(lists);
     return blocks.back();
   }
 

@@ -271,7 +271,7 @@ std::size_t corner(const Moment& moment, double which) {
   const std::int32_t facet = moment.state().machine.facet;
   if (facet < 0)
     throw InputError(moment.where, "there is no polygon at work at this step", "attach the stop to a later step");
-  const Facet& at_work = scene.facets[static_cast<std::size_t>(facet)];
+  const Facet& at_work = scene.facets[facet];
   const std::size_t place = index(moment, which, static_cast<std::size_t>(at_work.corner_count), "corner");
   return static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(at_work.first_corner) + place]);
 }

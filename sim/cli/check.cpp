@@ -74,8 +74,7 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
     fmt::print("Not in the run, and so not judged: {}\n", fmt::join(never, ", "));
   fmt::print("\n");
   if (report.causes.empty()) return fmt::print("{}", end.empty() ? verdict_in_words(report) + "\n" : end);
-  fmt::print("{}: {} wrong, {} more follow from {}\n\n",
-             counted(static_cast<std::int64_t>(report.causes.size()), "cause", "causes"),
+  fmt::print("{}: {} wrong, {} more follow from {}\n\n", counted(std::ssize(report.causes), "cause", "causes"),
              counted(report.wrong_steps, "step is", "steps are"), grouped(report.inherited),
              report.causes.size() == 1 ? "it" : "them");
   if (!hint.empty()) fmt::print("{}\n\n", hint);

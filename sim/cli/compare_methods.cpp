@@ -65,9 +65,9 @@ void write_comparison(const CompareOptions& options, const std::string& csv, con
 #if ZSTEP_HAS_VIEWER
 Drawing chart_of(const Scene& scene, const std::vector<compare::Compared>& methods, double limit) {
   DotChart chart;
-  chart.title = fmt::format("{}: {}, {} x {} pixels", scene.name,
-                            counted(static_cast<std::int64_t>(scene.polygons.size()), "polygon", "polygons"),
-                            scene.raster.width, scene.raster.height);
+  chart.title =
+      fmt::format("{}: {}, {} x {} pixels", scene.name, counted(std::ssize(scene.polygons), "polygon", "polygons"),
+                  scene.raster.width, scene.raster.height);
   chart.subtitle = fmt::format(
       "Time: of the processor, median of runs without recording. Memory: the most held at once. Pixels: against {}.",
       methods.front().title);
@@ -169,8 +169,8 @@ std::string end_text(const Measured& measured, double limit) {
 void print_summary(const CompareOptions& options, const Run& run, const std::vector<Compared>& all) {
   using enum Table::Align;
   fmt::print("{}: {}, {}x{} pixels. Pictures are held against that of {}.\n\n", run.scene.name,
-             counted(static_cast<std::int64_t>(run.scene.polygons.size()), "polygon", "polygons"),
-             run.scene.raster.width, run.scene.raster.height, all.front().title);
+             counted(std::ssize(run.scene.polygons), "polygon", "polygons"), run.scene.raster.width,
+             run.scene.raster.height, all.front().title);
   Table table({left, right, right, right, right, right, right, right, right, right});
   table.row({"METHOD", "EQUAL", "EDGES", "TIES", "WRONG", "COLOUR", "STEPS", "MEMORY", "TIME", "RUNS"});
   std::string ends;

@@ -28,6 +28,7 @@
 
 #if ZSTEP_HAS_VIEWER
 #include "sim/viewer/charts/chart.hpp"
+#include "traces/scene.hpp"
 #endif
 
 namespace zstep::cli {
@@ -267,7 +268,7 @@ Drawing chart_of(const Sweep& sweep, const Scene& scene, const std::vector<doubl
   };
   for (std::size_t mode = 0; mode < runs.front().size(); ++mode) {
     const std::string& name = runs.front()[mode].mode.text;
-    const int look = static_cast<int>(mode);
+    const int look = index32(mode);
     add(name, look, false, [&](std::size_t k) { return runs[k][mode].errors.largest; });
     add("", look, true, [&](std::size_t k) { return runs[k][mode].errors.unit_at_gap; });
   }
@@ -511,8 +512,8 @@ Drawing chart_of(const CompareOptions& options, const std::vector<Row>& rows, st
   chart.x_title = "polygons", chart.y_title = unit ? "cost" : "milliseconds";
   chart.x_ticks.assign(table_sizes.begin(), table_sizes.end());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    LineChart::Line measured{std::string(rows[k].method->title), {}, false, static_cast<int>(k)};
-    LineChart::Line book{std::string(rows[k].method->title) + ", book", {}, true, static_cast<int>(k)};
+    LineChart::Line measured{std::string(rows[k].method->title), {}, false, index32(k)};
+    LineChart::Line book{std::string(rows[k].method->title) + ", book", {}, true, index32(k)};
     for (std::size_t n = 0; n < columns; ++n) {
       if (rows[k].cells[n].seconds)
         measured.points.emplace_back(table_sizes[n], *rows[k].cells[n].seconds / unit.value_or(1e-3));

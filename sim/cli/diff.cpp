@@ -72,8 +72,7 @@ struct BothRuns {
 
 std::string not_followed_text(const diff::DiffReport& report) {
   return fmt::format("the runs differ in many steps: causes were looked for among the first {}, {} more were counted",
-                     grouped(static_cast<std::int64_t>(report.alignment.differences.size())),
-                     grouped(report.alignment.not_kept));
+                     grouped(std::ssize(report.alignment.differences)), grouped(report.alignment.not_kept));
 }
 
 /// Opens the viewer with them, which may outlive this call.

@@ -236,7 +236,7 @@ int sheet(const Trace& trace, const ExportOptions& options) {
   if (options.sheet.value_or(1) > most_on_a_sheet)
     throw InputError("--sheet", fmt::format("has more than {} pictures", most_on_a_sheet), "give a smaller number");
   const std::vector<std::int64_t> steps = steps_of(trace, options, options.sheet.value_or(0));
-  const auto count = static_cast<std::int64_t>(steps.size());
+  const std::int64_t count = steps.size();
   if (count > most_on_a_sheet)
     throw InputError("--steps", fmt::format("are more than {}", most_on_a_sheet), "name fewer");
   PictureOptions pictures = how(options, 400, 340);
@@ -274,9 +274,8 @@ int film(const Trace& trace, const ExportOptions& options) {
   }
   watch.clear_line();
   video.finish();
-  say_written(options.out, fmt::format("{} at {} a second, {}x{} pixels",
-                                       counted(static_cast<std::int64_t>(steps.size()), "frame", "frames"), fps,
-                                       size.width, size.height));
+  say_written(options.out, fmt::format("{} at {} a second, {}x{} pixels", counted(std::ssize(steps), "frame", "frames"),
+                                       fps, size.width, size.height));
   return exit_code::done;
 }
 

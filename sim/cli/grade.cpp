@@ -327,7 +327,7 @@ int grade_class(const homework::Homework& given, const GradeOptions& options) {
   }
   watch.clear_line();
   write_whole(options.out, homework::gradebook_csv(given, batch));
-  say_written(options.out, counted(static_cast<std::int64_t>(batch.results.size()), "submission", "submissions") +
+  say_written(options.out, counted(std::ssize(batch.results), "submission", "submissions") +
                                (batch.results.empty() ? "" : ": " + counted_states(batch)));
   if (!options.report.empty()) {
     write_whole(options.report, homework::class_html(given, batch));

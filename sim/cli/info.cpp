@@ -27,6 +27,7 @@
 #include "traces/file/jsonl.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/mistakes/mistake.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -49,16 +50,15 @@ std::string head_text(const Trace& trace, const std::string& path) {
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   std::string size = counted(trace.size(), "step", "steps");
   if (!error) size += fmt::format(" in {} bytes", grouped(static_cast<std::int64_t>(bytes)));
-  if (!error && trace.size() > 0)
-    size += fmt::format(" ({:.2f} a step)", static_cast<double>(bytes) / static_cast<double>(trace.size()));
+  if (!error && trace.size() > 0) size += fmt::format(" ({:.2f} a step)", ratio(bytes, trace.size()));
   table.row({"trace", path});
   table.row({"written by", header.writer});
   table.row({"method", fmt::format("{} ({})", header.title, header.algorithm)});
   table.row({"size", size});
   table.row({"scene", fmt::format("{} ({}): {}, {}, {}", scene.name, scene.source,
-                                  counted(static_cast<std::int64_t>(scene.polygons.size()), "polygon", "polygons"),
-                                  counted(static_cast<std::int64_t>(scene.facets.size()), "facet", "facets"),
-                                  counted(static_cast<std::int64_t>(scene.points.size()), "point", "points"))});
+                                  counted(std::ssize(scene.polygons), "polygon", "polygons"),
+                                  counted(std::ssize(scene.facets), "facet", "facets"),
+                                  counted(std::ssize(scene.points), "point", "points"))});
   table.row({"raster", raster_text(scene.raster)});
   table.row({"camera", camera_text(scene.camera)});
   // What the header does not declare is no fact.

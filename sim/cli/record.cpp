@@ -115,7 +115,7 @@ struct RenderOptions {
 std::int64_t polygons_seen(const Picture& picture, std::size_t polygons) {
   std::vector<char> seen(polygons, 0);
   for (const std::int32_t polygon : picture.polygon)
-    if (polygon != no_polygon) seen.at(static_cast<std::size_t>(polygon)) = 1;
+    if (polygon != no_polygon) seen.at(polygon) = 1;
   return std::count(seen.begin(), seen.end(), 1);
 }
 

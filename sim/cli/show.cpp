@@ -20,6 +20,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/file/files.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -90,7 +91,7 @@ std::vector<Offer> all_offers() {
                       lesson.id,
                       lesson.title,
                       lesson.summary,
-                      static_cast<int>(lesson.stops.size()),
+                      size32(lesson.stops),
                       ++number,
                       {},
                       lesson.theme,

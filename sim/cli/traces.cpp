@@ -151,11 +151,11 @@ OtherRun run_watched(const Trace& opened, const std::string& method_id, const st
 
 std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {
   const std::span<const Method> all = methods();
-  const auto count = static_cast<std::int64_t>(all.size());
+  const std::int64_t count = all.size();
   std::int64_t place = 0;
-  while (place < count && all[static_cast<std::size_t>(place)].id != trace.header().algorithm) ++place;
+  while (place < count && all[place].id != trace.header().algorithm) ++place;
   for (std::int64_t away = 1; away < count; ++away) {
-    const Method& other = all[static_cast<std::size_t>(((place + direction * away) % count + count) % count)];
+    const Method& other = all[((place + direction * away) % count + count) % count];
     if (can_draw(other, trace.scene(), conventions_for(other, trace.header().conventions)))
       return record_by(other, trace);
   }

@@ -105,8 +105,8 @@ std::optional<double> bound_of(const Scene& scene, Conventions::Depth depth, con
   // What is off at the corners is off in between in the same measure at most: it goes linearly from one to the other.
   double most = 0;
   for (std::int32_t i = 0; i < shape.corner_count; ++i) {
-    const std::int32_t number = scene.corners[static_cast<std::size_t>(shape.first_corner + i)];
-    const Corner<T> corner = viewed<T>(scene, depth, scene.points[static_cast<std::size_t>(number)]);
+    const std::int32_t number = scene.corners[shape.first_corner + i];
+    const Corner<T> corner = viewed<T>(scene, depth, scene.points[number]);
     if (!corner.in_view) return std::nullopt;
     most = std::max(most,
                     corner.z.error + std::abs(plane.dz_dx) * corner.x.error + std::abs(plane.dz_dy) * corner.y.error);
@@ -119,8 +119,8 @@ std::optional<double> bound_of(const Scene& scene, Conventions::Depth depth, con
 std::optional<double> viewing_bound(const Trace& run, std::int32_t facet) {
   const Conventions& conventions = run.header().conventions;
   const Scene& scene = run.scene();
-  if (facet < 0 || static_cast<std::size_t>(facet) >= scene.facets.size()) return std::nullopt;
-  const Facet& shape = scene.facets[static_cast<std::size_t>(facet)];
+  if (facet < 0 || facet >= std::ssize(scene.facets)) return std::nullopt;
+  const Facet& shape = scene.facets[facet];
   const bool by_plane = conventions.interpolation == Conventions::Interpolation::plane ||
                         conventions.interpolation == Conventions::Interpolation::plane_increments;
   if (conventions.positions != Conventions::Positions::exact || (by_plane && shape.corner_count > 3) ||

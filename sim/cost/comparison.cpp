@@ -11,6 +11,7 @@
 #include "sim/truth/explain_difference.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::compare {
@@ -74,7 +75,7 @@ std::vector<Entrant> all_entrants(const Scene& scene, const Conventions& convent
 Agreement agreement(const Scene& scene, const Conventions& conventions, const Picture& first, const Picture& other) {
   const Verdict verdict = explain_difference(scene, conventions, first, other);
   Agreement result;
-  result.pixels = static_cast<std::int64_t>(first.polygon.size());
+  result.pixels = std::ssize(first.polygon);
   for (std::size_t pixel = 0; pixel < first.polygon.size(); ++pixel)
     result.colors += first.polygon[pixel] == other.polygon[pixel] &&
                      !(color_at(first, scene, pixel) == color_at(other, scene, pixel));
@@ -147,7 +148,7 @@ Scene random_scene(int triangles, double layers, std::int32_t side, unsigned see
   scene.source = "random";
   Numbers random{std::mt19937_64(seed)};
   for (std::int32_t polygon = 0; polygon < triangles; ++polygon) {
-    const auto first = static_cast<std::int32_t>(scene.points.size());
+    const auto first = size32(scene.points);
     const glm::dvec3 centre = random.in_box(1);
     for (std::int32_t corner = 0; corner < 3; ++corner) {
       scene.points.push_back(centre + random.in_box(square / 2));

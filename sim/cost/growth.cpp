@@ -11,6 +11,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::compare {
 namespace {
@@ -84,7 +85,7 @@ void measure_more(GrowthLine& line, const Entrant& entrant, int polygons, const 
     return;
   }
   line.points.push_back({polygons, measured.steps(), operations(work_in(entrant.method->page(), measured.count)),
-                         measured.median_seconds(), static_cast<int>(measured.seconds.size())});
+                         measured.median_seconds(), size32(measured.seconds)});
 }
 
 std::int64_t Crossing::rounded() const {

@@ -53,7 +53,7 @@ inline Threshold threshold_of(std::vector<Sample> samples, const std::function<s
     while (far_apart()) {
       const double middle = (samples[first - 1].at + samples[first].at) / 2;
       const Sample between{middle, wrong_at(middle)};
-      samples.insert(samples.begin() + static_cast<std::ptrdiff_t>(first), between);
+      samples.insert(samples.begin() + first, between);
       if (between.wrong == 0) ++first;
     }
   }

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "sim/cost/allocation_peak.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::compare {
 
@@ -57,7 +58,7 @@ class Reader {
   void get(std::vector<T>& values) {
     std::uint64_t sent = 0;
     get(sent);
-    const auto size = static_cast<std::size_t>(sent);
+    const std::size_t size = sent;
     if (sent > (bytes_.size() - at_) / sizeof(T)) throw std::logic_error("a measurement came cut off");
     values.resize(size);
     if (size > 0) take(values.data(), size * sizeof(T));
@@ -86,7 +87,7 @@ std::vector<double> time_runs(const Method& method, const Scene& scene, const Co
   if (first > long_run) return {first};
   std::vector<double> seconds;  // the first, which finds caches and memory cold, is left out
   double sum = 0;
-  const auto runs = [&] { return static_cast<int>(seconds.size()); };
+  const auto runs = [&] { return size32(seconds); };
   while (runs() < std::min(least_runs, options.most_runs) || (sum < options.enough && runs() < options.most_runs)) {
     seconds.push_back(timed(method, scene, conventions, picture));
     sum += seconds.back();

@@ -39,7 +39,7 @@ WorkCounts work_in(const Page& page, const std::array<std::int64_t, step_limit>&
 }
 
 WorkDone::WorkDone(const Trace& trace) {
-  kinds_.reserve(static_cast<std::size_t>(trace.size()));
+  kinds_.reserve(trace.size());
   WorkCounts now{};
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     if (kinds_.size() % between_sums == 0) sums_.push_back(now);
@@ -51,7 +51,7 @@ WorkDone::WorkDone(const Trace& trace) {
 }
 
 WorkCounts WorkDone::at(std::int64_t position) const {
-  position = std::clamp<std::int64_t>(position, 0, static_cast<std::int64_t>(kinds_.size()));
+  position = std::clamp<std::int64_t>(position, 0, std::ssize(kinds_));
   const std::int64_t from = position / between_sums * between_sums;
   WorkCounts counts = sums_[static_cast<std::size_t>(position / between_sums)];
   for (std::int64_t k = from; k < position; ++k)
@@ -61,13 +61,12 @@ WorkCounts WorkDone::at(std::int64_t position) const {
 
 std::int64_t WorkDone::position_of(std::int64_t wanted) const {
   if (wanted <= 0) return 0;
-  const auto size = static_cast<std::int64_t>(kinds_.size());
+  const std::int64_t size = kinds_.size();
   const auto after =
       std::partition_point(sums_.begin(), sums_.end(), [&](const WorkCounts& sum) { return operations(sum) < wanted; });
   std::int64_t position = std::clamp<std::int64_t>((after - sums_.begin() - 1) * between_sums, 0, size);
   std::int64_t done = operations(at(position));
-  for (; position < size && done < wanted; ++position)
-    done += kinds_[static_cast<std::size_t>(position)] != Work::bookkeeping;
+  for (; position < size && done < wanted; ++position) done += kinds_[position] != Work::bookkeeping;
   return position;
 }
 

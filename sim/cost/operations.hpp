@@ -34,7 +34,7 @@ class WorkDone {
  public:
   explicit WorkDone(const Trace& trace);
   WorkCounts at(std::int64_t position) const;
-  WorkCounts all() const { return at(static_cast<std::int64_t>(kinds_.size())); }
+  WorkCounts all() const { return at(std::ssize(kinds_)); }
   /// The position at which so many operations are just done.
   std::int64_t position_of(std::int64_t operations) const;
 
@@ -46,9 +46,7 @@ class WorkDone {
 struct Operations {
   std::int64_t additions = 0, multiplications = 0, divisions = 0;  ///< subtractions are additions
   std::int64_t pixels = 0;                                         ///< depths that were interpolated
-  double each(std::int64_t count) const {
-    return pixels == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pixels);
-  }
+  double each(std::int64_t count) const { return pixels == 0 ? 0 : ratio(count, pixels); }
 };
 
 /// Of edges, spans, planes and pixels; not of the vertices before them, nor of an attribute. The slope along a span is

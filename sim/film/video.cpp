@@ -11,6 +11,7 @@
 
 #include "sim/words/escaped.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 namespace {
@@ -62,7 +63,7 @@ std::vector<std::int64_t> film_steps(std::int64_t first, std::int64_t last, std:
   std::vector<std::int64_t> steps;
   if (count == 1) return {last};
   for (std::int64_t i = 0; i < count; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    const double share = ratio(i, count - 1);
     const std::int64_t step = first + std::llround(share * static_cast<double>(last - first));
     if (steps.empty() || steps.back() != step) steps.push_back(step);
   }

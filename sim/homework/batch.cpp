@@ -231,8 +231,8 @@ Batch grade_batch(const Homework& homework, const BatchOptions& options,
         batch.results[places[i]] =
             of_refused(entry.name, "the grading " + (child.why().empty() ? "failed" : child.why()) +
                                        (child.said().empty() ? "" : ": " + printable(child.said())));
-      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
-      places.erase(places.begin() + static_cast<std::ptrdiff_t>(i));
+      running.erase(running.begin() + i);
+      places.erase(places.begin() + i);
       ++done;
     }
   }

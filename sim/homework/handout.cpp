@@ -211,7 +211,7 @@ class Lists {
   }
   std::string item(const TextBlock& block) {
     const char* element = block.number != 0 ? "ol" : "ul";
-    const auto depth = static_cast<std::size_t>(std::max(1, block.depth));
+    const std::size_t depth = std::max(1, block.depth);
     std::string html = down_to(depth);
     if (open_.size() == depth && std::string_view(open_.back()) != element) html += down_to(depth - 1);
     if (open_.size() == depth) html += "</li>\n";

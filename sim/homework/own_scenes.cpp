@@ -18,6 +18,7 @@
 #include "traces/error.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/events/vocabulary.hpp"
+#include "traces/scene.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::homework {
@@ -134,7 +135,7 @@ class Dice {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
   std::int64_t roll(Range range) {
-    const auto count = static_cast<std::uint64_t>(range.most - range.least + 1);
+    const std::uint64_t count = range.most - range.least + 1;
     return range.least + static_cast<std::int64_t>(engine_() % count);
   }
 
@@ -219,7 +220,7 @@ Difficulty difficulty_of(const Trace& run) {
   Difficulty found;
   found.steps = run.size();
   const Raster& raster = run.scene().raster;
-  std::vector<bool> drawn(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+  std::vector<bool> drawn(static_cast<std::size_t>(raster.width) * raster.height);
   bool wins = false, loses = false;
   const auto end_span = [&] {
     found.crossing += wins && loses;
@@ -228,9 +229,7 @@ Difficulty difficulty_of(const Trace& run) {
   run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     const Event& event = recorded.event;
     found.kinds.insert(static_cast<std::uint8_t>(event.index()));
-    const auto at = [&](const auto& e) {
-      return static_cast<std::size_t>(e.y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(e.x);
-    };
+    const auto at = [&](const auto& e) { return static_cast<std::size_t>(e.y) * raster.width + e.x; };
     if (holds<SpanBegin>(event)) end_span();
     if (const auto* compare = get_if<DepthCompare>(&event)) {
       found.losing += !compare->nearer;
@@ -397,8 +396,8 @@ Sketch sketch_of(const Trace& run, const std::vector<grade::Part>& parts) {
     of->erase(std::unique(of->begin(), of->end()), of->end());
   }
   Sketch sketch;
-  sketch.steps = static_cast<std::int64_t>(hashes.size());
-  sketch.numbers = static_cast<std::int64_t>(numbers.size());
+  sketch.steps = std::ssize(hashes);
+  sketch.numbers = std::ssize(numbers);
   sketch.whole = std::accumulate(hashes.begin(), hashes.end(), std::uint64_t{0});
   hashes.resize(std::min(hashes.size(), kept_hashes));
   sketch.least = std::move(hashes);
@@ -415,7 +414,7 @@ double in_common(const Sketch& a, const Sketch& b) {
     both += from_a && from_b, ++either;
     in_a += from_a, in_b += from_b;
   }
-  return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either);
+  return either == 0 ? 0 : ratio(both, either);
 }
 
 std::vector<AlikeRuns> alike_runs(const std::vector<HandedIn>& all, const std::vector<Sketch>& right_public) {

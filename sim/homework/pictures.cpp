@@ -18,6 +18,7 @@
 #include "traces/file/files.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/replay/replay.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::homework {
 
@@ -88,14 +89,12 @@ class Printed {
 
   static std::string color_text(Color is) { return fmt::format("the colour {}, {}, {}", is.red, is.green, is.blue); }
   static std::string name_of(const Scene& scene, std::int32_t polygon) {
-    const std::string& name = *scene.polygons.at(static_cast<std::size_t>(polygon)).name;
+    const std::string& name = *scene.polygons.at(polygon).name;
     return name.empty() ? fmt::format("{}", polygon) : name;
   }
 
  private:
-  std::size_t pixel_count() const {
-    return static_cast<std::size_t>(scene_.raster.width) * static_cast<std::size_t>(scene_.raster.height);
-  }
+  std::size_t pixel_count() const { return static_cast<std::size_t>(scene_.raster.width) * scene_.raster.height; }
   /// Two numbers of eight bytes a pixel, and room for what else stands in a file.
   std::uintmax_t most_bytes() const { return 16 * pixel_count() + (std::uintmax_t{1} << 20); }
   std::string size_text() const { return fmt::format("{}x{} pixels", scene_.raster.width, scene_.raster.height); }
@@ -103,7 +102,7 @@ class Printed {
   /// Where in a file, whose first row is the top one, a pixel stands.
   std::size_t in_file(std::size_t pixel) const {
     if (!scene_.raster.y_up) return pixel;
-    const auto width = static_cast<std::size_t>(scene_.raster.width);
+    const std::size_t width = scene_.raster.width;
     return pixel_count() - width - pixel / width * width + pixel % width;
   }
 
@@ -123,8 +122,7 @@ class Printed {
     check_size(file, image.width, image.height);
     take_colors(file);
     for (std::size_t pixel = 0; pixel < pixel_count(); ++pixel)
-      std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(3 * in_file(pixel)), 3,
-                  rgb_.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
+      std::copy_n(image.rgb.begin() + (3 * in_file(pixel)), 3, rgb_.begin() + (3 * pixel));
   }
   void read_table(const fs::path& file) {
     if (file.extension() == ".pfm") {
@@ -157,12 +155,11 @@ class Printed {
     take_colors(file);
     for (std::size_t pixel = 0; pixel < pixel_count(); ++pixel) {
       const std::int32_t polygon = numbers[in_file(pixel)];
-      if (polygon < no_polygon || polygon >= static_cast<std::int32_t>(scene_.polygons.size()))
+      if (polygon < no_polygon || polygon >= size32(scene_.polygons))
         throw InputError(
             file.string(), fmt::format("has the polygon {}", polygon),
             fmt::format("polygons are counted from 0 to {}; -1 is the background", scene_.polygons.size() - 1));
-      const Color is =
-          polygon == no_polygon ? scene_.background : scene_.polygons[static_cast<std::size_t>(polygon)].color;
+      const Color is = polygon == no_polygon ? scene_.background : scene_.polygons[polygon].color;
       rgb_[3 * pixel] = is.red, rgb_[3 * pixel + 1] = is.green, rgb_[3 * pixel + 2] = is.blue;
     }
   }
@@ -197,7 +194,7 @@ std::size_t first_apart(const grade::PixelsApart& apart) {
 
 Picture upside_down(const Picture& picture) {
   Picture turned = picture;
-  const auto width = static_cast<std::size_t>(picture.width);
+  const std::size_t width = picture.width;
   for (std::size_t i = 0; i < picture.polygon.size(); ++i) {
     const std::size_t from = picture.polygon.size() - width - i / width * width + i % width;
     turned.polygon[i] = picture.polygon[from], turned.depth[i] = picture.depth[from];
@@ -244,7 +241,7 @@ PictureGrade grade_pictures(const Trace& reference, const std::vector<fs::path>&
   if (pixel == ours.polygon.size()) return graded;
 
   FirstWrong& first = graded.first.emplace();
-  const auto width = static_cast<std::size_t>(ours.width);
+  const std::size_t width = ours.width;
   std::vector<std::string> names;
   for (const fs::path& file : files) names.push_back(file.filename().string());
   first.where = fmt::format("{}", fmt::join(names, ", "));

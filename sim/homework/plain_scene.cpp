@@ -19,6 +19,7 @@
 #include "traces/error.hpp"
 #include "traces/events/vocabulary.hpp"
 #include "traces/formulas/viewing.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::homework {
 
@@ -98,7 +99,7 @@ class Builder {
   bool on_screen() const { return asked_.space == PolygonsAsked::Space::screen; }
 
   glm::dvec3 point_at(std::int32_t vertex) const {
-    const auto i = static_cast<std::size_t>(vertex);
+    const std::size_t i = vertex;
     if (!on_screen()) return from_.points[i];
     const glm::dvec3 raster = vertices_[i].raster;
     if (from_.camera.kind == Camera::Kind::screen) return raster;
@@ -131,7 +132,7 @@ class Builder {
     if (bent || (asked_.convex && !turns.convex)) return add_triangles(facet, outline, corners);
     // A plane may be asked for by the first three vertices.
     if (asked_.convex && turns.first < 1e-3 * turns.most) {
-      std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(turns.sharpest), outline.end());
+      std::rotate(outline.begin(), outline.begin() + turns.sharpest, outline.end());
       changed_ = true;
     }
     add_polygon(facet, outline);
@@ -147,8 +148,8 @@ class Builder {
       Corners triangle;
       std::vector<glm::dvec3> points;
       for (std::size_t k = i; k < i + 3; ++k) {
-        triangle.push_back(outline[static_cast<std::size_t>(triangles[k])]);
-        points.push_back(corners[static_cast<std::size_t>(triangles[k])]);
+        triangle.push_back(outline[triangles[k]]);
+        points.push_back(corners[triangles[k]]);
       }
       const pieces::Plane plane = pieces::plane_of(points);
       if (glm::length(plane.normal()) > 0 && (!on_screen() || std::abs(plane.c) >= 1e-12)) add_polygon(facet, triangle);
@@ -157,18 +158,17 @@ class Builder {
   }
 
   void add_polygon(const Facet& facet, const Corners& outline) {
-    const auto number = static_cast<std::int32_t>(scene_.polygons.size());
+    const auto number = size32(scene_.polygons);
     changed_ = changed_ || facet.polygon != number;
     parts_of_[facet.polygon].push_back(number);
-    scene_.polygons.push_back(from_.polygons[static_cast<std::size_t>(facet.polygon)]);
-    scene_.facets.push_back(
-        {number, static_cast<std::int32_t>(scene_.corners.size()), static_cast<std::int32_t>(outline.size())});
+    scene_.polygons.push_back(from_.polygons[facet.polygon]);
+    scene_.facets.push_back({number, size32(scene_.corners), size32(outline)});
     for (const std::int32_t vertex : outline) scene_.corners.push_back(number_of(vertex));
   }
 
   /// The point's number among those that are handed out. What clipping made belongs to one polygon alone.
   std::int32_t number_of(std::int32_t vertex) {
-    const auto next = static_cast<std::int32_t>(scene_.points.size());
+    const auto next = size32(scene_.points);
     const bool made = static_cast<std::size_t>(vertex) >= from_.points.size();
     const auto [place, fresh] = made ? std::pair(made_.end(), true) : made_.try_emplace(vertex, next);
     if (!fresh) return place->second;
@@ -180,7 +180,7 @@ class Builder {
   void name_polygons() {
     for (const auto& [polygon, parts] : parts_of_)
       for (std::size_t k = 0; parts.size() > 1 && k < parts.size(); ++k) {
-        Polygon& part = scene_.polygons[static_cast<std::size_t>(parts[k])];
+        Polygon& part = scene_.polygons[parts[k]];
         if (!part.name->empty()) part.name = fmt::format("{}{}", *part.name, k + 1);
       }
   }
@@ -284,12 +284,12 @@ std::string plain_numbers(const Method& method, const Scene& scene) {
   for (const Facet& facet : scene.facets) {
     text += fmt::format("{}", facet.corner_count);
     for (std::int32_t k = 0; k < facet.corner_count; ++k)
-      text += fmt::format(" {}", scene.corners[static_cast<std::size_t>(facet.first_corner + k)]);
+      text += fmt::format(" {}", scene.corners[facet.first_corner + k]);
     text += '\n';
   }
   const auto add = [&](Color color) { text += fmt::format("{} {} {}\n", color.red, color.green, color.blue); };
   add(scene.background);
-  for (const Facet& facet : scene.facets) add(scene.polygons[static_cast<std::size_t>(facet.polygon)].color);
+  for (const Facet& facet : scene.facets) add(scene.polygons[facet.polygon].color);
   if (scene.camera.kind != Camera::Kind::screen) text += rays_as_numbers(scene);
   return text;
 }

@@ -11,6 +11,7 @@
 #include "sim/pages/pictures.hpp"
 #include "sim/words/escaped.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::homework {
 
@@ -58,7 +59,7 @@ std::string differing_pixels(const grade::Ends& ends, const Scene& scene) {
   };
   for (std::size_t at = 0; at < ends.apart.apart.size(); ++at) {
     if (ends.apart.apart[at] == 0 || ++count > most) continue;
-    const auto width = static_cast<std::size_t>(ends.reference.width);
+    const std::size_t width = ends.reference.width;
     rows += fmt::format("<tr><th scope=\"row\">({}, {})</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                         at % width, at / width, shown(seen(ends.reference, at)), shown(seen(ends.run, at)),
                         depth_text(ends.reference.depth[at]), depth_text(ends.run.depth[at]));
@@ -145,7 +146,7 @@ std::string what_works(const Assessment& all) {
 std::string share_cell(std::int64_t of, std::int64_t count, double most) {
   if (most <= 0) return "<td class=\"n\"></td>";
   if (count == 0) return fmt::format("<td class=\"n\">nothing to do: {}</td>", points_text(most));
-  const double share = static_cast<double>(of) / static_cast<double>(count);
+  const double share = ratio(of, count);
   return fmt::format("<td class=\"n\">{}/{} × {} = {}</td>", of, count, points_text(most), points_text(share * most));
 }
 
@@ -155,8 +156,7 @@ std::string halves_cell(const grade::PartCount& count, double most) {
   const std::int64_t both = count.halves->colors + count.halves->depths;
   if (both == 2 * count.same) return share_cell(count.same, count.all(), most);
   return fmt::format("<td class=\"n\">({} + {})/{} × {} = {}</td>", count.halves->colors, count.halves->depths,
-                     2 * count.all(), points_text(most),
-                     points_text(static_cast<double>(both) / static_cast<double>(2 * count.all()) * most));
+                     2 * count.all(), points_text(most), points_text(ratio(both, 2 * count.all()) * most));
 }
 
 std::string task_table(const Assessment& all, const Graded& task) {

@@ -112,7 +112,7 @@ Ended run_on(const Stage& stage, const std::string& command, bool walls, const f
         const ssize_t got = read(process.pipes()[which], buffer.data(), buffer.size());
         if (got < 0) break;
         if (got == 0) process.close_pipe(which);
-        const auto count = static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+        const std::size_t count = std::max<ssize_t>(got, 0);
         if (which == 1) errors.append(buffer.data(), std::min(count, most_errors - errors.size()));
         else if ((printed += count) <= Limits::bytes(limits.output)) file.write(buffer.data(), count);
       }

@@ -76,7 +76,7 @@ bool lies_in_system(const fs::path& path) {
 
 std::optional<unsigned> program_user() {
   if (geteuid() != 0) return std::nullopt;
-  const auto process = static_cast<std::uint64_t>(getpid());
+  const std::uint64_t process = getpid();
   // Above all that systems give to people and services; or, in a container with fewer, where Debian has none of them.
   const std::uint64_t usual = 2'000'000'000 + process, among_few = 60'000 + process % 5'000;
   std::ifstream users("/proc/self/uid_map");  // lines of: the first user here, the first outside, how many

@@ -22,9 +22,7 @@ struct PngImage : png_image {
   PngImage& operator=(const PngImage&) = delete;
 };
 
-std::size_t bytes_of(int width, int height) {
-  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels;
-}
+std::size_t bytes_of(int width, int height) { return static_cast<std::size_t>(width) * height * channels; }
 
 }  // namespace
 

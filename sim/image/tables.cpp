@@ -38,7 +38,7 @@ constexpr std::string_view type_code<double> = "f8";
 
 template <class Value>
 void write(const std::filesystem::path& path, std::span<const Value> values, int height, int width) {
-  if (height < 0 || width < 0 || values.size() != static_cast<std::size_t>(height) * static_cast<std::size_t>(width))
+  if (height < 0 || width < 0 || values.size() != static_cast<std::size_t>(height) * width)
     throw std::invalid_argument(
         fmt::format("write_npy: {} values do not make a {}x{} table", values.size(), height, width));
   std::string text = fmt::format("{{'descr': '{}{}', 'fortran_order': False, 'shape': ({}, {}), }}", byte_order,
@@ -79,7 +79,7 @@ class Dictionary {
     for (const char c : rest) {
       if (c >= '0' && c <= '9') {
         if (count >= 2) break;
-        const auto k = static_cast<std::size_t>(count);
+        const std::size_t k = count;
         lengths[k] = lengths[k] * 10 + (c - '0');
         digits = true;
         if (lengths[k] > (1 << 24)) fail("is too large");

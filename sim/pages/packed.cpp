@@ -9,6 +9,7 @@
 #include <zlib.h>
 
 #include "sim/words/escaped.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 namespace {
@@ -68,9 +69,9 @@ std::vector<std::uint8_t> gzip(std::span<const std::uint8_t> bytes, const std::f
       stream.next_out = room.data();
       stream.avail_out = static_cast<uInt>(room.size());
       state = deflate(&stream, at == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
-      out.insert(out.end(), room.begin(), room.end() - static_cast<std::ptrdiff_t>(stream.avail_out));
+      out.insert(out.end(), room.begin(), room.end() - stream.avail_out);
     } while (stream.avail_out == 0);
-    if (on_part) on_part(bytes.empty() ? 1 : static_cast<double>(at) / static_cast<double>(bytes.size()));
+    if (on_part) on_part(bytes.empty() ? 1 : ratio(at, bytes.size()));
   }
   return out;
 }

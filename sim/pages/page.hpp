@@ -21,7 +21,7 @@ std::vector<Out> top_row_first(const std::vector<In>& values, std::int32_t width
   std::vector<Out> result;
   result.reserve(values.size());
   for (std::int32_t row = 0; row < height; ++row) {
-    const auto begin = static_cast<std::size_t>(y_up ? height - 1 - row : row) * static_cast<std::size_t>(width);
+    const auto begin = static_cast<std::size_t>(y_up ? height - 1 - row : row) * width;
     for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) result.push_back(convert(values[begin + x]));
   }
   return result;

@@ -20,7 +20,7 @@ bool has_depth(double z) { return std::isfinite(z) && z != no_depth; }
 
 Image image_of(const Picture& picture, const Scene& scene, int enlarge) {
   const auto width = static_cast<std::size_t>(picture.width), height = static_cast<std::size_t>(picture.height);
-  const auto times = static_cast<std::size_t>(enlarge);
+  const std::size_t times = enlarge;
   Image image{picture.width * enlarge, picture.height * enlarge, {}};
   image.rgb.reserve(width * height * times * times * 3);
   for (std::size_t row = 0; row < height * times; ++row) {
@@ -74,10 +74,9 @@ std::string picture_in_words(const Picture& picture, const Scene& scene) {
   constexpr std::size_t named = 8;
   std::map<std::int32_t, std::int64_t> pixels;
   for (const std::int32_t polygon : picture.polygon) ++pixels[polygon];
-  const auto inked =
-      static_cast<std::int64_t>(picture.ink.size()) - std::count(picture.ink.begin(), picture.ink.end(), no_ink);
+  const auto inked = std::ssize(picture.ink) - std::count(picture.ink.begin(), picture.ink.end(), no_ink);
   std::string text = fmt::format("{} × {} pixels: ", picture.width, picture.height);
-  if (pixels[no_polygon] == static_cast<std::int64_t>(picture.polygon.size()) && inked > 0)
+  if (pixels[no_polygon] == std::ssize(picture.polygon) && inked > 0)
     return text + fmt::format("{} drawn, {} of the background", inked, pixels[no_polygon] - inked);
   const std::int64_t background = pixels[no_polygon];
   pixels.erase(no_polygon);
@@ -96,7 +95,7 @@ std::string depths_in_words(const Picture& picture) {
   const auto drawn = std::count_if(picture.depth.begin(), picture.depth.end(), has_depth);
   std::string text = fmt::format("{} × {} pixels: ", picture.width, picture.height);
   if (drawn > 0) text += fmt::format("{} with depths from {} to {}, ", drawn, number(range.least), number(range.most));
-  return text + fmt::format("{} empty", static_cast<std::int64_t>(picture.depth.size()) - drawn);
+  return text + fmt::format("{} empty", std::ssize(picture.depth) - drawn);
 }
 
 }  // namespace zstep

@@ -159,7 +159,7 @@ void Bookmarks::set(std::int64_t step, const std::string& name) {
 void Bookmarks::remove(std::size_t place) {
   std::vector<Bookmark> all = all_;
   if (place >= all.size()) return;
-  all.erase(all.begin() + static_cast<std::ptrdiff_t>(place));
+  all.erase(all.begin() + place);
   keep(std::move(all));
 }
 

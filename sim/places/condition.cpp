@@ -39,7 +39,7 @@ Condition::Value Condition::both_or_either(const Node& node, const Event& event,
 }
 
 Condition::Value Condition::evaluate(std::int32_t at, const Event& event, std::int64_t step) const {
-  const Node& node = nodes_[static_cast<std::size_t>(at)];
+  const Node& node = nodes_[at];
   const auto truth = [](bool holds) { return Value{Value::Is::known, holds ? 1.0 : 0.0}; };
   const auto read = [&](double number) {
     return Value{node.none_is_missing && number < 0 ? Value::Is::missing : Value::Is::known, number};
@@ -96,7 +96,7 @@ std::vector<double> polygons_called(const Scene& scene, const std::string& name)
   if (!found.empty() || name.size() < 2 || name.size() > 10 || (name[0] != 'P' && name[0] != 'p')) return found;
   if (!std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; })) return found;
   const auto number = std::stoll(name.substr(1));
-  if (number < static_cast<std::int64_t>(scene.polygons.size())) found.push_back(static_cast<double>(number));
+  if (number < std::ssize(scene.polygons)) found.push_back(static_cast<double>(number));
   return found;
 }
 

@@ -10,6 +10,7 @@
 #include "sim/words/explain.hpp"
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::places {
 
@@ -48,7 +49,7 @@ class Condition::Binder {
 
   Bound add(Node node, Type type) {
     condition_.nodes_.push_back(std::move(node));
-    return {static_cast<std::int32_t>(condition_.nodes_.size()) - 1, type};
+    return {size32(condition_.nodes_) - 1, type};
   }
   Bound constant(double number, Type type) {
     Node node;
@@ -188,8 +189,7 @@ class Condition::Binder {
     auto index = numbered(*left, *right);
     if (!index && (index = numbered(*right, *left))) std::swap(left, right);
     const Bound first = any(*left), second = index ? constant(*index, Type::number) : any(*right);
-    if (takes_polygons(*left) && right->kind == Kind::negate)
-      condition_.nodes_[static_cast<std::size_t>(first.node)].none_is_missing = false;
+    if (takes_polygons(*left) && right->kind == Kind::negate) condition_.nodes_[first.node].none_is_missing = false;
     const auto sort = [](Type type) { return type == Type::polygon ? Type::number : type; };
     if (!first.missing && !second.missing && sort(first.type) != sort(second.type))
       fail(fmt::format("`{}` and `{}` are not of one kind", said(*left), said(*right)),

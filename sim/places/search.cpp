@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "traces/file/visit.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::places {
 
@@ -41,7 +42,7 @@ Search::Search(const Trace& trace, Condition condition, std::int64_t from, Way w
 
 double Search::share() const {
   const std::int64_t end = forwards() ? trace_->size() : 0;
-  return end == from_ ? 1 : static_cast<double>(at_ - from_) / static_cast<double>(end - from_);
+  return end == from_ ? 1 : ratio(at_ - from_, end - from_);
 }
 
 /// Drops intervals that are behind, and goes to the beginning of the next one.

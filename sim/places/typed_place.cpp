@@ -80,7 +80,7 @@ std::optional<double> percentage(std::string_view text) {
 /// "9, 17", "(9, 17)", "9 17".
 std::optional<std::pair<std::int64_t, std::int64_t>> two_numbers(std::string_view text) {
   if (text.starts_with('(') && text.ends_with(')')) text = trim(text.substr(1, text.size() - 2));
-  const auto end = static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_digit) - text.begin());
+  const std::size_t end = std::find_if_not(text.begin(), text.end(), is_digit) - text.begin();
   std::string_view rest = trim(text.substr(end));
   if (rest.starts_with(',') || rest.starts_with(';')) rest = trim(rest.substr(1));
   const auto x = digits_of(text.substr(0, end)), y = digits_of(rest);
@@ -107,8 +107,8 @@ class Reader {
     if (all.starts_with('+') || all.starts_with('-'))
       if (const auto away = whole_number(all.substr(1)))
         return {all[0] == '+' ? here_.step + *away : std::max<std::int64_t>(0, here_.step - *away), Unit::event};
-    const auto after_word = static_cast<std::size_t>(
-        std::find_if_not(all.begin(), all.end(), [](char c) { return is_letter(c) || c == ' '; }) - all.begin());
+    const std::size_t after_word =
+        std::find_if_not(all.begin(), all.end(), [](char c) { return is_letter(c) || c == ' '; }) - all.begin();
     const std::string_view word = trim(all.substr(0, after_word));
     std::string_view rest = trim(all.substr(after_word));
     if (word.empty()) return number_alone(rest);
@@ -173,9 +173,9 @@ class Reader {
   Place stop(std::int64_t number) const {
     if (!here_.lesson) fail("there is no lesson here, so it has no stops", what_to_type);
     const auto& stops = here_.lesson->stops;
-    if (number < 1 || number > static_cast<std::int64_t>(stops.size()))
+    if (number < 1 || number > std::ssize(stops))
       fail(fmt::format("there is no stop {}", number), fmt::format("the lesson has the stops 1 to {}", stops.size()));
-    Place place{stops[static_cast<std::size_t>(number - 1)].position};
+    Place place{stops[number - 1].position};
     place.stop = static_cast<int>(number - 1);
     return place;
   }
@@ -208,11 +208,11 @@ class Reader {
       if (word == "p" && name.size() + 1 == typed_.size() && !is_digit(name.front()))
         continue;  // a word that begins so
       if (const auto all = polygons_called(scene, name); !all.empty()) return all;
-      if (const auto number = whole_number(name); number && *number < static_cast<std::int64_t>(scene.polygons.size()))
+      if (const auto number = whole_number(name); number && *number < std::ssize(scene.polygons))
         return {static_cast<double>(*number)};
       if (const auto number = whole_number(name))
         fail(fmt::format("there is no polygon {}", *number),
-             fmt::format("the scene has the polygons 0 to {}", static_cast<std::int64_t>(scene.polygons.size()) - 1));
+             fmt::format("the scene has the polygons 0 to {}", std::ssize(scene.polygons) - 1));
     }
     return {};
   }

@@ -13,6 +13,7 @@
 #include "sim/query/virtual_table.hpp"
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::query {
 
@@ -40,8 +41,8 @@ Table table_of(std::size_t kind) {
       table.columns[polygon_column] = {"polygon", std::string(field.meaning), &field};
       continue;
     }
-    if (field.name == "x") table.x = static_cast<int>(table.columns.size());
-    if (field.name == "y") table.y = static_cast<int>(table.columns.size());
+    if (field.name == "x") table.x = size32(table.columns);
+    if (field.name == "y") table.y = size32(table.columns);
     table.columns.push_back({std::string(field.name), std::string(field.meaning), &field});
   }
   if (table.x < 0 || table.y < 0) table.x = table.y = -1;
@@ -167,7 +168,7 @@ struct Database::Impl {
   Statement prepare(const std::string& sql, std::string_view& rest) {
     sqlite3_stmt* statement = nullptr;
     const char* tail = nullptr;
-    const int code = sqlite3_prepare_v2(connection, rest.data(), static_cast<int>(rest.size()), &statement, &tail);
+    const int code = sqlite3_prepare_v2(connection, rest.data(), size32(rest), &statement, &tail);
     if (code != SQLITE_OK) fail(sql);
     rest.remove_prefix(static_cast<std::size_t>(tail - rest.data()));
     return Statement(statement);
@@ -186,9 +187,7 @@ struct Database::Impl {
     if (message.rfind("no such table", 0) == 0)
       throw InputError("query", message, "the tables of this trace are " + table_names(trace));
     const int at = sqlite3_error_offset(connection);
-    const std::string where = at >= 0 && static_cast<std::size_t>(at) < sql.size()
-                                  ? fmt::format(", at \"{}\"", sql.substr(static_cast<std::size_t>(at), 24))
-                                  : "";
+    const std::string where = at >= 0 && at < std::ssize(sql) ? fmt::format(", at \"{}\"", sql.substr(at, 24)) : "";
     throw InputError("query", message + where, "'zstep query FILE.ztrace' lists tables and columns");
   }
 };
@@ -223,7 +222,7 @@ void Database::run(const std::string& sql, const Limits& limits, const Columns& 
     const int step = sqlite3_step(prepared);
     if (step == SQLITE_DONE) return;
     if (step != SQLITE_ROW) impl.fail(sql);
-    for (int i = 0; i < count; ++i) values[static_cast<std::size_t>(i)] = value_of(prepared, i);
+    for (int i = 0; i < count; ++i) values[i] = value_of(prepared, i);
     if (!row(values)) return;
   }
 }

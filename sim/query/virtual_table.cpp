@@ -347,7 +347,7 @@ int give(sqlite3_context* to, const Cell& cell) {
 
 int column(sqlite3_vtab_cursor* c, sqlite3_context* to, int number) {
   const Cursor& cursor = cursor_of(c);
-  const Column& wanted = cursor.table.table.columns[static_cast<std::size_t>(number)];
+  const Column& wanted = cursor.table.table.columns[number];
   const Context& context = cursor.walk->context();
   if (wanted.field) return give(to, wanted.of(cursor.walk->event()));
   switch (number) {

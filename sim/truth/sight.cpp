@@ -41,7 +41,7 @@ Real area_in_square(std::vector<Vec2> outline, const Vec2& place) {
 
 std::optional<FacetAt> facet_at(const Scene& scene, std::int32_t facet, bool cull, std::int32_t x, std::int32_t y) {
   const Sight sight(scene);
-  const Facet& shape = scene.facets.at(static_cast<std::size_t>(facet));
+  const Facet& shape = scene.facets.at(facet);
   Seen seen;
   if (!see(scene, shape, sight, cull, seen)) return std::nullopt;
   const Vec2 place(x, y);
@@ -56,11 +56,11 @@ std::optional<FacetAt> facet_at(const Scene& scene, std::int32_t facet, bool cul
 
 std::optional<double> depth_on_sight(const Scene& scene, std::int32_t facet, std::int32_t x, std::int32_t y) {
   const Sight sight(scene);
-  const Facet& shape = scene.facets.at(static_cast<std::size_t>(facet));
+  const Facet& shape = scene.facets.at(facet);
   std::vector<Vec3> corners;
   Vec3 normal(0), from, along;
   for (std::int32_t i = 0; i < shape.corner_count; ++i) {
-    const auto corner = static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(shape.first_corner + i)]);
+    const std::size_t corner = scene.corners[shape.first_corner + i];
     corners.push_back(in_view(scene.camera, scene.points[corner]));
   }
   if (corners.size() < 3) return std::nullopt;
@@ -122,8 +122,8 @@ bool see(const Scene& scene, const Facet& facet, const Sight& sight, bool cull, 
   const Camera& camera = scene.camera;
   std::vector<Vec3> corners;
   for (std::int32_t i = 0; i < facet.corner_count; ++i) {
-    const std::int32_t corner = scene.corners[static_cast<std::size_t>(facet.first_corner + i)];
-    corners.push_back(in_view(camera, scene.points[static_cast<std::size_t>(corner)]));
+    const std::int32_t corner = scene.corners[facet.first_corner + i];
+    corners.push_back(in_view(camera, scene.points[corner]));
   }
   if (corners.size() < 3) return false;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/truth/sight.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::compare {
 
@@ -19,14 +20,12 @@ void rows_between(Real low, Real high, std::int32_t count, std::int32_t& first, 
 }  // namespace
 
 Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted)
-    : width_(scene.raster.width),
-      height_(scene.raster.height),
-      place_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1) {
+    : width_(scene.raster.width), height_(scene.raster.height), place_(static_cast<std::size_t>(width_) * height_, -1) {
   std::int32_t places = 0;
   for (std::size_t pixel = 0; pixel < place_.size(); ++pixel) {
     if (wanted.empty() || wanted[pixel] != 0) place_[pixel] = places++;
   }
-  candidates_.resize(static_cast<std::size_t>(places));
+  candidates_.resize(places);
   const Sight sight(scene);
   Seen seen;
   for (std::size_t k = 0; k < scene.facets.size(); ++k) {
@@ -38,17 +37,16 @@ Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted
     rows_between(low.y, high.y, height_, top, bottom);
 
     Candidate candidate;
-    candidate.facet = static_cast<std::int32_t>(k), candidate.polygon = scene.facets[k].polygon;
+    candidate.facet = index32(k), candidate.polygon = scene.facets[k].polygon;
     for (std::int32_t y = top; y <= bottom; ++y) {
       for (std::int32_t x = left; x <= right; ++x) {
-        const std::int32_t slot =
-            place_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+        const std::int32_t slot = place_[static_cast<std::size_t>(y) * width_ + x];
         if (slot < 0) continue;
         const Vec2 centre(x, y);
         locate(seen, centre, candidate);
         if (!candidate.covers && candidate.edge > edge_tolerance) continue;
         measure_depth(seen, sight, centre, candidate);
-        candidates_[static_cast<std::size_t>(slot)].push_back(candidate);
+        candidates_[slot].push_back(candidate);
       }
     }
   }
@@ -58,9 +56,8 @@ Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted
 }
 
 std::span<const Candidate> Truth::at(std::int32_t x, std::int32_t y) const {
-  const std::int32_t slot =
-      place_.at(static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
-  return candidates_.at(static_cast<std::size_t>(slot));
+  const std::int32_t slot = place_.at(static_cast<std::size_t>(y) * width_ + x);
+  return candidates_.at(slot);
 }
 
 std::int32_t Truth::nearest(std::int32_t x, std::int32_t y) const {

@@ -9,11 +9,13 @@
 
 #include "sim/query/database.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/workspace.hpp"
 #include "sim/words/escaped.hpp"
 #include "sim/words/link.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 
@@ -42,7 +44,7 @@ App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int
   ui_.places = &places_;
   ui_.depth_range = depth_range(trace);
   field_.connect();
-  session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
+  session_.speed = std::clamp(settings.speed, 0, size32(Session::speeds()) - 1);
   set_dark(settings.dark);
   set_presenter(settings.presenter);
 }
@@ -67,7 +69,7 @@ void App::set_presenter(bool presenter) { settings_.presenter = ui_.presenter = 
 std::string App::lead() const {
   const Lesson* lesson = session_.lesson();
   const int stop = session_.stop();
-  const std::string focus = lesson && stop >= 0 ? lesson->stops[static_cast<std::size_t>(stop)].focus : "";
+  const std::string focus = lesson && stop >= 0 ? lesson->stops[stop].focus : "";
   return chosen_lead_ && (chosen_lead_->stop == stop || focus.empty()) ? chosen_lead_->pane : focus;
 }
 
@@ -76,14 +78,14 @@ void App::set_lead(const std::string& pane) { chosen_lead_ = {pane, session_.sto
 void App::turn_lead(int direction) {
   const std::vector<std::string> all = leads_to_choose(session_.header());
   const auto now = std::find(all.begin(), all.end(), lead());
-  const auto count = static_cast<std::ptrdiff_t>(all.size());
+  const std::ptrdiff_t count = all.size();
   const std::ptrdiff_t at = now == all.end() ? 0 : now - all.begin();
-  set_lead(all[static_cast<std::size_t>((at + direction + count) % count)]);
+  set_lead(all[(at + direction + count) % count]);
 }
 
 void App::take_settings(const Settings& settings) {
   settings_ = settings;
-  session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
+  session_.speed = std::clamp(settings.speed, 0, size32(Session::speeds()) - 1);
   set_dark(settings.dark);
   set_presenter(settings.presenter);
 }
@@ -156,8 +158,7 @@ std::vector<std::string> App::opening_words() const {
 /// Body text: 16 px in a window of 1280 x 720. Half of what a window is larger goes into the text, the other half into
 /// room; a screen with more pixels to the inch gets at least its own scale. Presenter mode begins at 24 px.
 void App::update_fonts() {
-  const float larger =
-      std::min(static_cast<float>(renderer_.width()) / 1280, static_cast<float>(renderer_.height()) / 720);
+  const float larger = std::min(to_float(renderer_.width()) / 1280, to_float(renderer_.height()) / 720);
   const float grown = std::max(dpi_scale_, 1 + (std::max(larger, 1.0f) - 1) / 2);
   const float pixels =
       std::clamp(std::round((ui_.presenter ? 24.0f : 16.0f) * grown * settings_.text_scale), 9.0f, 96.0f);
@@ -255,14 +256,12 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       if (event.motion.which == SDL_TOUCH_MOUSEID) return false;  // the finger itself has told it
       by_touch_ = false;
       ui_.reads = false;
-      mouse(static_cast<float>(event.motion.x) * pixels_per_point,
-            static_cast<float>(event.motion.y) * pixels_per_point);
+      mouse(to_float(event.motion.x) * pixels_per_point, to_float(event.motion.y) * pixels_per_point);
       return false;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP: {
       if (event.button.which == SDL_TOUCH_MOUSEID) return false;
-      mouse(static_cast<float>(event.button.x) * pixels_per_point,
-            static_cast<float>(event.button.y) * pixels_per_point);
+      mouse(to_float(event.button.x) * pixels_per_point, to_float(event.button.y) * pixels_per_point);
       const bool down = event.type == SDL_MOUSEBUTTONDOWN;
       if (down && std::exchange(black_, false)) {
         return false;
@@ -285,10 +284,10 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
     }
     case SDL_MOUSEWHEEL:
 #if IMGUI_VERSION_NUM >= 18700
-      io.AddMouseWheelEvent(static_cast<float>(event.wheel.x), static_cast<float>(event.wheel.y));
+      io.AddMouseWheelEvent(to_float(event.wheel.x), to_float(event.wheel.y));
 #else
-      io.MouseWheel += static_cast<float>(event.wheel.y);
-      io.MouseWheelH += static_cast<float>(event.wheel.x);
+      io.MouseWheel += to_float(event.wheel.y);
+      io.MouseWheelH += to_float(event.wheel.x);
 #endif
       return false;
     case SDL_WINDOWEVENT:

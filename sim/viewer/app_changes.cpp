@@ -10,11 +10,13 @@
 #include "sim/scenes/save_scene.hpp"
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/panes/workspace.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -52,7 +54,7 @@ void App::open_what_if() {
 const Task* App::task() const {
   const Lesson* lesson = session_.lesson();
   if (!lesson || session_.stop() < 0) return task_before_;
-  const std::optional<Task>& task = lesson->stops[static_cast<std::size_t>(session_.stop())].task;
+  const std::optional<Task>& task = lesson->stops[session_.stop()].task;
   return task ? &*task : nullptr;
 }
 
@@ -88,9 +90,9 @@ void App::change_typed() {
 
 void App::nudge(const Changeable& what, int direction) {
   if (!what.choices.empty()) {
-    const auto count = static_cast<std::ptrdiff_t>(what.choices.size());
+    const std::ptrdiff_t count = what.choices.size();
     const auto now = std::find(what.choices.begin(), what.choices.end(), what.value) - what.choices.begin();
-    return ask_change({what.name, what.choices[static_cast<std::size_t>((now % count + direction + count) % count)]});
+    return ask_change({what.name, what.choices[(now % count + direction + count) % count]});
   }
   if (what.nudge == 0) return put(fmt::format("{} = {}", what.name, what.value));
   // In whole steps, so that 0.1 and 0.2 give 0.3.
@@ -124,7 +126,7 @@ bool App::pick_changeable(SDL_Keycode code, unsigned modifiers) {
   if (ctrl && code == SDLK_h) return give_hint(), true;
   if (ctrl && (modifiers & Chord::shift) != 0 && code == SDLK_s) return save_scene(), true;
   const std::vector<Changeable> found = found_changeables();
-  const auto row = static_cast<std::size_t>(std::max(0, picked));
+  const std::size_t row = std::max(0, picked);
   if (code == SDLK_RETURN) {
     if (typed.find('=') != std::string::npos) change_typed();
     else if (row < found.size()) put(fmt::format("{} = {}", found[row].name, found[row].value));
@@ -266,19 +268,19 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
   if (depths && other_depths && !narrow) panes.insert(panes.end(), {{true, depths}, {false, other_depths}});
   const Raster& raster = session_.scene().raster;
   const auto pixel = [&](int columns, int rows) {
-    return std::min((middle / static_cast<float>(columns) - 3 * ui_.em) / static_cast<float>(raster.width),
-                    (upper / static_cast<float>(rows) - 4 * ui_.em) / static_cast<float>(raster.height));
+    return std::min((middle / to_float(columns) - 3 * ui_.em) / to_float(raster.width),
+                    (upper / to_float(rows) - 4 * ui_.em) / to_float(raster.height));
   };
-  const int count = static_cast<int>(panes.size());
+  const int count = size32(panes);
   const int rows = count > 2 && pixel(2, 2) > pixel(4, 1) ? 2 : 1, columns = count / rows;
   for (int i = 0; i < count; ++i) {
     const auto part = [gap](float from, float room, int place, int parts) {
-      const float each = (room - gap * static_cast<float>(parts - 1)) / static_cast<float>(parts);
-      return std::make_pair(std::round(from + static_cast<float>(place) * (each + gap)), std::floor(each));
+      const float each = (room - gap * to_float(parts - 1)) / to_float(parts);
+      return std::make_pair(std::round(from + to_float(place) * (each + gap)), std::floor(each));
     };
     const auto [px, width] = part(x, middle, i % columns, columns);
     const auto [py, height] = part(at.y, upper, i / columns, rows);
-    const auto& [first, pane] = panes[static_cast<std::size_t>(i)];
+    const auto& [first, pane] = panes[i];
     draw_of(first, *pane, {px, py}, {width, height});
   }
   if (narrow) return;
@@ -320,7 +322,7 @@ void App::look_at_history(Cell cell) {
 void App::pick_visit_before() {
   picked = 0;
   for (std::size_t i = 0; i < history_.size(); ++i)
-    if (history_[i].step <= session_.position()) picked = static_cast<int>(i);
+    if (history_[i].step <= session_.position()) picked = index32(i);
   scroll_to_picked = true;
 }
 
@@ -357,7 +359,7 @@ void App::explain_step() {
 }
 
 void App::go_to_origin(std::size_t link) {
-  picked = static_cast<int>(link);
+  picked = index32(link);
   if (link >= chain_.links.size()) return;
   if (chain_.links[link].step > 0) session_.go_to(chain_.links[link].step);
   else
@@ -366,7 +368,7 @@ void App::go_to_origin(std::size_t link) {
 }
 
 void App::copy_origin() {
-  const auto place = static_cast<std::size_t>(std::max(0, picked));
+  const std::size_t place = std::max(0, picked);
   if (place >= chain_.links.size() || chain_.links[place].values.empty()) return;
   const answers::ChainValue& value = chain_.links[place].values.front();
   requests.clipboard = value.condition || !value.word.empty() ? answers::result_text(value) : exact(value.value);
@@ -391,7 +393,7 @@ bool App::edit_query(SDL_Keycode code, unsigned) {
 }
 
 void App::go_to_visit(std::size_t visit) {
-  picked = static_cast<int>(visit);
+  picked = index32(visit);
   if (visit < history_.size()) session_.go_to(history_[visit].step);
 }
 
@@ -415,7 +417,7 @@ std::string App::tables() const {
 }
 
 void App::go_to_row(std::size_t row) {
-  picked = static_cast<int>(row);
+  picked = index32(row);
   const auto step = inquiry_.step_of(row);
   const auto pixel = inquiry_.pixel_of(row);
   if (step) session_.go_to(*step);

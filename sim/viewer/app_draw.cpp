@@ -12,6 +12,7 @@
 #include "sim/film/video.hpp"
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
@@ -21,6 +22,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -178,8 +180,8 @@ void App::begin_scrolling() {
   };
   const Layout& l = settings_.layout;
   Fingerprint layout;
-  for (const float part : {static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height()), built_for_,
-                           l.left, l.right, l.code, l.frame, l.table, l.stage, l.both, l.words})
+  for (const float part : {to_float(renderer_.width()), to_float(renderer_.height()), built_for_, l.left, l.right,
+                           l.code, l.frame, l.table, l.stage, l.both, l.words})
     take(layout, part);
   for (const auto& [pane, share] : l.structures) take(layout, share);
   take(layout, l.drawer_width);
@@ -210,7 +212,7 @@ void App::draw() {
   follow_selected();
   update_fonts();
   apply_style(ui_);
-  const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
+  const ImVec2 size{to_float(renderer_.width()), to_float(renderer_.height())};
   ImGui::GetIO().DisplaySize = size;
   begin_motion();
   begin_scrolling();
@@ -282,7 +284,7 @@ void App::draw() {
 void App::draw_embedded(ImVec2 at, ImVec2 size) {
   std::vector<Pane> leading = workspace(session_.header(), lead()).leading;
   // A frame in a text is small: beside each other only where each has room.
-  if (size.x < ui_.em * 14 * static_cast<float>(leading.size())) leading.resize(1);
+  if (size.x < ui_.em * 14 * to_float(leading.size())) leading.resize(1);
   draw_leading(leading, at, size);
 }
 
@@ -331,7 +333,7 @@ std::vector<FilmRange> App::film_ranges() const {
   };
   if (session_.lesson() && session_.stop() >= 0) {
     const std::vector<Stop>& stops = session_.lesson()->stops;
-    const std::int64_t from = stops[static_cast<std::size_t>(session_.stop())].position;
+    const std::int64_t from = stops[session_.stop()].position;
     const auto next = std::find_if(stops.begin(), stops.end(), [&](const Stop& stop) { return stop.position > from; });
     if (next == stops.end()) add("From this stop to the end", from, size);
     else add("From this stop of the lesson to the next", from, next->position);
@@ -395,8 +397,7 @@ void App::film_on() {
   } catch (const InputError& error) {
     return end_film(error.what());
   }
-  const std::string what =
-      fmt::format("Saved {}: {}.", film_->path.string(), film_length(static_cast<std::int64_t>(film_->steps.size())));
+  const std::string what = fmt::format("Saved {}: {}.", film_->path.string(), film_length(std::ssize(film_->steps)));
   back_from_film();
   say(what);
 }
@@ -425,7 +426,7 @@ bool App::handle_filming(const SDL_Event& event) {
 
 void App::film_typed() {
   const std::vector<FilmRange> ranges = film_ranges();
-  const auto row = static_cast<std::size_t>(std::max(0, picked));
+  const std::size_t row = std::max(0, picked);
   if (typed.find_first_not_of(' ') == std::string::npos) {
     if (row < ranges.size()) film(ranges[row].first, ranges[row].last);
     return;
@@ -442,7 +443,7 @@ void App::film_typed() {
 bool App::pick_film(SDL_Keycode code) {
   if (code == SDLK_RETURN) return film_typed(), true;
   if (code != SDLK_UP && code != SDLK_DOWN) return false;
-  const int last = static_cast<int>(film_ranges().size()) - 1;
+  const int last = size32(film_ranges()) - 1;
   picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, last));
   scroll_to_picked = true;
   return true;

@@ -7,16 +7,18 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 
 bool App::pick_among(std::size_t rows, SDL_Keycode code) {
   if (code != SDLK_UP && code != SDLK_DOWN) return false;
-  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(rows) - 1));
+  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, index32(rows) - 1));
   scroll_to_picked = true;
   return true;
 }
@@ -30,7 +32,7 @@ void App::take_found(std::size_t row) {
 bool App::pick_found(SDL_Keycode code) {
   const std::vector<Found>& found = finder_.find(*this);
   if (code != SDLK_RETURN) return pick_among(found.size(), code);
-  if (picked < static_cast<int>(found.size())) take_found(static_cast<std::size_t>(picked));
+  if (picked < size32(found)) take_found(static_cast<std::size_t>(picked));
   return true;
 }
 
@@ -158,8 +160,7 @@ bool App::scrolls_at(Touch::Point at) {
 }
 
 bool App::handle_finger(const SDL_TouchFingerEvent& finger) {
-  const Touch::Point at{finger.x * static_cast<float>(renderer_.width()),
-                        finger.y * static_cast<float>(renderer_.height())};
+  const Touch::Point at{finger.x * to_float(renderer_.width()), finger.y * to_float(renderer_.height())};
   touch_.slop = 10 * dpi_scale_;
   by_touch_ = true;
   ui_.reads = false;
@@ -275,8 +276,8 @@ void App::begin_motion() {
   Fingerprint leads, window;
   take(leads, lead());
   take(leads, viewing_step(ui_) > 0);
-  take(window, static_cast<float>(renderer_.width()));
-  take(window, static_cast<float>(renderer_.height()));
+  take(window, to_float(renderer_.width()));
+  take(window, to_float(renderer_.height()));
   take(window, built_for_);
   take(window, ui_.presenter);
   take(window, static_cast<int>(drawer_));
@@ -330,7 +331,7 @@ void App::draw_entering_edge() {
   const Motion::Place now = motion_.of_row(*from, *to);
   const ImVec2 end{now.at.x + now.size.x, now.at.y + now.size.y};
   const auto& table = session_.state().machine.edge_table;
-  const auto at = static_cast<std::size_t>(enter->edge);
+  const std::size_t at = enter->edge;
   ImDrawList* list = ImGui::GetForegroundDrawList();
   list->AddRectFilled(now.at, end, ui_.colors().now_soft);
   const float thick = std::max(1.0f, 2 * ui_.thin);

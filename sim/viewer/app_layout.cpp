@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
@@ -216,8 +217,7 @@ void App::draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
   // As wide as they can be read, all of them together and a table by itself.
   const auto too_narrow = [&] {
     const float width = size.x - titles, sum = all_weights();
-    return width / static_cast<float>(panes.size()) < narrowest ||
-           std::any_of(panes.begin(), panes.end(), [&](const Pane& pane) {
+    return width / to_float(panes.size()) < narrowest || std::any_of(panes.begin(), panes.end(), [&](const Pane& pane) {
              return !settings_.layout.structures.contains(pane.id) && width * weight(pane) / sum < 8 * ui_.em;
            });
   };
@@ -225,7 +225,7 @@ void App::draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
   if (!folded.empty()) draw_folded(folded, {at.x + size.x - titles + gap, at.y}, {titles - gap, at.y + size.y});
   if (panes.empty()) return;
   const float end = at.x + size.x - titles;
-  const float room = end - at.x - gap * static_cast<float>(panes.size() - 1);
+  const float room = end - at.x - gap * to_float(panes.size() - 1);
   const float sum = all_weights();
   float x = at.x;
   for (std::size_t i = 0; i < panes.size(); ++i) {
@@ -250,8 +250,7 @@ void App::draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
 void App::draw_presented(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f), narrow = std::round(size.x * 0.21f);
   const bool lesson = session_.lesson() != nullptr, asks = session_.question_open();
-  const Stop* stop =
-      lesson && session_.stop() >= 0 ? &session_.lesson()->stops[static_cast<std::size_t>(session_.stop())] : nullptr;
+  const Stop* stop = lesson && session_.stop() >= 0 ? &session_.lesson()->stops[session_.stop()] : nullptr;
   const bool speaks = stop && stop->position == session_.position();
   const bool wide = asks || (speaks && stop->question);
   const float words = wide ? std::round(size.x * 0.37f) : narrow, x = at.x + size.x - words;
@@ -355,7 +354,7 @@ bool App::too_small(ImVec2 panes) const {
 
 /// Of names and buttons: as high as a finger needs, where the window has room for that.
 float App::small_row() const {
-  const float height = static_cast<float>(renderer_.height());
+  const float height = to_float(renderer_.height());
   return std::round(std::max(ui_.em * 1.7f, std::min(ui_.least_target, height * 0.115f)));
 }
 
@@ -506,7 +505,7 @@ std::string App::words_shown() const {
   if (!session_.message.empty()) return happened_pane.id;  // it is said there
   if (chosen_words_ && chosen_words_->stop == stop) return chosen_words_->pane;
   if (!lesson) return happened_pane.id;
-  const std::int64_t speaks = stop < 0 ? 0 : lesson->stops[static_cast<std::size_t>(stop)].position;
+  const std::int64_t speaks = stop < 0 ? 0 : lesson->stops[stop].position;
   return session_.position() == speaks ? lesson_pane.id : happened_pane.id;
 }
 

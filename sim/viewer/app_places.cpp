@@ -15,6 +15,7 @@
 #include "sim/words/link.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::viewer {
@@ -50,7 +51,7 @@ void App::remove_bookmark(std::size_t place) {
   const std::string fault = places_.remove_bookmark(place);
   requests.marks_kept = fault.empty();
   say(fault.empty() ? fmt::format("Removed the bookmark {}.", name) : fault);
-  picked = std::clamp(static_cast<int>(place), 0, std::max(0, static_cast<int>(places_.bookmarks().size()) - 1));
+  picked = std::clamp(index32(place), 0, std::max(0, size32(places_.bookmarks()) - 1));
 }
 
 void App::turn_overlay(int direction) {
@@ -105,13 +106,13 @@ bool App::edit_until(SDL_Keycode code, unsigned modifiers) {
     return run_until(typed, (modifiers & Chord::shift) != 0 ? Places::Way::backwards : Places::Way::forwards), true;
   const auto suggestions = places_.suggestions();
   if (!pick_among(suggestions.size(), code)) return false;
-  if (!suggestions.empty()) put(suggestions[static_cast<std::size_t>(picked)].condition);
+  if (!suggestions.empty()) put(suggestions[picked].condition);
   wrong.clear();
   return true;
 }
 
 bool App::pick_bookmark(SDL_Keycode code, unsigned) {
-  const auto place = static_cast<std::size_t>(std::max(0, picked));
+  const std::size_t place = std::max(0, picked);
   if (code == SDLK_RETURN) return go_to_bookmark(place), true;
   if (code == SDLK_DELETE) return remove_bookmark(place), true;
   return pick_among(places_.bookmarks().size(), code);
@@ -323,7 +324,7 @@ void App::mark_changed_pixels() {
   changed_here_.clear();
   if (now.width != was.width || now.height != was.height) return;
   for (const PixelMark& mark : changed_.pixels) {
-    const auto at = static_cast<std::size_t>(mark.pixel);
+    const std::size_t at = mark.pixel;
     const bool color = color_at(now, session_.scene(), at) != color_at(was, before_->session().scene(), at);
     const bool depth = !now.depth.empty() && !was.depth.empty() && now.depth[at] != was.depth[at];
     if (mark.filled ? color : depth) changed_here_.push_back(mark);

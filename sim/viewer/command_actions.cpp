@@ -13,6 +13,7 @@
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/system.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer::actions {
 namespace {
@@ -61,7 +62,7 @@ void next_vertex(App& app) { next_part(app, true); }
 
 void next_edge(App& app) {
   Session& s = app.session();
-  const int count = static_cast<int>(s.state().machine.edge_table.size());
+  const int count = size32(s.state().machine.edge_table);
   if (count == 0) return next_part(app, false);
   s.picked_part = {};
   const int next = s.selected_edge ? *s.selected_edge + 1 : 0;

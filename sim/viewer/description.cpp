@@ -52,7 +52,7 @@ void tell_step(Text& text, App& app) {
 
 void tell_lesson(Text& text, const Session& s) {
   if (!s.lesson() || s.stop() < 0) return;
-  const Stop& stop = s.lesson()->stops[static_cast<std::size_t>(s.stop())];
+  const Stop& stop = s.lesson()->stops[s.stop()];
   text.title(fmt::format("Lesson: {}, stop {} of {}", s.lesson()->title, s.stop() + 1, s.lesson()->stops.size()));
   text.line(stop.heading);
   text.markdown(stop.text);

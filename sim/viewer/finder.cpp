@@ -11,6 +11,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -51,7 +52,7 @@ void add_stops(App& app, const TypedWords& words, std::vector<Found>& found) {
   for (std::size_t k = 0; k < lesson->stops.size(); ++k) {
     const std::string title = fmt::format("{}. {}", k + 1, lesson->stops[k].heading);
     if (words.all_in("stop " + title))
-      found.push_back({title, "stop", [k](App& a) { a.session().to_stop(static_cast<int>(k)); }});
+      found.push_back({title, "stop", [k](App& a) { a.session().to_stop(index32(k)); }});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/words/numbers.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 
@@ -18,11 +19,11 @@ ListRow list_row(App& app, std::size_t place, float height) {
   const float tall = std::max(height, ui.least_target), above = std::floor((tall - height) / 2);
   row.end = {row.at.x + width, row.at.y + tall};
   can_be_hit(ui, row.at, row.end);
-  ImGui::PushID(static_cast<int>(place));
+  ImGui::PushID(index32(place));
   row.clicked = ImGui::InvisibleButton("row", {width, tall});
   ImGui::PopID();
   ImDrawList* list = ImGui::GetWindowDrawList();
-  if (static_cast<int>(place) == app.picked) {
+  if (index32(place) == app.picked) {
     list->AddRectFilled(row.at, row.end, c.now_soft);
     list->AddRectFilled(row.at, {row.at.x + 3, row.end.y}, c.now);
     if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
@@ -41,8 +42,7 @@ float step_column(const Ui& ui, std::int64_t last_step) {
 void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32_t polygon) {
   const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({at.x, top}, {at.x + box, top + box},
-                      to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
+  list->AddRectFilled({at.x, top}, {at.x + box, top + box}, to_im(opaque(scene.polygons[polygon].color)));
   frame_box(ui, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
 }
 

@@ -13,6 +13,7 @@
 #include "sim/viewer/description.hpp"
 #include "sim/viewer/settings.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -22,9 +23,7 @@ void name_window(const Window& window, const Trace& trace) {
                      fmt::format("zstep \u00b7 {} \u00b7 {}", trace.header().title, trace.scene().name).c_str());
 }
 
-double seconds() {
-  return static_cast<double>(SDL_GetPerformanceCounter()) / static_cast<double>(SDL_GetPerformanceFrequency());
-}
+double seconds() { return ratio(SDL_GetPerformanceCounter(), SDL_GetPerformanceFrequency()); }
 
 Settings with_options(Settings settings, const ViewerOptions& options) {
   settings.dark = options.dark.value_or(settings.dark);

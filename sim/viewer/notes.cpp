@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -22,9 +24,7 @@ std::string minutes_text(double minutes) {
 
 const Stop* stop_of(const Session& session, int stop) {
   const Lesson* lesson = session.lesson();
-  return lesson && stop >= 0 && stop < static_cast<int>(lesson->stops.size())
-             ? &lesson->stops[static_cast<std::size_t>(stop)]
-             : nullptr;
+  return lesson && stop >= 0 && stop < size32(lesson->stops) ? &lesson->stops[stop] : nullptr;
 }
 
 void gap(const Ui& ui, float ems) { ImGui::Dummy({1, std::round(ui.em * ems)}); }
@@ -61,8 +61,8 @@ void draw_solution(Ui& ui, const Stop& stop) {
 
 std::string planned(const Lesson& lesson, int stop) {
   double before = 0, here = 0, all = 0;
-  for (int k = 0; k < static_cast<int>(lesson.stops.size()); ++k) {
-    const auto& notes = lesson.stops[static_cast<std::size_t>(k)].notes;
+  for (int k = 0; k < size32(lesson.stops); ++k) {
+    const auto& notes = lesson.stops[k].notes;
     const double minutes = notes ? notes->minutes : 0;
     all += minutes;
     if (k < stop) before += minutes;
@@ -109,7 +109,7 @@ bool Notes::follow(App& app, const std::string& time) {
   if (!ui_ || seen_.session != &session) ui_ = std::make_unique<Ui>(session, renderer_);
   ui_->theme = now.dark ? &dark_theme() : &light_theme();
   seen_ = std::move(now);
-  const auto width = static_cast<float>(renderer_.width()), height = static_cast<float>(renderer_.height());
+  const auto width = to_float(renderer_.width()), height = to_float(renderer_.height());
   const float grown = std::max(dpi_scale_, 1 + (std::max(std::min(width / 1280, height / 720), 1.0f) - 1) / 2);
   float em = std::round(22 * grown * seen_.text_scale);
   // As large as all of it goes into the window.
@@ -187,7 +187,7 @@ float Notes::draw(float em) {
     renderer_.take_fonts();
   }
   apply_style(ui);
-  const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
+  const ImVec2 size{to_float(renderer_.width()), to_float(renderer_.height())};
   ImGui::GetIO().DisplaySize = size;
   ImGui::NewFrame();
   ImGui::SetNextWindowPos({0, 0});

@@ -14,9 +14,11 @@
 
 #include "sim/film/video.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 
@@ -129,7 +131,7 @@ void draw_columns(App& app, const char* id, const char* title) {
   const float around = 2 * ui.em, above = 3 * ui.em;
   // As many columns as give the rows most room; where the window is low, the rows move together.
   const auto height_of = [&](const KeySheet& sheet) {
-    return std::floor(std::min((screen.y - 8 - above) / static_cast<float>(sheet.rows), ui.em * 1.4f));
+    return std::floor(std::min((screen.y - 8 - above) / to_float(sheet.rows), ui.em * 1.4f));
   };
   KeySheet sheet = sheet_in(ui, 1);
   for (const std::size_t columns : {2u, 3u})
@@ -140,16 +142,15 @@ void draw_columns(App& app, const char* id, const char* title) {
   const float row_height =
       std::max(ui.least_target, fits < ui.em * 0.87f ? std::round(ui.em * 1.4f) : fits);  // or it scrolls
   if (sheet.widths.size() == 1) sheet.widths[0] = std::min(sheet.widths[0], screen.x - 8 - around);
-  begin_overlay(app, id, {sheet.width() + around, static_cast<float>(sheet.rows) * row_height + above});
+  begin_overlay(app, id, {sheet.width() + around, to_float(sheet.rows) * row_height + above});
   flow(ui, title, {.font = ui.fonts.bold});
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const Command* clicked = nullptr;
   for (std::size_t k = 0; k < commands().size(); ++k) {
     const Command& command = commands()[k];
     const KeySheet::Place& place = sheet.places[k];
-    const float x =
-        std::accumulate(sheet.widths.begin(), sheet.widths.begin() + static_cast<std::ptrdiff_t>(place.column), top.x);
-    const float y = top.y + static_cast<float>(place.row) * row_height;
+    const float x = std::accumulate(sheet.widths.begin(), sheet.widths.begin() + place.column, top.x);
+    const float y = top.y + to_float(place.row) * row_height;
     if (place.heads)
       draw_text(ui, {x + ui.em * 0.4f, y - row_height + std::round((row_height - ui.em) * 0.6f)}, ui.fonts.bold,
                 ui.colors().now, command.group);
@@ -176,12 +177,12 @@ void draw_palette(App& app) {
   std::optional<std::size_t> clicked;
   ImGui::BeginChild("found", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    ImGui::PushID(static_cast<int>(i));
+    ImGui::PushID(index32(i));
     if (row(ui, "found", found[i].title, found[i].beside, ImGui::GetContentRegionAvail().x, row_height,
-            app.picked == static_cast<int>(i)))
+            app.picked == index32(i)))
       clicked = i;
     ImGui::PopID();
-    if (app.picked == static_cast<int>(i)) ImGui::SetScrollHereY(0.5f);
+    if (app.picked == index32(i)) ImGui::SetScrollHereY(0.5f);
   }
   if (found.empty()) say_empty(ui, "Nothing here is called so, and it is no place and no condition.");
   ImGui::EndChild();
@@ -253,7 +254,7 @@ std::string spaced(std::string text) {
 }  // namespace
 
 bool App::pick_here(SDL_Keycode code) {
-  const auto line = static_cast<std::size_t>(picked);
+  const std::size_t line = picked;
   if (code != SDLK_RETURN || line >= here_.size()) return pick_among(here_.size(), code);
   take_here(line);
   return true;
@@ -286,7 +287,7 @@ void draw_here(App& app, ImVec2 mouse) {
     widest = std::max(widest, text_size(ui, ui.fonts.text, line.text).x);
     keys = std::max(keys, text_size(ui, ui.fonts.mono, key_of(line)).x);
   }
-  const ImVec2 size{widest + keys + gap + ui.em * 1.5f, height * static_cast<float>(app.here().size()) + ui.em};
+  const ImVec2 size{widest + keys + gap + ui.em * 1.5f, height * to_float(app.here().size()) + ui.em};
   begin_overlay(app, "here", size, mouse);
   const float room = ImGui::GetContentRegionAvail().x - keys - gap;
   for (std::size_t k = 0; k < app.here().size(); ++k) {
@@ -314,14 +315,13 @@ void draw_film(App& app) {
   const std::string heading = "Save a film: Enter or a click makes it of",
                     how = fmt::format("A frame a step, but at most {}, as the window looks now.", most_unasked);
   const float width = ui.em * 42;
-  begin_overlay(app, "film",
-                {width, static_cast<float>(ranges.size()) * line + ui.em * (app.wrong.empty() ? 6.6f : 8.0f)});
+  begin_overlay(app, "film", {width, to_float(ranges.size()) * line + ui.em * (app.wrong.empty() ? 6.6f : 8.0f)});
   flow(ui, heading, {.font = ui.fonts.bold});
   std::optional<std::size_t> clicked;
   for (std::size_t k = 0; k < ranges.size(); ++k) {
     const ListRow row = list_row(app, k, line);
     if (row.clicked) clicked = k;
-    const std::int64_t frames = static_cast<std::int64_t>(film_steps(ranges[k].first, ranges[k].last).size());
+    const std::int64_t frames = film_steps(ranges[k].first, ranges[k].last).size();
     const std::string steps =
         fmt::format("steps {} to {}: {}", grouped(ranges[k].first), grouped(ranges[k].last), film_length(frames));
     const float y = row.at.y + std::round((line - ui.em) / 2) - 1, pad = ui.em * 0.4f,
@@ -341,7 +341,7 @@ void draw_film(App& app) {
 
 void draw_filming(App& app) {
   const Film& film = *app.filming();
-  const double share = static_cast<double>(film.made) / static_cast<double>(film.steps.size());
+  const double share = ratio(film.made, film.steps.size());
   draw_progress(app, fmt::format("filming: frame {} of {}", film.made, film.steps.size()), share, "Esc ends it");
 }
 
@@ -361,7 +361,7 @@ const std::array<SettingRow, 7>& setting_rows() {
       {{"Text size", "smaller", "larger",
         [](App& a) { return fmt::format("{:.0f} %", a.settings().text_scale * 100); }},
        {"Speed of playing", "slower", "faster",
-        [](App& a) { return std::string(Session::speeds()[static_cast<std::size_t>(a.session().speed)].name); }},
+        [](App& a) { return std::string(Session::speeds()[a.session().speed].name); }},
        {"Colours", "theme", "theme", [](App& a) { return std::string(a.settings().dark ? "dark" : "light"); }},
        {"Presenter mode, for a class", "presenter", "presenter",
         [](App& a) { return std::string(a.settings().presenter ? "on" : "off"); }},
@@ -387,8 +387,8 @@ std::string keys_of(const SettingRow& row) {
 }  // namespace
 
 bool App::pick_setting(SDL_Keycode code) {
-  const int rows = static_cast<int>(setting_rows().size());
-  const SettingRow& row = setting_rows()[static_cast<std::size_t>(std::clamp(picked, 0, rows - 1))];
+  const int rows = size32(setting_rows());
+  const SettingRow& row = setting_rows()[std::clamp(picked, 0, rows - 1)];
   if (code == SDLK_UP || code == SDLK_DOWN) picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, rows - 1);
   else if (code == SDLK_LEFT) carry_out(*this, row.less);
   else if (code == SDLK_RIGHT || code == SDLK_RETURN) carry_out(*this, row.more);
@@ -415,15 +415,15 @@ void draw_settings(App& app) {
   const float height = std::max(std::round(ui.em * (narrow ? 2.9f : 2.1f)), ui.least_target);
   const Flow small{.color = ui.colors().muted, .width = width};
   begin_overlay(app, "settings",
-                {width + ui.em * 1.2f, height * static_cast<float>(setting_rows().size()) +
-                                           (narrow ? 4.8f : 3.4f) * ui.em + flow_height(ui, kept, small)});
+                {width + ui.em * 1.2f, height * to_float(setting_rows().size()) + (narrow ? 4.8f : 3.4f) * ui.em +
+                                           flow_height(ui, kept, small)});
   flow(ui, "Settings. \u2191 \u2193 choose a row, \u2190 \u2192 change it; Esc closes.", {.font = ui.fonts.bold});
   ImGui::Dummy({1, ui.em * 0.4f});
   const char* clicked = nullptr;
   for (std::size_t k = 0; k < setting_rows().size(); ++k) {
     const SettingRow& row = setting_rows()[k];
     const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
-    if (static_cast<int>(k) == app.picked) {
+    if (index32(k) == app.picked) {
       ImGui::GetWindowDrawList()->AddRectFilled(at, end, ui.colors().now_soft);
       ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + 3, end.y}, ui.colors().now);
     }
@@ -433,7 +433,7 @@ void draw_settings(App& app) {
                 middle = std::round((height - ui.em * 1.6f) / 2);
     const auto press = [&](float left, const std::string& label, const char* id) {
       ImGui::SetCursorScreenPos({left, at.y + middle});
-      if (button(ui, fmt::format("{}##{}{}", label, id, k))) clicked = id, app.picked = static_cast<int>(k);
+      if (button(ui, fmt::format("{}##{}{}", label, id, k))) clicked = id, app.picked = index32(k);
     };
     if (row.less == row.more) {
       press(x, "\u21c4", row.more);

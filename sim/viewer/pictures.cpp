@@ -7,10 +7,12 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/charts/sheet.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/notes.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -132,7 +134,7 @@ Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positio
   constexpr float text_pixels = 15;
   constexpr std::size_t most_lines = 3;
   constexpr int margin = 24, gap = 20;
-  const int rows = (static_cast<int>(positions.size()) + columns - 1) / columns, line = 20, head = 44;
+  const int rows = (size32(positions) + columns - 1) / columns, line = 20, head = 44;
   const int below = static_cast<int>(most_lines + 1) * line + 10;
   Sheet sheet(2 * margin + columns * options.width + (columns - 1) * gap,
               2 * margin + head + rows * (options.height + below) + (rows - 1) * gap, text_pixels);
@@ -145,13 +147,13 @@ Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positio
   sheet.text(sheet.width() - margin, margin, fmt::format("{} of {} steps", positions.size(), grouped(trace.size())),
              theme.muted, Sheet::Side::right);
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
+    const int column = index32(i) % columns, row = index32(i) / columns;
     const int x = margin + column * (options.width + gap), y = margin + head + row * (options.height + below + gap);
     sheet.image(x, y, images[i]);
-    float text_y = static_cast<float>(y + options.height + 8);
-    sheet.text(static_cast<float>(x), text_y, captions[i].place, theme.text, Sheet::Side::left, true);
-    for (const std::string& words : wrapped(sheet, captions[i].sentence, static_cast<float>(options.width), most_lines))
-      sheet.text(static_cast<float>(x), text_y += static_cast<float>(line), words, theme.text);
+    float text_y = to_float(y + options.height + 8);
+    sheet.text(to_float(x), text_y, captions[i].place, theme.text, Sheet::Side::left, true);
+    for (const std::string& words : wrapped(sheet, captions[i].sentence, to_float(options.width), most_lines))
+      sheet.text(to_float(x), text_y += to_float(line), words, theme.text);
   }
   return sheet.picture();
 }

@@ -11,6 +11,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
 #include "sim/viewer/panes/chart_picture.hpp"
@@ -18,6 +19,7 @@
 #include "sim/words/escaped.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -69,8 +71,7 @@ std::vector<CounterRow> counters_of(const Race& race, const Race::Racer& racer, 
   add(word_of(Measure::operations), compare::operations(now), compare::operations(all),
       race.clock() == Measure::operations);
   if (racer.seconds) {
-    const double share =
-        racer.session.size() == 0 ? 1 : static_cast<double>(at) / static_cast<double>(racer.session.size());
+    const double share = racer.session.size() == 0 ? 1 : ratio(at, racer.session.size());
     rows.push_back({"time, measured", seconds_text(*racer.seconds * share), seconds_text(*racer.seconds),
                     race.clock() == Measure::time});
   }
@@ -146,8 +147,8 @@ void App::change_speed(int direction) {
     race().change_speed(direction);
     return say(fmt::format("Plays {}.", race().speed_text()));
   }
-  session_.speed = std::clamp(session_.speed + direction, 0, static_cast<int>(Session::speeds().size()) - 1);
-  say(fmt::format("Plays at {}.", Session::speeds()[static_cast<std::size_t>(session_.speed)].name));
+  session_.speed = std::clamp(session_.speed + direction, 0, size32(Session::speeds()) - 1);
+  say(fmt::format("Plays at {}.", Session::speeds()[session_.speed].name));
 }
 
 double App::play(double now) {
@@ -263,7 +264,7 @@ float App::draw_race_head(ImVec2 at, float width) {
 void App::draw_racers(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
   const auto& racers = race().racers();
-  const auto count = static_cast<int>(racers.size());
+  const auto count = size32(racers);
   if (race_->looks.empty()) {
     for (const auto& racer : racers) {
       race_->looks.push_back(std::make_unique<Ui>(racer->session, renderer_));
@@ -273,17 +274,16 @@ void App::draw_racers(ImVec2 at, ImVec2 size) {
   const float line = ui_.fonts.small->FontSize * 1.25f, head = ui_.em * 1.9f;
   const bool two_rows = count == 4 && size.x < size.y * 1.6f;
   const int columns = two_rows ? 2 : count, rows = two_rows ? 2 : 1;
-  const float wide = std::floor((size.x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns)),
-              high = std::floor((size.y - gap * static_cast<float>(rows - 1)) / static_cast<float>(rows));
+  const float wide = std::floor((size.x - gap * to_float(columns - 1)) / to_float(columns)),
+              high = std::floor((size.y - gap * to_float(rows - 1)) / to_float(rows));
   const float part = high < 15 * ui_.em ? 0.3f : ui_.presenter ? 0.36f : 0.42f;  // the pictures first
   const float counters = std::round(std::min(head + 11 * line, high * part));
   for (int k = 0; k < count; ++k) {
-    const Race::Racer& racer = *racers[static_cast<std::size_t>(k)];
-    Ui& look = *race_->looks[static_cast<std::size_t>(k)];
+    const Race::Racer& racer = *racers[k];
+    Ui& look = *race_->looks[k];
     share_look(look);
     look.pixel_marks = nullptr;
-    const ImVec2 corner{at.x + static_cast<float>(k % columns) * (wide + gap),
-                        at.y + static_cast<float>(k / columns) * (high + gap)};
+    const ImVec2 corner{at.x + to_float(k % columns) * (wide + gap), at.y + to_float(k / columns) * (high + gap)};
     if (draw_beside(look, frame_pane, racer.entrant.title, corner, {wide, high - counters}))
       for (const auto& other : racers) other->session.select(look.session.selected);
     draw_counters(ui_, race(), racer, {corner.x, corner.y + high - counters}, {wide, counters});
@@ -304,12 +304,12 @@ void App::draw_race_clock(ImVec2 at, float width) {
   named = std::min(named, width * 0.25f);
   const Strip strip{{at.x + named + gap, at.y},
                     std::max(1.0f, width - named - told - 2 * gap),
-                    row * static_cast<float>(racers.size()),
+                    row * to_float(racers.size()),
                     0,
                     race().end()};
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (std::size_t k = 0; k < racers.size(); ++k) {
-    const float y = at.y + row * static_cast<float>(k), top = y + std::round((row - thick) / 2);
+    const float y = at.y + row * to_float(k), top = y + std::round((row - thick) / 2);
     const float middle = y + std::round((row - font->FontSize) / 2) - 1;
     const std::int64_t finish = race().finish(*racers[k]);
     const float end = std::floor(strip.x(finish)), now = std::floor(strip.x(std::min(finish, race().at())));
@@ -350,7 +350,7 @@ void App::draw_race_clock(ImVec2 at, float width) {
 void App::draw_race(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
   const float row = ui_.least_target > 0 ? small_row() + std::round(0.5f * ui_.em) : 2.1f * ui_.em;
-  const float foot = std::round(ui_.em * 1.15f * static_cast<float>(race().racers().size()) + row);
+  const float foot = std::round(ui_.em * 1.15f * to_float(race().racers().size()) + row);
   if (size.y < foot + 8 * ui_.em || size.x < 20 * ui_.em) {
     ImGui::SetCursorScreenPos(at);
     return flow(ui_, "Too small for a race; enlarge the window, or Ctrl+\u2212 for smaller text.", {.width = size.x});
@@ -390,7 +390,7 @@ void App::turn_racer(const std::string& entrant) {
 bool App::pick_racer(SDL_Keycode code) {
   const std::vector<const compare::Entrant*> found = found_entrants();
   if (code != SDLK_RETURN) return pick_among(found.size(), code);
-  if (static_cast<std::size_t>(picked) < found.size()) turn_racer(found[static_cast<std::size_t>(picked)]->text);
+  if (static_cast<std::size_t>(picked) < found.size()) turn_racer(found[picked]->text);
   return true;
 }
 
@@ -442,7 +442,7 @@ LineChart growth_chart(const GrowthChart& growth, Measure measure) {
   // Shapes and colours of their own: a disc, a square, a triangle, a diamond.
   constexpr std::array<int, Race::most> looks{LineChart::plain_look, 1, 2, 6 + LineChart::muted_look};
   for (const compare::GrowthLine& line : growth.lines) {
-    LineChart::Line drawn{line.title, {}, false, looks[static_cast<std::size_t>(&line - growth.lines.data())]};
+    LineChart::Line drawn{line.title, {}, false, looks[&line - growth.lines.data()]};
     for (const compare::GrowthPoint& point : line.points)
       drawn.points.emplace_back(point.polygons, unit * point.by(measure));
     if (!drawn.points.empty()) chart.lines.push_back(std::move(drawn));

@@ -42,7 +42,7 @@ std::optional<std::int64_t> find(const Settings::Kept& kept, const std::string& 
 void put_last(Settings::Kept& kept, const std::string& key, std::int64_t value) {
   kept.erase(std::remove_if(kept.begin(), kept.end(), [&](const auto& one) { return one.first == key; }), kept.end());
   kept.emplace_back(key, value);
-  if (kept.size() > places_kept) kept.erase(kept.begin(), kept.end() - static_cast<std::ptrdiff_t>(places_kept));
+  if (kept.size() > places_kept) kept.erase(kept.begin(), kept.end() - places_kept);
 }
 
 }  // namespace

@@ -93,8 +93,7 @@ Changed Stage::told_of(const std::vector<Change>& changes, const Trace& before) 
   const Picture was = end_of(before), is = end_of(trace());
   Apart differ = apart(was, before.scene(), is, trace().scene());
   const auto pixels = [](const std::vector<PixelMark>& marks) {
-    return marks.size() == 1 ? std::string("1 pixel has")
-                             : grouped(static_cast<std::int64_t>(marks.size())) + " pixels have";
+    return marks.size() == 1 ? std::string("1 pixel has") : grouped(std::ssize(marks)) + " pixels have";
   };
   // What only lies elsewhere is marked where nothing else is.
   if (was.width != is.width || was.height != is.height) changed.told = "Another raster. ";
@@ -271,7 +270,7 @@ void Stage::check() {
     app().to_first_cause();
     return app().say(
         fmt::format("{} to mend. This is the first; . and , go to the others, > and < to all that is marked.",
-                    count_text(static_cast<std::int64_t>(report.causes.size()), "cause", "causes")));
+                    count_text(std::ssize(report.causes), "cause", "causes")));
   }
   if (checked.impossible.empty())
     return app().say(fmt::format("{} {} of {} can be judged by a formula or a rule.{}", verdict_in_words(report),
@@ -325,7 +324,7 @@ void Stage::compare_with(const std::string& path) {
   app().open(Drawer::none);
   app().show_against(shown.with);
   app().to_first_cause();
-  const auto causes = static_cast<std::int64_t>(shown.report.causes.size());
+  const std::int64_t causes = shown.report.causes.size();
   app().say(causes > 0 ? fmt::format("{}; . and , lead from one to the next. Ctrl+D puts the second run away.",
                                      count_text(causes, "cause parts the two runs", "causes part the two runs"))
                        : std::string("The two runs do not part. Ctrl+D puts the second run away."));

@@ -15,8 +15,10 @@
 #include "algorithms/scene/mesh.hpp"
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -199,7 +201,7 @@ void draw_progress(Ui& ui, const ListRow& row, const Offer& lesson, int seen) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 from{right - bar, std::round(middle - thick / 2)};
   list->AddRectFilled(from, {right, from.y + thick}, c.head);
-  const float share = std::min(1.0f, static_cast<float>(seen) / static_cast<float>(lesson.stops));
+  const float share = std::min(1.0f, to_float(seen) / to_float(lesson.stops));
   list->AddRectFilled(from, {from.x + std::round(bar * share), from.y + thick}, c.text);
   frame_box(ui, from, {right, from.y + thick}, c.muted);
 }
@@ -207,7 +209,7 @@ void draw_progress(Ui& ui, const ListRow& row, const Offer& lesson, int seen) {
 /// A picture of three by four in the row; where the text begins beside it.
 float draw_picture(Ui& ui, const Canvas& canvas, float x, const ListRow& row) {
   const ImVec2 at{std::round(x), std::round(row.at.y + 2)};
-  const ImVec2 end{at.x + static_cast<float>(canvas.width()), at.y + static_cast<float>(canvas.height())};
+  const ImVec2 end{at.x + to_float(canvas.width()), at.y + to_float(canvas.height())};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, end);
   frame_box(ui, at, end, ui.colors().rule);
   return x + std::max(std::round((row.end.y - row.at.y) * 1.4f), end.x - at.x) + std::round(ui.em * 0.5f);
@@ -270,8 +272,7 @@ void App::open_start() {
   open(Overlay::start);
   const std::vector<const Offer*> all = choices();
   for (std::size_t k = 0; k < all.size() && !settings_.lessons.empty(); ++k)
-    if (all[k]->what == Offer::What::lesson && all[k]->id == settings_.lessons.back().first)
-      picked = static_cast<int>(k);
+    if (all[k]->what == Offer::What::lesson && all[k]->id == settings_.lessons.back().first) picked = index32(k);
   scroll_to_picked = true;
 }
 
@@ -292,7 +293,7 @@ void App::open_start(Offer::What what) {
            (session_.lesson() && offer.id == session_.lesson()->id);
   };
   for (std::size_t k = all.size(); k-- > 0;)
-    if (all[k]->what == what && !shown(*all[k])) picked = static_cast<int>(k);
+    if (all[k]->what == what && !shown(*all[k])) picked = index32(k);
 }
 
 void App::open_offer(const Offer& offer) {
@@ -324,15 +325,15 @@ bool App::pick_offer(SDL_Keycode code) {
   const bool turns = code == SDLK_PAGEUP || code == SDLK_PAGEDOWN, clicker = std::exchange(clicker_, turns);
   if (turns && (typed == "b" || typed == ".")) put("");
   const std::vector<const Offer*> all = choices();
-  const int count = static_cast<int>(all.size());
+  const int count = size32(all);
   const bool opens = clicker && (code == SDLK_PERIOD || code == SDLK_b);
   if (code == SDLK_RETURN || opens) {
     if (picked >= count) return true;
     requests.for_class = opens;
-    open_offer(*all[static_cast<std::size_t>(picked)]);
+    open_offer(*all[picked]);
     return true;
   }
-  const auto what = [&](int k) { return all[static_cast<std::size_t>(k)]->what; };
+  const auto what = [&](int k) { return all[k]->what; };
   int to = picked;
   if (code == SDLK_UP || code == SDLK_DOWN) to += code == SDLK_DOWN ? 1 : -1;
   else if (code == SDLK_PAGEUP || code == SDLK_PAGEDOWN) to += code == SDLK_PAGEDOWN ? 1 : -1;
@@ -356,7 +357,7 @@ void draw_start(App& app) {
   app.draw_field("Type a part of a name, or the path of a file");
   if (button(ui, "Choose a file\u2026 (Ctrl+Shift+O)")) app.requests.choose_file = true;
   const std::vector<const Offer*> all = app.choices();
-  const auto picked = static_cast<std::size_t>(app.picked);
+  const std::size_t picked = app.picked;
   const bool narrow = ImGui::GetContentRegionAvail().x < 34 * ui.em;  // then one list below the other
   const std::string
       told = picked < all.size() ? all[picked]->summary : "",

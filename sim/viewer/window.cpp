@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/viewer.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -46,7 +48,7 @@ std::vector<TitleName> names_that_fit(std::vector<TitleName> names, float room, 
     return measures.width(one->text) < measures.width(other->text);
   });
   for (std::size_t k = 0; k < shortest_first.size(); ++k) {
-    const float share = left / static_cast<float>(shortest_first.size() - k);
+    const float share = left / to_float(shortest_first.size() - k);
     if (share < measures.least) return {};
     TitleName& name = *shortest_first[k];
     if (measures.width(name.text) > share) name.text = measures.cut(name.text, share);
@@ -126,7 +128,7 @@ SDL_Surface* Window::surface() const {
 float Window::pixels_per_point() const {
   int width = 1, height = 1;
   SDL_GetWindowSize(window_.get(), &width, &height);
-  return static_cast<float>(surface()->w) / static_cast<float>(std::max(1, width));
+  return to_float(surface()->w) / to_float(std::max(1, width));
 }
 
 /// What the system says of the screen's size in millimetres is often wrong, so only a clear case counts: a window whose
@@ -172,7 +174,7 @@ bool Window::is_ended() {
     }
     if (!held || event.type == SDL_KEYUP) kept.push_back(event);
   }
-  of_keys(kept.data(), static_cast<int>(kept.size()), SDL_ADDEVENT);
+  of_keys(kept.data(), size32(kept), SDL_ADDEVENT);
   return false;
 }
 

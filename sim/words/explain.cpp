@@ -9,14 +9,14 @@ namespace zstep {
 
 std::string polygon_label(const Scene& scene, std::int32_t polygon) {
   if (polygon < 0) return "background";
-  const auto at = static_cast<std::size_t>(polygon);
+  const std::size_t at = polygon;
   if (at < scene.polygons.size() && !scene.polygons[at].name->empty()) return *scene.polygons[at].name;
   return fmt::format("P{}", polygon);
 }
 
 std::int32_t polygon_at_work(const MethodState& machine) {
   if (machine.polygon != no_polygon || !machine.span) return machine.polygon;
-  const auto edge = static_cast<std::size_t>(machine.span->left_edge);
+  const std::size_t edge = machine.span->left_edge;
   return machine.span->left_edge >= 0 && edge < machine.edge_table.size() ? machine.edge_table[edge].polygon
                                                                           : no_polygon;
 }
@@ -28,7 +28,7 @@ char letter_of(const Scene& scene, std::int32_t vertex) {
   constexpr std::size_t few = 100;  // facets; nobody names more polygons by their corners
   for (std::size_t k = 0; k < std::min(few, scene.facets.size()); ++k) {
     const Facet& facet = scene.facets[k];
-    const std::string& name = *scene.polygons[static_cast<std::size_t>(facet.polygon)].name;
+    const std::string& name = *scene.polygons[facet.polygon].name;
     if (name.size() != static_cast<std::size_t>(facet.corner_count)) continue;
     for (std::size_t i = 0; i < name.size(); ++i)
       if (scene.corners[static_cast<std::size_t>(facet.first_corner) + i] == vertex && name[i] >= 'A' && name[i] <= 'Z')

@@ -173,7 +173,7 @@ void tell(Telling& t, const HorizonMove& e) {
 namespace {
 
 std::string facet_label(const Telling& t, std::int32_t facet) {
-  const auto at = static_cast<std::size_t>(facet);
+  const std::size_t at = facet;
   return facet >= 0 && at < t.scene.facets.size() ? t.label(t.scene.facets[at].polygon)
                                                   : fmt::format("facet {}", facet);
 }
@@ -191,7 +191,7 @@ std::string capital(std::string text) {
 
 /// The plane of the piece that this facet is, as the replay knows it.
 const PlaneEquation* plane_of(const Telling& t, std::int32_t facet) {
-  const auto at = static_cast<std::size_t>(facet);
+  const std::size_t at = facet;
   if (facet < 0 || at >= t.scene.facets.size()) return nullptr;
   const Piece* found = nullptr;
   for (const Piece& piece : t.machine.pieces) {

@@ -131,8 +131,7 @@ void tell(Telling& t, const EdgeTableSkip& e) {
 void tell(Telling& t, const ScanLineBegin& e) {
   const auto waiting =
       std::count_if(t.machine.edge_table.begin(), t.machine.edge_table.end(), [&](const EdgeTableInsert& entry) {
-        return t.machine.edge_stages[static_cast<std::size_t>(entry.edge)] == EdgeStage::waiting &&
-               entry.first_row == e.y;
+        return t.machine.edge_stages[entry.edge] == EdgeStage::waiting && entry.first_row == e.y;
       });
   t.say(fmt::format("Scan line y = {} of {}: {} active from the line before, {} waiting in its bucket.", e.y,
                     all_at_once(t) ? "all polygons" : t.here(),
@@ -144,7 +143,7 @@ void tell(Telling& t, const EdgeEnter& e) {
   t.say(
       with_capital(fmt::format("{} begins at this scan line and enters the active edge list at place {}, sorted by x.",
                                named(t, e.edge), e.place)));
-  const auto place = static_cast<std::size_t>(e.place);
+  const std::size_t place = e.place;
   const auto& active = t.machine.active;
   const auto out_of_order = [&](std::size_t left) { return formulas::detail::out_of_order(active, left); };
   if (out_of_order(place) || (place > 0 && out_of_order(place - 1))) {
@@ -207,7 +206,7 @@ void tell(Telling& t, const EdgeSwap& e) {
   t.say(fmt::format("Places {} and {} of the active edge list change: left to right, x must not fall.", e.place,
                     e.place + 1));
   t.formula(list_of_active(t));
-  const auto left = static_cast<std::size_t>(e.place);
+  const std::size_t left = e.place;
   if (!formulas::detail::out_of_order(t.machine.active, left)) return;
   const ActiveEdge &one = t.machine.active[left], &other = t.machine.active[left + 1];
   t.contradict(
@@ -317,7 +316,7 @@ void tell(Telling& t, const ImpliedEdge& e) {
   t.say(fmt::format("Up to x = {} {} is in front, from there on {}: the two penetrate each other in an implied edge.",
                     number(e.x_at), t.piece(e.piece), t.piece(e.other)));
   if (t.machine.scan_line) {
-    const auto y = static_cast<double>(*t.machine.scan_line);
+    const double y = *t.machine.scan_line;
     depth_formula(t, e.piece, e.x_at, y, e.z);
     depth_formula(t, e.other, e.x_at, y, e.z);
   }

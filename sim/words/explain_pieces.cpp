@@ -29,7 +29,7 @@ void tell(Telling& t, const TablesBegin& e) {
 }
 
 void tell(Telling& t, const PieceMake& e) {
-  const auto at = static_cast<std::size_t>(e.piece);
+  const std::size_t at = e.piece;
   const std::size_t corners = at < t.machine.pieces.size() ? t.machine.pieces[at].outline.size() : 0;
   if (e.parent < 0)
     t.say(fmt::format("What is left of polygon {} to be drawn becomes piece {}: {} corners.", t.label(e.polygon),
@@ -146,8 +146,8 @@ namespace {
 
 /// What a node is called: its first piece.
 std::string node_name(const Telling& t, std::int32_t node) {
-  if (node < 0 || static_cast<std::size_t>(node) >= t.machine.tree.size()) return fmt::format("node {}", node);
-  const TreeNode& at = t.machine.tree[static_cast<std::size_t>(node)];
+  if (node < 0 || node >= std::ssize(t.machine.tree)) return fmt::format("node {}", node);
+  const TreeNode& at = t.machine.tree[node];
   return at.pieces.empty() ? fmt::format("node {}", node) : t.piece(at.pieces[0]);
 }
 

@@ -60,7 +60,7 @@ std::optional<double> compared_at(const Telling& t, std::int32_t x, std::int32_t
 std::optional<double> glass_here(const Telling& t) {
   const bool mixes = records<ColorBlend>(t.trace.header());
   const std::int32_t at_work = t.at_work();
-  const auto polygon = static_cast<std::size_t>(at_work);
+  const std::size_t polygon = at_work;
   if (!mixes || at_work < 0 || polygon >= t.scene.polygons.size()) return std::nullopt;
   const double opacity = t.scene.polygons[polygon].material->opacity;
   return opacity < 1 ? std::optional(opacity) : std::nullopt;
@@ -247,7 +247,7 @@ void tell(Telling& t, const ColorBlend& e) {
   const Fragment* f = t.machine.fragment && t.machine.fragment->x == e.x && t.machine.fragment->y == e.y
                           ? &*t.machine.fragment
                           : nullptr;
-  const Color over = t.scene.polygons.at(static_cast<std::size_t>(e.polygon)).color;
+  const Color over = t.scene.polygons.at(e.polygon).color;
   const Color result{static_cast<std::uint8_t>(e.r8), static_cast<std::uint8_t>(e.g8), static_cast<std::uint8_t>(e.b8)};
   const auto text = [](Color color) { return fmt::format("({}, {}, {})", color.red, color.green, color.blue); };
   t.value("α", e.opacity);
@@ -262,10 +262,9 @@ void tell(Telling& t, const ColorBlend& e) {
     t.formula(fmt::format("{} = {}", mixed("", "").symbols(), text(result)));
     return;
   }
-  const Color under = f->stored_ink != no_ink ? color_of(f->stored_ink)
-                      : f->stored_polygon == no_polygon
-                          ? t.scene.background
-                          : t.scene.polygons.at(static_cast<std::size_t>(f->stored_polygon)).color;
+  const Color under = f->stored_ink != no_ink           ? color_of(f->stored_ink)
+                      : f->stored_polygon == no_polygon ? t.scene.background
+                                                        : t.scene.polygons.at(f->stored_polygon).color;
   t.formula(fmt::format("{} = {}", mixed(text(over), text(under)).equation(), text(result)));
   const auto off = [&](std::uint8_t top, std::uint8_t bottom, std::uint8_t is) {
     return std::abs(formulas::laid_over<double>(e.opacity, top, bottom) - is) > 0.5 + 1e-9;

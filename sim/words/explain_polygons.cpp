@@ -18,7 +18,7 @@ namespace zstep::words {
 namespace {
 
 const glm::dvec3* world(const Telling& t, std::int32_t vertex) {
-  const auto at = static_cast<std::size_t>(vertex);
+  const std::size_t at = vertex;
   return vertex >= 0 && at < t.scene.points.size() ? &t.scene.points[at] : nullptr;
 }
 
@@ -200,8 +200,7 @@ void tell(Telling& t, const PolygonBegin& e) {
   std::int32_t pieces = 0, corners = 0;
   for (const Facet& facet : t.scene.facets)
     if (facet.polygon == e.polygon) ++pieces;
-  if (e.facet >= 0 && static_cast<std::size_t>(e.facet) < t.scene.facets.size())
-    corners = t.scene.facets[static_cast<std::size_t>(e.facet)].corner_count;
+  if (e.facet >= 0 && e.facet < std::ssize(t.scene.facets)) corners = t.scene.facets[e.facet].corner_count;
   std::string text = fmt::format("Work on polygon {} begins", t.label(e.polygon));
   if (corners > 0) text += fmt::format(": {} corners", corners);
   if (pieces > 1) text += fmt::format("; it is not planar and comes in {} pieces, this is facet {}", pieces, e.facet);

@@ -8,8 +8,8 @@ namespace {
 std::string point(double x, double y, double z) { return fmt::format("({}, {}, {})", number(x), number(y), number(z)); }
 
 std::string facet_name(const Telling& t, std::int32_t facet) {
-  if (facet < 0 || static_cast<std::size_t>(facet) >= t.scene.facets.size()) return "nothing";
-  return t.label(t.scene.facets[static_cast<std::size_t>(facet)].polygon);
+  if (facet < 0 || facet >= std::ssize(t.scene.facets)) return "nothing";
+  return t.label(t.scene.facets[facet].polygon);
 }
 
 /// "X = X_0 + t·dX", the point at t.

@@ -20,7 +20,7 @@ bool contains(const Numbers& numbers, std::int32_t one) {
 }
 
 std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
-  const auto at = static_cast<std::size_t>(facet);
+  const std::size_t at = facet;
   return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
 }
 
@@ -109,12 +109,12 @@ std::int32_t owner_of(const formulas::Situation& at, const formulas::Place& plac
     case In::depth_buffer:
     case In::light_buffer: {
       const auto& polygons = at.before.picture_of_pass().polygon;
-      const auto pixel = static_cast<std::size_t>(place.number);
+      const std::size_t pixel = place.number;
       return pixel < polygons.size() ? polygons[pixel] : no_polygon;
     }
     case In::span:
       if (const auto& spans = at.ahead.spans(); at.ahead.of_all && static_cast<std::size_t>(number) < spans.size())
-        return spans[static_cast<std::size_t>(number)].polygon;
+        return spans[number].polygon;
       return polygon_at_work(method);
     case In::event:  // the pixel and the scan line are no polygon's
       return name == "x" || name == "y" || name == "t" ? no_polygon : polygon_at_work(method);

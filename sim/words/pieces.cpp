@@ -5,22 +5,23 @@
 #include <fmt/format.h>
 
 #include "sim/words/explain.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
 const PlaneEquation* plane_of_node(const MethodState& machine, std::int32_t node) {
-  if (node < 0 || static_cast<std::size_t>(node) >= machine.tree.size()) return nullptr;
-  const TreeNode& at = machine.tree[static_cast<std::size_t>(node)];
+  if (node < 0 || node >= std::ssize(machine.tree)) return nullptr;
+  const TreeNode& at = machine.tree[node];
   if (at.pieces.empty() || at.pieces[0] < 0 || static_cast<std::size_t>(at.pieces[0]) >= machine.pieces.size())
     return nullptr;
-  const auto& plane = machine.pieces[static_cast<std::size_t>(at.pieces[0])].plane;
+  const auto& plane = machine.pieces[at.pieces[0]].plane;
   return plane ? &*plane : nullptr;
 }
 
 std::int32_t node_of_piece(const MethodState& machine, std::int32_t piece) {
   for (std::size_t node = 0; node < machine.tree.size(); ++node)
     for (const std::int32_t one : machine.tree[node].pieces)
-      if (one == piece) return static_cast<std::int32_t>(node);
+      if (one == piece) return index32(node);
   return -1;
 }
 
@@ -53,7 +54,7 @@ std::string part_label(const std::string& whole, int number) {
 
 std::string piece_label(const Scene& scene, const MethodState& machine, std::int32_t piece) {
   const auto& pieces = machine.pieces;
-  const auto at = static_cast<std::size_t>(piece);
+  const std::size_t at = piece;
   if (piece < 0 || at >= pieces.size()) return fmt::format("piece {}", piece);
   const std::string whole = polygon_label(scene, pieces[at].polygon);
   if (!is_part(pieces, at)) return whole;

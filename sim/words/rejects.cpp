@@ -16,15 +16,12 @@ namespace {
 constexpr double rounding = 1e-9;  // of sines and areas: less says nothing
 
 std::span<const std::int32_t> corners_of(const Scene& scene, std::int32_t facet) {
-  if (facet < 0 || static_cast<std::size_t>(facet) >= scene.facets.size()) return {};
-  const Facet& shape = scene.facets[static_cast<std::size_t>(facet)];
-  return std::span(scene.corners)
-      .subspan(static_cast<std::size_t>(shape.first_corner), static_cast<std::size_t>(shape.corner_count));
+  if (facet < 0 || facet >= std::ssize(scene.facets)) return {};
+  const Facet& shape = scene.facets[facet];
+  return std::span(scene.corners).subspan(shape.first_corner, shape.corner_count);
 }
 
-const glm::dvec3& point_of(const Scene& scene, std::int32_t corner) {
-  return scene.points[static_cast<std::size_t>(corner)];
-}
+const glm::dvec3& point_of(const Scene& scene, std::int32_t corner) { return scene.points[corner]; }
 
 /// Of a facet in screen coordinates, in pixels.
 double area_of(const Scene& scene, std::span<const std::int32_t> corners) {

@@ -20,6 +20,7 @@
 #include "traces/formulas/walk.hpp"
 #include "traces/replay/apply.hpp"
 #include "traces/replay/key_frames.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -241,7 +242,7 @@ bool moves_ended_edges(const Trace& trace) {
       ends.push_back(insert->end_row);
     }
     if (const auto* moved = get_if<EdgeStep>(&recorded.event); moved && line) {
-      const auto edge = static_cast<std::size_t>(moved->edge);
+      const std::size_t edge = moved->edge;
       found = moved->edge >= 0 && edge < ends.size() && ends[edge] < *line;
     }
     return !found;
@@ -272,8 +273,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
     checker.wins.look_at(e, position, at, judge);
     filling.look_at(e, at, judge);
     if constexpr (requires { e.polygon; })
-      if (e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < has_steps.size())
-        has_steps[static_cast<std::size_t>(e.polygon)] = true;
+      if (e.polygon >= 0 && e.polygon < std::ssize(has_steps)) has_steps[e.polygon] = true;
     judge.has_numbers();
     if constexpr (std::is_same_v<E, BuffersClear>)
       for (const Place::In in : {Place::In::depth_buffer, Place::In::frame}) checker.cleared(in);
@@ -284,11 +284,10 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
     kind.can_be_judged = formulas::Derived<E, Judge<E>>;
     kind.joins_things = formulas::joins_things<E>;
     kind.judged += checker.any_judged;
-    for (std::uint32_t left = checker.fields; left != 0; left &= left - 1)
-      ++kind.fields[static_cast<std::size_t>(std::countr_zero(left))];
+    for (std::uint32_t left = checker.fields; left != 0; left &= left - 1) ++kind.fields[std::countr_zero(left)];
     if (checker.inherited != Inheritance::clean && !checker.any_fault) {
       ++checker.report.inherited;
-      ++checker.report.causes[static_cast<std::size_t>(checker.inherited)].inherited;
+      ++checker.report.causes[checker.inherited].inherited;
     }
     if (!checker.inheritance.empty() || checker.any_fault)
       for_each_place_written(e, at, [&](const Place& place) {
@@ -317,7 +316,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
   checker.report.coverage = filling.judges_all() && checker.wins.all_known();
   if (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceMake>))
     for (std::size_t polygon = 0; polygon < has_steps.size(); ++polygon)
-      if (!has_steps[polygon]) checker.report.polygons_missing.push_back(static_cast<std::int32_t>(polygon));
+      if (!has_steps[polygon]) checker.report.polygons_missing.push_back(index32(polygon));
   return std::move(checker.report);
 }
 
@@ -417,7 +416,7 @@ std::vector<NotJudged> not_judged(const CheckReport& report) {
     std::size_t first = left.size();
     for (const FieldOfKind& field : fields_of_kind(kind)) {
       if (!has(field.as, As::formula)) continue;
-      const std::int64_t open = of.steps - of.fields[static_cast<std::size_t>(&field - fields_of_kind(kind).data())];
+      const std::int64_t open = of.steps - of.fields[&field - fields_of_kind(kind).data()];
       if (open == 0 || (open < of.steps && may_say_nothing(kind, field.name))) continue;
       auto same = first;
       while (same < left.size() && left[same].steps != open) ++same;

@@ -23,7 +23,7 @@ struct PixelTold {
 ColorWrites::ColorWrites(const Trace& trace) {
   if (!trace.has(kind_of<DepthCompare>) || !trace.has(kind_of<PixelWrite>)) return;
   const Raster& raster = trace.scene().raster;
-  std::vector<PixelTold> pixels(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+  std::vector<PixelTold> pixels(static_cast<std::size_t>(raster.width) * raster.height);
   struct Win {
     std::int64_t step = 0;
     std::uint32_t turn = 0;
@@ -40,7 +40,7 @@ ColorWrites::ColorWrites(const Trace& trace) {
     pixel = {turn};
   };
   const auto told = [&](std::int32_t column, std::int32_t row) -> PixelTold& {
-    PixelTold& pixel = pixels[static_cast<std::size_t>(std::int64_t{row} * raster.width + column)];
+    PixelTold& pixel = pixels[std::int64_t{row} * raster.width + column];
     if (pixel.turn != turn) leave(pixel);
     return pixel;
   };

@@ -175,10 +175,10 @@ class Filling {
 
  private:
   void visit(std::int32_t x, std::int32_t y, const Situation::SpanOfPixel& of) {
-    const auto number = static_cast<std::size_t>(of.place.number);
+    const std::size_t number = of.place.number;
     const bool known = of && number < open_.size() && open_[number].span.y == y && x >= 0;
     if (!known || static_cast<std::size_t>(x) >= open_[number].visited.size()) judges_ = false;
-    else open_[number].visited[static_cast<std::size_t>(x)] = true;
+    else open_[number].visited[x] = true;
   }
   /// Their pixels may come after several spans.
   template <class Out>
@@ -186,7 +186,7 @@ class Filling {
     bool filled = true;
     for (const auto& [span, visited] : open_)
       for (std::int32_t x = std::max(0, span.first); x <= span.last && filled; ++x)
-        filled = static_cast<std::size_t>(x) >= visited.size() || visited[static_cast<std::size_t>(x)];
+        filled = static_cast<std::size_t>(x) >= visited.size() || visited[x];
     if (!open_.empty()) out.rule(Rule::span_is_filled, filled);
     open_.clear();
   }

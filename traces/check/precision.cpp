@@ -58,8 +58,8 @@ struct Seen {
     if (!std::isfinite(value) || value == std::trunc(value)) return;
     ++numbers;
     const Digits needed = digits_of(value);
-    ++by_digits[static_cast<std::size_t>(std::min(needed.all, most_digits))];
-    ++by_decimals[static_cast<std::size_t>(std::min(needed.decimals, most_digits))];
+    ++by_digits[std::min(needed.all, most_digits)];
+    ++by_decimals[std::min(needed.decimals, most_digits)];
     many_digits = many_digits || needed.all > few;
     many_decimals = many_decimals || needed.decimals > few;
     if (!float32) return;
@@ -71,9 +71,9 @@ struct Seen {
   /// numbers that are rounded to k digits nine in ten need all k.
   static std::optional<int> cut_at(const std::array<std::int64_t, most_digits + 1>& counts, std::int64_t numbers) {
     int most = most_digits;
-    while (most > 0 && counts[static_cast<std::size_t>(most)] == 0) --most;
+    while (most > 0 && counts[most] == 0) --most;
     constexpr int fewest = 3;
-    const bool many = 2 * counts[static_cast<std::size_t>(most)] > numbers;
+    const bool many = 2 * counts[most] > numbers;
     return most >= fewest && most <= few && many ? std::optional(most) : std::nullopt;
   }
 };

@@ -21,7 +21,7 @@ struct DepthBounds {
   double at(std::int64_t x, std::int64_t y) const {
     const std::int64_t pixel = y * width + x;
     const bool inside = x >= 0 && x < width && y >= 0 && static_cast<std::size_t>(pixel) < of_pixel.size();
-    return inside ? of_pixel[static_cast<std::size_t>(pixel)] : 0;
+    return inside ? of_pixel[pixel] : 0;
   }
 };
 

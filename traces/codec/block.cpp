@@ -15,12 +15,12 @@ Tiles::Tiles(const Raster& raster) : width_(raster.width), height_(raster.height
 
 void Tiles::put(Bytes& out) const {
   const int rows = height_ > 0 ? ((height_ - 1) >> shift_) + 1 : 0;
-  for (int row = 0; row < rows; ++row) put_u32(out, rows_[static_cast<std::size_t>(row)]);
+  for (int row = 0; row < rows; ++row) put_u32(out, rows_[row]);
 }
 
 void Tiles::take(ByteReader& in) {
   const int rows = height_ > 0 ? ((height_ - 1) >> shift_) + 1 : 0;
-  for (int row = 0; row < rows; ++row) rows_[static_cast<std::size_t>(row)] = in.u32();
+  for (int row = 0; row < rows; ++row) rows_[row] = in.u32();
 }
 
 namespace {

@@ -69,12 +69,12 @@ class Tiles {
   bool touch(std::int32_t first, std::int32_t end, std::int32_t y) {
     if (first < 0 || end <= first || end > width_ || y < 0 || y >= height_) return false;
     const int from = first >> shift_, to = (end - 1) >> shift_;
-    rows_[static_cast<std::size_t>(y >> shift_)] |= (~std::uint32_t{0} >> (31 - (to - from))) << from;
+    rows_[y >> shift_] |= (~std::uint32_t{0} >> (31 - (to - from))) << from;
     return true;
   }
   bool touched(std::int32_t x, std::int32_t y) const {
     if (x < 0 || x >= width_ || y < 0 || y >= height_) return false;
-    return (rows_[static_cast<std::size_t>(y >> shift_)] >> (x >> shift_) & 1u) != 0;
+    return (rows_[y >> shift_] >> (x >> shift_) & 1u) != 0;
   }
   void clear() { rows_.fill(0); }
   /// Whether all that is touched here is touched there, too.

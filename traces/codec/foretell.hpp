@@ -58,7 +58,7 @@ inline void Foreteller::evaluate(VertexSide& event) {
   if (!told && event.plane_of != of_facet_.facet) of_facet_ = facts_->plane_by_parts(event.plane_of);
   const FacetPlane& plane = told ? divider_ : of_facet_;
   glm::dvec3 point(0);
-  if (facts_->is_point(event.vertex)) point = facts_->scene().points[static_cast<std::size_t>(event.vertex)];
+  if (facts_->is_point(event.vertex)) point = facts_->scene().points[event.vertex];
   else
     for (const Cut& cut : cuts_)
       if (cut.vertex == event.vertex) point = cut.point;
@@ -155,7 +155,7 @@ inline void Foreteller::note(const ExtentTest& event) {
 
 inline void Foreteller::evaluate(RayPlane& event) {
   event.numerator = event.denominator = event.t = 0;
-  if (event.facet < 0 || static_cast<std::size_t>(event.facet) >= facts_->scene().facets.size()) return;
+  if (event.facet < 0 || event.facet >= std::ssize(facts_->scene().facets)) return;
   const FacetPlane& plane = facts_->plane(event.facet);
   const auto crossing = formulas::ray_crossing(ray_from_, ray_along_, plane.normal, plane.d);
   event.numerator = crossing.numerator, event.denominator = crossing.denominator, event.t = crossing.t;
@@ -293,7 +293,7 @@ inline void Foreteller::evaluate(FacingTest& event) {
   const Scene& scene = facts_->scene();
   const bool orthographic = scene.camera.kind == Camera::Kind::orthographic;
   const std::size_t count = corners_.size();
-  const auto point = [&](std::size_t i) { return scene.points[static_cast<std::size_t>(corners_[i])]; };
+  const auto point = [&](std::size_t i) { return scene.points[corners_[i]]; };
   const auto view = [&](std::size_t i) { return corner_facts_[i].view; };
   const glm::dvec3 first = point(0), eye = scene.camera.eye, sight = orthographic ? -eye : first - eye;
   const glm::dvec3 normal = formulas::newell_normal(glm::dvec3(0), count, point);

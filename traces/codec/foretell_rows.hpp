@@ -248,7 +248,7 @@ inline void Foreteller::evaluate(SpanFlags& event) {
 template <>
 inline void Foreteller::note(const SpanFlags& event) {
   sweep_.expect(event.flags);
-  const auto y = static_cast<double>(event.y);
+  const double y = event.y;
   begin_depths(true, {{{event.x_left, y}, {event.x_right, y}}}, 2);
 }
 

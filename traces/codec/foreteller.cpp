@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "traces/codec/foretell.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::codec {
 
@@ -19,7 +20,7 @@ void KnownEdges::clear() {
   step_ = span_ = retire_ = enter_ = 0;
 }
 
-std::int32_t KnownEdges::next_number() const { return base_ + static_cast<std::int32_t>(edges_.size()); }
+std::int32_t KnownEdges::next_number() const { return base_ + size32(edges_); }
 
 void KnownEdges::insert(std::int32_t number, const KnownEdge& edge) {
   if (number != next_number() || number < 0) {
@@ -50,7 +51,7 @@ std::int32_t KnownEdges::place_for(const KnownEdge& edge) const {
     if (other == nullptr) continue;
     if (edge.x != other->x ? edge.x < other->x : edge.dx_dy < other->dx_dy) return static_cast<std::int32_t>(place);
   }
-  return static_cast<std::int32_t>(active_.size());
+  return size32(active_);
 }
 
 std::int32_t KnownEdges::to_retire(std::int32_t row) const {
@@ -70,12 +71,11 @@ void KnownEdges::enter(std::int32_t number, std::int32_t place) {
   }
   if (active_.size() >= list_limit) active_.clear();
   const std::size_t where = std::min(static_cast<std::size_t>(std::max(place, 0)), active_.size());
-  active_.insert(active_.begin() + static_cast<std::ptrdiff_t>(where), number);
+  active_.insert(active_.begin() + where, number);
 }
 
 void KnownEdges::retire(std::int32_t number) {
-  auto found = std::find(active_.begin() + static_cast<std::ptrdiff_t>(std::min(retire_, active_.size())),
-                         active_.end(), number);
+  auto found = std::find(active_.begin() + (std::min(retire_, active_.size())), active_.end(), number);
   if (found == active_.end()) found = std::find(active_.begin(), active_.end(), number);
   if (found == active_.end()) return;
   retire_ = static_cast<std::size_t>(found - active_.begin());  // the next one on this row stands no further left
@@ -83,7 +83,7 @@ void KnownEdges::retire(std::int32_t number) {
 }
 
 void KnownEdges::swap(std::int32_t place) {
-  const auto left = static_cast<std::size_t>(place);
+  const std::size_t left = place;
   if (place >= 0 && left + 1 < active_.size()) std::swap(active_[left], active_[left + 1]);
 }
 

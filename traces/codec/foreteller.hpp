@@ -162,7 +162,7 @@ class KnownSweep {
   void expect(std::int32_t count) {
     const auto wanted = std::min(static_cast<std::size_t>(std::max(count, 0)), most);
     if (wanted > inside_.size()) inside_.insert(inside_.begin(), wanted - inside_.size(), -1);
-    else inside_.erase(inside_.begin(), inside_.end() - static_cast<std::ptrdiff_t>(wanted));
+    else inside_.erase(inside_.begin(), inside_.end() - wanted);
   }
   /// The one at this place is this piece.
   void learn(std::size_t place, std::int32_t piece) {
@@ -191,8 +191,7 @@ class KnownEdges {
   /// An edge of the table; nullptr when this block has not told of it.
   const KnownEdge* at(std::int32_t number) const {
     const std::int64_t place = std::int64_t{number} - base_;
-    return place >= 0 && place < static_cast<std::int64_t>(edges_.size()) ? &edges_[static_cast<std::size_t>(place)]
-                                                                          : nullptr;
+    return place >= 0 && place < std::ssize(edges_) ? &edges_[place] : nullptr;
   }
   KnownEdge* at(std::int32_t number) { return const_cast<KnownEdge*>(std::as_const(*this).at(number)); }
   void insert(std::int32_t number, const KnownEdge& edge);
@@ -314,7 +313,7 @@ class Foreteller {
       return std::array<Guess, sizeof...(K)>{field_at<E, K>.guess...};
     }
     (std::make_index_sequence<field_count<E>>{});
-    return ways[static_cast<std::size_t>(static_cast<int>(I) + step)];
+    return ways[static_cast<int>(I) + step];
   }
 
   // For each kind that has such fields, beside the others of its theme (foretell_….hpp). An encoder may ask twice for

@@ -12,6 +12,7 @@
 #include "traces/events/vocabulary.hpp"
 #include "traces/file/header.hpp"
 #include "traces/formulas/viewing.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::codec {
 
@@ -68,7 +69,7 @@ VertexGeometry SceneGeometry::from_view(std::int32_t vertex, glm::dvec3 view) co
 }
 
 void SceneGeometry::find_out(std::int32_t vertex, VertexGeometry& facts) const {
-  const glm::dvec3& point = scene_->points[static_cast<std::size_t>(vertex)];
+  const glm::dvec3& point = scene_->points[vertex];
   if (viewed_) {
     facts = from_view(vertex, glm::dvec3(scene_->camera.view * glm::dvec4(point, 1)));
   } else {
@@ -79,10 +80,9 @@ void SceneGeometry::find_out(std::int32_t vertex, VertexGeometry& facts) const {
 }
 
 std::span<const std::int32_t> SceneGeometry::corners(std::int32_t facet) const {
-  if (facet < 0 || static_cast<std::size_t>(facet) >= scene_->facets.size()) return {};
-  const Facet& found = scene_->facets[static_cast<std::size_t>(facet)];
-  return std::span(scene_->corners)
-      .subspan(static_cast<std::size_t>(found.first_corner), static_cast<std::size_t>(found.corner_count));
+  if (facet < 0 || facet >= std::ssize(scene_->facets)) return {};
+  const Facet& found = scene_->facets[facet];
+  return std::span(scene_->corners).subspan(found.first_corner, found.corner_count);
 }
 
 const FacetPlane& SceneGeometry::plane(std::int32_t facet) const {
@@ -136,7 +136,7 @@ SceneGeometry::Outside SceneGeometry::outside_of(std::span<const std::int32_t> o
 
 void SceneGeometry::number_pieces() const {
   numbered_ = true;
-  const auto facets = static_cast<std::int32_t>(scene_->facets.size());
+  const auto facets = size32(scene_->facets);
   for (std::int32_t facet = 0; facet < facets; ++facet) {
     const std::span<const std::int32_t> of_facet = corners(facet);
     if (of_facet.size() < 3) continue;
@@ -152,8 +152,8 @@ void SceneGeometry::number_pieces() const {
 
 std::span<const std::int32_t> SceneGeometry::corners_of_piece(std::int32_t piece) const {
   if (!numbered_) number_pieces();
-  if (piece < 0 || static_cast<std::size_t>(piece) >= facets_of_pieces_.size()) return {};
-  return corners(facets_of_pieces_[static_cast<std::size_t>(piece)]);
+  if (piece < 0 || piece >= std::ssize(facets_of_pieces_)) return {};
+  return corners(facets_of_pieces_[piece]);
 }
 
 bool SceneGeometry::find_out(std::int32_t piece, FacetPlane& plane) const {
@@ -195,9 +195,7 @@ std::int32_t SceneGeometry::next_by_depth(std::int32_t piece) const {
     next_by_depth_.assign(count, -1);
     for (std::size_t i = 1; i < count; ++i) next_by_depth_[at(order[i - 1])] = order[i];
   }
-  return piece >= 0 && static_cast<std::size_t>(piece) < next_by_depth_.size()
-             ? next_by_depth_[static_cast<std::size_t>(piece)]
-             : -1;
+  return piece >= 0 && piece < std::ssize(next_by_depth_) ? next_by_depth_[piece] : -1;
 }
 
 std::span<const glm::dvec3> SceneGeometry::raster_outline(std::int32_t piece) const {

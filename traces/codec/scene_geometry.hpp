@@ -84,9 +84,7 @@ class SceneGeometry {
   /// False for scenes whose points stand on the raster already.
   bool viewed() const { return viewed_; }
 
-  bool is_point(std::int32_t vertex) const {
-    return vertex >= 0 && static_cast<std::size_t>(vertex) < scene_->points.size();
-  }
+  bool is_point(std::int32_t vertex) const { return vertex >= 0 && vertex < std::ssize(scene_->points); }
   /// Of one of the scene's points.
   const VertexGeometry& of_point(std::int32_t vertex) const {
     VertexGeometry& facts = points_.at(vertex);
@@ -149,7 +147,7 @@ class SceneGeometry {
   /// The corners of the facet that is this piece; none where there are not so many.
   std::span<const std::int32_t> corners_of_piece(std::int32_t piece) const;
   auto points_of(std::span<const std::int32_t> corners) const {
-    return [this, corners](std::size_t i) { return scene_->points[static_cast<std::size_t>(corners[i])]; };
+    return [this, corners](std::size_t i) { return scene_->points[corners[i]]; };
   }
   /// What clipping leaves of it, (x_s, y_s, depth); until the next is asked for.
   std::span<const glm::dvec3> raster_outline(std::int32_t piece) const;

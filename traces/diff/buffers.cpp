@@ -46,7 +46,7 @@ void compare_depths_into(BufferDifference& found, const Depths& a, const Depths&
       apart[i] = infinite;
     } else {
       const double off = std::abs(one - other);
-      const auto pixel = static_cast<std::int64_t>(i);
+      const std::int64_t pixel = i;
       if (formulas::gives(formulas::Rounded(one), other, precision.relative) || off <= precision.absolute ||
           off <= precision.allowed_depth(pixel % width, pixel / width)) {
         ++found.depths_rounded;

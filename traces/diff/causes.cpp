@@ -12,6 +12,7 @@
 #include "traces/diff/parting.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/events/slots.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::diff {
 
@@ -27,7 +28,7 @@ std::optional<Edge> edge_at(const Trace& trace, std::int64_t step, std::int32_t 
   if (!made) return std::nullopt;
   const auto entry = get<EdgeTableInsert>(trace.event(*made).event);
   const auto [from, to] = std::minmax(entry.vertex_0, entry.vertex_1);
-  const auto points = static_cast<std::int32_t>(trace.scene().points.size());
+  const auto points = size32(trace.scene().points);
   if (to >= points) return std::nullopt;  // vertices that clipping made have other numbers in another run
   return Edge{entry.polygon, from, to};
 }
@@ -182,12 +183,11 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
   std::vector<std::size_t> cause_of(differences.size());
   std::vector<bool> followed(differences.size());
   for (std::size_t i = 0; i < differences.size(); ++i)
-    if (const std::int32_t root = roots.of(static_cast<std::int32_t>(i)); root != static_cast<std::int32_t>(i))
-      followed[static_cast<std::size_t>(root)] = true;
+    if (const std::int32_t root = roots.of(index32(i)); root != index32(i)) followed[root] = true;
   const std::vector<bool> exchanged = exchanged_edges(differences, in_a, in_b);
   for (const bool symptoms : {false, true}) {
     for (std::size_t i = 0; i < differences.size(); ++i) {
-      const auto d = static_cast<std::int32_t>(i);
+      const auto d = index32(i);
       const Difference& difference = differences[i];
       const std::int32_t root = roots.of(d);
       if ((root != d) != symptoms) continue;
@@ -223,7 +223,7 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
         } else ++report.causes[found->second].again;
         cause_of[i] = found->second;
       } else {
-        cause_of[i] = cause_of[static_cast<std::size_t>(root)];
+        cause_of[i] = cause_of[root];
         ++report.causes[cause_of[i]].symptoms;
       }
       Cause& cause = report.causes[cause_of[i]];

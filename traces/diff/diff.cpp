@@ -11,6 +11,7 @@
 #include "traces/diff/in_step.hpp"
 #include "traces/diff/parting.hpp"
 #include "traces/diff/seen.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::diff {
 
@@ -274,9 +275,8 @@ DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(doub
   std::vector<Finding> in_a(report.alignment.differences.size()), in_b = in_a;
   std::vector<Elsewhere> elsewhere;
   const auto at_step = [&](const Trace& trace, double from, double share) {
-    return [&, on_share = part_of(from, share)](std::int64_t position) {
-      return on_share(static_cast<double>(position) / static_cast<double>(trace.size()));
-    };
+    return
+        [&, on_share = part_of(from, share)](std::int64_t position) { return on_share(ratio(position, trace.size())); };
   };
   const BeforeFirst begin_a = go_to_first(a, true, report, at_step(a, 0.5, 0.1), way);
   const BeforeFirst begin_b = go_to_first(b, false, report, at_step(b, 0.6, 0.1), way);

@@ -17,6 +17,7 @@
 #include "traces/formulas/situation.hpp"
 #include "traces/formulas/walk.hpp"
 #include "traces/replay/key_frames.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::diff {
 
@@ -75,7 +76,7 @@ struct Reads {
     if (from_different == no_difference) from_different = different.of(place);
     const std::int32_t from = rounding.of(place);
     if (from_rounding == no_difference) from_rounding = from;
-    if (from != no_difference) operands_off = std::max(operands_off, findings[static_cast<std::size_t>(from)].off);
+    if (from != no_difference) operands_off = std::max(operands_off, findings[from].off);
   }
   /// The stored depth decides a compare, and nothing else of it.
   void stored(const Place& place) {
@@ -227,8 +228,8 @@ class Follow {
         box_margin_(formulas::detail::box_margin(trace.scene())) {
     const auto& all = report.alignment.differences;
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (own_step(all[i], of_a_) != 0) own_.push_back(static_cast<std::int32_t>(i));
-    const auto step_of = [&](std::int32_t number) { return own_step(all[static_cast<std::size_t>(number)], of_a_); };
+      if (own_step(all[i], of_a_) != 0) own_.push_back(index32(i));
+    const auto step_of = [&](std::int32_t number) { return own_step(all[number], of_a_); };
     std::sort(own_.begin(), own_.end(),
               [&](std::int32_t one, std::int32_t other) { return step_of(one) < step_of(other); });
     scopes_.fill(no_difference);
@@ -255,9 +256,7 @@ class Follow {
     return next_elsewhere_ < elsewhere_.size() ? elsewhere_[next_elsewhere_].before : never;
   }
   std::int64_t next_difference() const {
-    return next_own_ < own_.size()
-               ? own_step(report_.alignment.differences[static_cast<std::size_t>(own_[next_own_])], of_a_)
-               : never;
+    return next_own_ < own_.size() ? own_step(report_.alignment.differences[own_[next_own_]], of_a_) : never;
   }
 
   /// Pixels at which nothing is different are passed at once.
@@ -266,7 +265,7 @@ class Follow {
     const std::int64_t end = position + pixels.events();
     const bool here = next_missing() < end || next_difference() <= end;
     const bool several = at_.ahead.spans().size() > 1;
-    if (!here && !several && !plain_ && !fragment_ && !rows_[static_cast<std::size_t>(pixels.y)]) {
+    if (!here && !several && !plain_ && !fragment_ && !rows_[pixels.y]) {
       run_.apply_pixels(position, pixels);
       at_.ahead.pass_pixels();
       return go_on_(position);
@@ -281,7 +280,7 @@ class Follow {
     if (place.in == Place::In::fragment) fragment_ = true;
     if (place.in != Place::In::depth_buffer && place.in != Place::In::light_buffer && place.in != Place::In::frame)
       return;
-    const auto row = static_cast<std::size_t>(place.number / trace_.scene().raster.width);
+    const std::size_t row = place.number / trace_.scene().raster.width;
     if (row < rows_.size()) rows_[row] = true;
   }
 
@@ -293,9 +292,8 @@ class Follow {
       if (!number) return;
       place.number = *number;
     }
-    (findings_[static_cast<std::size_t>(what.difference)].rounding ? rounding_ : different_)
-        .set(place, what.difference);
-    const std::uint8_t kind = report_.alignment.differences[static_cast<std::size_t>(what.difference)].kind;
+    (findings_[what.difference].rounding ? rounding_ : different_).set(place, what.difference);
+    const std::uint8_t kind = report_.alignment.differences[what.difference].kind;
     if (list_ == no_difference && (kind == kind_of<EdgeEnter> || kind == kind_of<EdgeRetire>)) list_ = what.difference;
     mark(place);
   }
@@ -306,7 +304,7 @@ class Follow {
     if constexpr (std::is_same_v<E, PairBegin>) note_pair(e);
     if (number != no_difference) judge(e, number);
     else if constexpr (belongs_to<E>() != 0) need(scopes_[belongs_to<E>()]);
-    const bool by_rounding = number != no_difference && findings_[static_cast<std::size_t>(number)].rounding;
+    const bool by_rounding = number != no_difference && findings_[number].rounding;
     if (number != no_difference || !different_.empty() || !rounding_.empty())
       for_each_place_written(e, at_, [&](const Place& place) {
         if (adds_to_place<E> && number == no_difference) return;
@@ -346,14 +344,14 @@ class Follow {
   bool may_be_needed() const { return scopes_[1] != no_difference || scopes_[2] != no_difference; }
   /// A step that both runs have belongs to what only this one begins.
   void need(std::int32_t begun) {
-    if (begun != no_difference) findings_[static_cast<std::size_t>(begun)].needed = true;
+    if (begun != no_difference) findings_[begun].needed = true;
   }
 
   template <class E>
   void judge(const E& e, std::int32_t number) {
     const formulas::Situation& at = at_;
-    const Difference& difference = report_.alignment.differences[static_cast<std::size_t>(number)];
-    Finding& finding = findings_[static_cast<std::size_t>(number)];
+    const Difference& difference = report_.alignment.differences[number];
+    Finding& finding = findings_[number];
     finding = {};
     Reads reads{different_, rounding_, findings_};
     Witness<E> witness{e, trace_.header(), report_.precision, difference.fields, reads};
@@ -402,16 +400,16 @@ class Follow {
       if (alone && finding.comes_from == no_difference) finding.comes_from = rows_of_edges(e);
     if (alone && !empty && finding.comes_from == no_difference)
       for (const std::int32_t scope : scopes_)
-        if (scope != no_difference && !findings_[static_cast<std::size_t>(scope)].rounding) finding.comes_from = scope;
+        if (scope != no_difference && !findings_[scope].rounding) finding.comes_from = scope;
     if (finding.comes_from != no_difference || (finding.wrong && !alone)) return;
 
     // Neither different operands nor a wrong result: is it rounding, or what rounding decides?
     // Whether a step is done at all hangs on what was decided, not on digits.
     std::int32_t from = reads.from_rounding;
-    if (alone && from != no_difference && !findings_[static_cast<std::size_t>(from)].decides) from = no_difference;
+    if (alone && from != no_difference && !findings_[from].decides) from = no_difference;
     if (alone && !empty && from == no_difference)
       for (const std::int32_t scope : scopes_)
-        if (scope != no_difference && findings_[static_cast<std::size_t>(scope)].decides) from = scope;
+        if (scope != no_difference && findings_[scope].decides) from = scope;
     const bool decided = exact_fields<E>(difference.fields);
     const bool any_rounding = either_way || from != no_difference || (difference.fields & ~exact_bits<E>()) != 0;
     finding.decides = alone || decided;
@@ -426,7 +424,7 @@ class Follow {
     constexpr std::uint16_t rows = bit_of<EdgeTableInsert>("first_row") | bit_of<EdgeTableInsert>("end_row");
     const std::int32_t from = different_.of(Place{Place::In::edge_table, e.edge});
     if (from == no_difference) return no_difference;
-    const Difference& entry = report_.alignment.differences[static_cast<std::size_t>(from)];
+    const Difference& entry = report_.alignment.differences[from];
     const bool differ = entry.only_a() || entry.only_b() || (entry.fields & rows) != 0;
     return entry.kind == kind_of<EdgeTableInsert> && differ ? from : no_difference;
   }
@@ -435,7 +433,7 @@ class Follow {
     const auto& table = at_.method().edge_table;
     for (std::size_t edge = 0; edge < table.size() && found == no_difference; ++edge)
       if (table[edge].first_row <= e.y && e.y < table[edge].end_row)
-        found = rows_of_edges(EdgeStep{static_cast<std::int32_t>(edge), 0, 0});
+        found = rows_of_edges(EdgeStep{index32(edge), 0, 0});
     return found;
   }
 
@@ -544,7 +542,7 @@ class Follow {
   }
 
   void note_alone(std::int32_t number, const Place& place) {
-    const Difference& difference = report_.alignment.differences[static_cast<std::size_t>(number)];
+    const Difference& difference = report_.alignment.differences[number];
     if (!difference.only_a() && !difference.only_b()) return;
     const std::int64_t before = step_before(report_.alignment, difference, !of_a_);
     Identity::Key name = 0;

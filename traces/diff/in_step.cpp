@@ -6,6 +6,7 @@
 #include "traces/diff/identity.hpp"
 #include "traces/diff/parting.hpp"
 #include "traces/file/visit.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::diff {
 
@@ -91,7 +92,7 @@ Steps::Next Steps::next() {
 template <class AnyRun>
 void Steps::shorten(AnyRun& run, std::uint32_t pixels, double before) {
   run.count -= pixels;
-  run.x += static_cast<std::int32_t>(pixels);
+  run.x += index32(pixels);
   run.before = before;
   in_run_ = run.count > 0;
   if (!in_run_) block_.skip();

@@ -9,6 +9,7 @@
 
 #include "traces/file/visit.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::diff {
 
@@ -46,7 +47,7 @@ class Order {
         if (match == matches.size()) return false;
         if (step < matches[match].b) return true;
         const std::int64_t a = matches[match].a + (step - matches[match].b);
-        const std::size_t pixel = static_cast<std::size_t>(e.y) * width_ + static_cast<std::size_t>(e.x);
+        const std::size_t pixel = static_cast<std::size_t>(e.y) * width_ + e.x;
         if (pixel < pixels_.size()) pixels_[pixel].push_back({a, drawing != 0 ? drawing : step, e.z, e.polygon});
         return ++paints < most_paints;
       }
@@ -83,7 +84,7 @@ class Order {
   bool look_different(const Paint& one, const Paint& other) const {
     const auto& polygons = b_.scene().polygons;
     const auto color = [&](const Paint& of) {
-      const auto number = static_cast<std::size_t>(of.polygon);
+      const std::size_t number = of.polygon;
       return number < polygons.size() ? polygons[number].color : Color{};
     };
     return one.polygon != other.polygon && (!(color(one) == color(other)) || !near(one.z, other.z));
@@ -151,13 +152,13 @@ void find_wrong_order(const Trace& b, DiffReport& report) {
     if (wrong.too_early && wrong.first.b <= one.begin) return;
     wrong.first.b = one.begin, wrong.first.a = report.alignment.in_a(one.begin);
     const std::int32_t width = b.scene().raster.width;
-    const auto place = static_cast<std::int32_t>(pixel);
+    const auto place = index32(pixel);
     wrong.too_early = TooEarly{other.begin, place % width, place / width, one.z, other.z};
   });
   if (!wrong.too_early || wrong.first.a == 0) return;
   const RecordedEvent step = b.event(wrong.first.b);
   wrong.first.kind = static_cast<std::uint8_t>(step.event.index()), wrong.first.line = step.step;
-  wrong.again = static_cast<std::int64_t>(steps.size()) - 1, wrong.pixels = static_cast<std::int64_t>(pixels.size());
+  wrong.again = std::ssize(steps) - 1, wrong.pixels = std::ssize(pixels);
 
   const auto by_b = [&](const Cause& cause) {
     return cause.first.only_a() ? report.alignment.before_in_b(cause.first.a) : cause.first.b;

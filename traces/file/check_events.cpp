@@ -29,7 +29,7 @@ std::int32_t vertex_limit(const Scene& scene) {
 }
 
 std::int32_t edge_limit(const Scene& scene) {
-  return static_cast<std::int32_t>(clip_factor * static_cast<std::int64_t>(scene.corners.size()) + spare);
+  return static_cast<std::int32_t>(clip_factor * std::ssize(scene.corners) + spare);
 }
 
 EventCheck::EventCheck(const Scene& scene)

@@ -174,7 +174,7 @@ Bytes without_paths(const Bytes& trace) {
 
   const std::span<const std::uint8_t> whole(trace);
   Bytes out;
-  append(out, whole.first(static_cast<std::size_t>(place->offset)));
+  append(out, whole.first(place->offset));
   put_chunk(out, scene_tag, compress(scene_to_bytes(scene)));
   const std::size_t begin = out.size();
   try {
@@ -183,13 +183,13 @@ Bytes without_paths(const Bytes& trace) {
     // A damaged run is kept as it is; the viewer says what is wrong with it.
   }
   out.resize(begin);
-  append(out, whole.subspan(static_cast<std::size_t>(place->end())));
+  append(out, whole.subspan(place->end()));
   return out;
 }
 
 std::string without_paths_of_jsonl(std::string lines) {
   const std::size_t end = std::min(lines.find('\n'), lines.size());
-  auto header = nlohmann::ordered_json::parse(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(end));
+  auto header = nlohmann::ordered_json::parse(lines.begin(), lines.begin() + end);
   bool changed = false;
   const auto shorten = [&](nlohmann::ordered_json& of) {
     if (!of.is_object() || !of.contains("source") || !of["source"].is_string()) return;

@@ -169,7 +169,7 @@ class MemoryView : public ByteSource {
   std::uint64_t size() const override { return bytes_.size(); }
   Bytes read(std::uint64_t offset, std::uint64_t size) const override {
     if (offset > bytes_.size() || size > bytes_.size() - offset) throw MalformedBytes("it ends too early");
-    const auto part = bytes_.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
+    const auto part = bytes_.subspan(offset, size);
     return {part.begin(), part.end()};
   }
 

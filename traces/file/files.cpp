@@ -22,6 +22,7 @@
 #endif
 
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -44,8 +45,7 @@ void check_kind(const std::string& name, fs::file_type type) {
 /// "512 bytes", "64 MiB".
 std::string size_text(std::uintmax_t bytes) {
   constexpr std::uintmax_t mib = std::uintmax_t{1} << 20;
-  return bytes < mib ? fmt::format("{} bytes", bytes)
-                     : fmt::format("{:.4g} MiB", static_cast<double>(bytes) / static_cast<double>(mib));
+  return bytes < mib ? fmt::format("{} bytes", bytes) : fmt::format("{:.4g} MiB", ratio(bytes, mib));
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ Bytes read_whole(const fs::path& path, std::uintmax_t limit, std::string_view me
   Bytes text;
   for (std::uintmax_t wanted = std::min(std::max<std::uintmax_t>(file.size() + 1, first_piece), limit + 1);;) {
     const std::size_t had = text.size();
-    text.resize(static_cast<std::size_t>(wanted));
+    text.resize(wanted);
     const std::size_t got = file.read(text.data() + had, text.size() - had);
     const bool ended = had + got < text.size();
     text.resize(had + got);

@@ -116,8 +116,8 @@ StepInfo step_from_json(const json& entry, const std::string& writer, std::array
   const std::int32_t id = whole(entry, "id");
   if (id < 0 || id >= step_limit)
     throw MalformedJson(entry, "id", fmt::format("step id {} is not below {}", id, step_limit));
-  if (taken[static_cast<std::size_t>(id)]) throw MalformedJson(entry, "id", fmt::format("step id {} stands twice", id));
-  taken[static_cast<std::size_t>(id)] = true;
+  if (taken[id]) throw MalformedJson(entry, "id", fmt::format("step id {} stands twice", id));
+  taken[id] = true;
   step.id = static_cast<std::uint8_t>(id);
   step.module = text_or(entry, "module", "");
   step.name = text(entry, "name");

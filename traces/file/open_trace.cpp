@@ -86,7 +86,7 @@ void add_block(Trace::Impl& trace, const ChunkPlace& place, BlockInfo info, std:
     throw MalformedBytes("its blocks overlap");
   const std::size_t first_mark = trace.polygons.size();
   for (const BlockInfo::Mark& mark : info.marks)
-    if (mark.polygon < 0 || static_cast<std::size_t>(mark.polygon) >= trace.scene.polygons.size())
+    if (mark.polygon < 0 || mark.polygon >= std::ssize(trace.scene.polygons))
       throw MalformedBytes("its index names a polygon that does not exist");
   for (const BlockInfo::Mark& mark : info.marks) {
     trace.polygons.push_back({info.first_position + mark.offset + 1, mark.polygon});

@@ -307,7 +307,7 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   });
   if (static_cast<std::int64_t>(count(most_corners)) != corners)
     throw MalformedBytes("a facet with more corners than the data");
-  scene.corners.resize(static_cast<std::size_t>(corners));
+  scene.corners.resize(corners);
   std::uint32_t last = 0;
   for (std::int32_t& corner : scene.corners) corner = take_whole(in, last);
   if (!in.empty()) take_extras(in, document(), scene);

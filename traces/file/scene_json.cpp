@@ -87,10 +87,9 @@ Camera camera_from_json(const json& in) {
   const json& rows = list(in, "view");
   if (rows.size() != 4) throw MalformedJson("\"view\" does not have four rows");
   for (int row = 0; row < 4; ++row) {
-    const json& cells = rows[static_cast<std::size_t>(row)];
+    const json& cells = rows[row];
     if (!cells.is_array() || cells.size() != 4) throw MalformedJson("a row of \"view\" does not have four numbers");
-    for (int column = 0; column < 4; ++column)
-      camera.view[column][row] = real_from_json(cells[static_cast<std::size_t>(column)], "view");
+    for (int column = 0; column < 4; ++column) camera.view[column][row] = real_from_json(cells[column], "view");
   }
   return camera;
 }
@@ -152,7 +151,7 @@ Placement placement_from_json(const json& in) {
   const json& rows = list(in, "matrix");
   if (rows.size() != 3) throw MalformedJson("\"matrix\" does not have three rows");
   for (int row = 0; row < 3; ++row) {
-    const glm::dvec3 cells = vector_from(rows[static_cast<std::size_t>(row)], "matrix");
+    const glm::dvec3 cells = vector_from(rows[row], "matrix");
     for (int column = 0; column < 3; ++column) placement.linear[column][row] = cells[column];
   }
   placement.offset = vector_from(member(in, "offset"), "offset");
@@ -250,8 +249,7 @@ Scene scene_from_json(const json& in) {
   for (const json& entry : list(in, "facets")) {
     known_keys(entry, "a facet", {"polygon", "points"});
     const json& corners = list(entry, "points");
-    scene.facets.push_back({whole(entry, "polygon"), static_cast<std::int32_t>(scene.corners.size()),
-                            static_cast<std::int32_t>(corners.size())});
+    scene.facets.push_back({whole(entry, "polygon"), size32(scene.corners), size32(corners)});
     for (const json& corner : corners) scene.corners.push_back(whole_from(corner, "points"));
   }
   check_scene(scene);
@@ -314,7 +312,7 @@ void check_origins(const Scene& scene) {
     if (placement.first_point < end || placement.point_count < 0)
       wrong_scene("placements overlap, or are not in the order of their points");
     end = std::int64_t{placement.first_point} + placement.point_count;
-    if (end > static_cast<std::int64_t>(scene.points.size())) wrong_scene("a placement is of points that do not exist");
+    if (end > std::ssize(scene.points)) wrong_scene("a placement is of points that do not exist");
     for (int column = 0; column < 3; ++column)
       if (!is_finite(placement.linear[column]) || !is_finite(placement.offset))
         wrong_scene("a placement has a number that is none");
@@ -343,15 +341,14 @@ void check_scene(const Scene& scene) {
   check_origins(scene);
   for (std::size_t i = 0; i < scene.facets.size(); ++i) {
     const Facet& facet = scene.facets[i];
-    if (facet.polygon < 0 || static_cast<std::size_t>(facet.polygon) >= scene.polygons.size())
+    if (facet.polygon < 0 || facet.polygon >= std::ssize(scene.polygons))
       wrong_scene(fmt::format("facet {} is of polygon {}, which does not exist", i, facet.polygon));
     const std::int64_t end = static_cast<std::int64_t>(facet.first_corner) + facet.corner_count;
-    if (facet.first_corner < 0 || facet.corner_count < 0 || end > static_cast<std::int64_t>(scene.corners.size()))
+    if (facet.first_corner < 0 || facet.corner_count < 0 || end > std::ssize(scene.corners))
       wrong_scene(fmt::format("facet {} has corners outside the list", i));
   }
   for (const std::int32_t corner : scene.corners) {
-    if (corner < 0 || static_cast<std::size_t>(corner) >= scene.points.size())
-      wrong_scene(fmt::format("there is no point {}", corner));
+    if (corner < 0 || corner >= std::ssize(scene.points)) wrong_scene(fmt::format("there is no point {}", corner));
   }
   check_materials(scene.polygons);
   if (scene.light) check_light(*scene.light);

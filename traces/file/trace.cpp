@@ -154,7 +154,7 @@ void Trace::Impl::refuse_lies() const {
       if (blocks[block].lost) continue;
       const Bytes bytes = read_chunk(*source, blocks[block].place);
       const std::uint64_t frame = std::min<std::uint64_t>(blocks[block].frame_offset, bytes.size());
-      check(block, decompress(std::span(bytes).subspan(static_cast<std::size_t>(frame)), block_limit));
+      check(block, decompress(std::span(bytes).subspan(frame), block_limit));
       blocks[block].checked = true;
     } catch (const DeniedEvents&) {
       throw;
@@ -183,7 +183,7 @@ const Bytes* Trace::Impl::packed(std::size_t block) const {
     if (place.lost) throw MalformedBytes("it is not there");
     const Bytes bytes = read_chunk(*source, place.place);
     if (place.frame_offset > bytes.size()) throw MalformedBytes("its index does not fit it");
-    Bytes unpacked = decompress(std::span(bytes).subspan(static_cast<std::size_t>(place.frame_offset)), block_limit);
+    Bytes unpacked = decompress(std::span(bytes).subspan(place.frame_offset), block_limit);
     if (!place.checked) {
       check(block, unpacked);
       place.checked = true;
@@ -240,7 +240,7 @@ const RecordedEvent& Trace::event(std::int64_t position) const {
     impl_->asked_once = block;
     return impl_->one_event;
   }
-  return (*impl_->events(block))[static_cast<std::size_t>(position - 1 - impl_->blocks[block].info.first_position)];
+  return (*impl_->events(block))[position - 1 - impl_->blocks[block].info.first_position];
 }
 
 std::int64_t Trace::begin_of_block(std::int64_t position) const {
@@ -325,8 +325,7 @@ std::int32_t Trace::polygon_of_piece(std::int32_t piece) const {
     });
   }
   const std::vector<std::int32_t>& made = *impl_->polygon_by_piece;
-  return piece >= 0 && static_cast<std::size_t>(piece) < made.size() ? made[static_cast<std::size_t>(piece)]
-                                                                     : no_polygon;
+  return piece >= 0 && piece < std::ssize(made) ? made[piece] : no_polygon;
 }
 
 std::optional<std::int32_t> Trace::polygon_named(const Event& event) const {
@@ -335,9 +334,7 @@ std::optional<std::int32_t> Trace::polygon_named(const Event& event) const {
         if constexpr (names_polygon<E> == Names::polygon) return known.polygon;
         else if constexpr (names_polygon<E> == Names::facet) {
           const std::vector<Facet>& facets = scene().facets;
-          return known.facet >= 0 && static_cast<std::size_t>(known.facet) < facets.size()
-                     ? facets[static_cast<std::size_t>(known.facet)].polygon
-                     : no_polygon;
+          return known.facet >= 0 && known.facet < std::ssize(facets) ? facets[known.facet].polygon : no_polygon;
         } else if constexpr (names_polygon<E> == Names::piece) return polygon_of_piece(known.piece);
         else return std::nullopt;
       },

@@ -86,7 +86,7 @@ struct Trace::Impl {
       const std::int64_t end = std::min(last, before + static_cast<std::int64_t>(blocks[block].info.count));
       if (readable(first + 1)) {
         const Events held = events(block);
-        for (; first < end; ++first) visit(first + 1, (*held)[static_cast<std::size_t>(first - before)].event);
+        for (; first < end; ++first) visit(first + 1, (*held)[first - before].event);
       }
       first = end;
     }

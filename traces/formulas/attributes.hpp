@@ -44,8 +44,7 @@ inline bool attribute_over_depth(const Scene& scene, const Conventions& conventi
 /// The attribute of a vertex is its x_w, as if a texture were projected along y and z. Of a vertex that clipping made,
 /// it follows from its view coordinates: T_v turns and moves, so its inverse has T_v's columns for rows.
 inline double attribute_of(const Scene& scene, std::int32_t vertex, const glm::dvec3& view) {
-  if (vertex >= 0 && static_cast<std::size_t>(vertex) < scene.points.size())
-    return scene.points[static_cast<std::size_t>(vertex)].x;
+  if (vertex >= 0 && vertex < std::ssize(scene.points)) return scene.points[vertex].x;
   const glm::dmat4& t_v = scene.camera.view;
   return t_v[0][0] * (view.x - t_v[3][0]) + t_v[0][1] * (view.y - t_v[3][1]) + t_v[0][2] * (view.z - t_v[3][2]);
 }

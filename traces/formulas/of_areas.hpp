@@ -42,7 +42,7 @@ struct AtCorners {
 };
 
 inline const AreaBegin* area_at_work(const Situation& at) {
-  const auto area = static_cast<std::size_t>(at.method().area);
+  const std::size_t area = at.method().area;
   return at.method().area >= 0 && area < at.method().areas.size() ? &at.method().areas[area].entry : nullptr;
 }
 
@@ -53,7 +53,7 @@ void derive(const AreaBegin& e, const Situation& at, Out& out) {
   detail::Interval columns{0, at.scene.raster.width}, rows{0, at.scene.raster.height};
   if (e.parent >= 0) {
     if (static_cast<std::size_t>(e.parent) >= at.method().areas.size()) return;
-    const AreaBegin& parent = at.method().areas[static_cast<std::size_t>(e.parent)].entry;
+    const AreaBegin& parent = at.method().areas[e.parent].entry;
     columns = detail::half_of({parent.first_column, parent.end_column}, {e.first_column, e.end_column});
     rows = detail::half_of({parent.first_row, parent.end_row}, {e.first_row, e.end_row});
   }

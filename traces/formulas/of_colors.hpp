@@ -59,7 +59,7 @@ inline Light light_of(const RayEnd& end) { return {end.red, end.green, end.blue}
 /// and no light is added. `full` without shadow, `rest` besides, `step` what the numbers are rounded to.
 inline double shadow_factor(const std::array<double, 3>& recorded, const std::array<double, 3>& full,
                             const std::array<double, 3>& rest, double step) {
-  const auto largest = static_cast<std::size_t>(std::max_element(full.begin(), full.end()) - full.begin());
+  const std::size_t largest = std::max_element(full.begin(), full.end()) - full.begin();
   if (!(full[largest] > 0)) return in_shadow;
   const double factor = (recorded[largest] - rest[largest]) / full[largest];
   constexpr double near = 0.02;
@@ -87,10 +87,10 @@ struct LightBack {
 /// Nothing where one of the rays has not ended.
 inline std::optional<LightBack> light_back(const RayEnd& e, const Situation& at) {
   const auto& tree = at.method().rays.tree;
-  const auto facet = static_cast<std::size_t>(e.nearest_facet);
+  const std::size_t facet = e.nearest_facet;
   LightBack back{channels(at.scene.background)};
   if (e.nearest_facet < 0 || facet >= at.scene.facets.size()) return back;
-  const Polygon& polygon = at.scene.polygons[static_cast<std::size_t>(at.scene.facets[facet].polygon)];
+  const Polygon& polygon = at.scene.polygons[at.scene.facets[facet].polygon];
   back.color = channels(polygon.color);
   bool dark = false;
   for (auto row = tree.rbegin(); row != tree.rend() && row->entry.ray > e.ray; ++row) {
@@ -211,15 +211,15 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
     shades[0] = 255 * end.red, shades[1] = 255 * end.green, shades[2] = 255 * end.blue;
   } else if (!covered.empty() && covered.front().x == e.x && covered.front().y == e.y) {
     for (const CoverageAdd& share : covered) {
-      const auto owner = static_cast<std::size_t>(share.owner);
+      const std::size_t owner = share.owner;
       const Color color =
           share.owner < 0 || owner >= at.scene.polygons.size() ? at.scene.background : at.scene.polygons[owner].color;
       for (std::size_t k = 0; k < 3; ++k)
         shades[k] = with_share<double>(shades[k], share.coverage, detail::channels(color)[k]);
     }
   } else if (shadow && shadow->x == e.x && shadow->y == e.y) {
-    const auto pixel = static_cast<std::size_t>(at.pixel(e.x, e.y));
-    const auto polygon = static_cast<std::size_t>(at.before.picture.polygon[pixel]);
+    const std::size_t pixel = at.pixel(e.x, e.y);
+    const std::size_t polygon = at.before.picture.polygon[pixel];
     if (polygon >= at.scene.polygons.size()) return;
     out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
     const std::array<double, 3> recorded{static_cast<double>(e.r8), static_cast<double>(e.g8),
@@ -232,8 +232,7 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
         if (std::abs(recorded[k] - shades[k]) < 2) shades[k] = recorded[k];
   } else if (attribute && attribute->x == e.x && attribute->y == e.y) {
     out.reads(Place{Place::In::attribute, 0});
-    const auto polygon =
-        static_cast<std::size_t>(at.before.picture.polygon[static_cast<std::size_t>(at.pixel(e.x, e.y))]);
+    const auto polygon = static_cast<std::size_t>(at.before.picture.polygon[at.pixel(e.x, e.y)]);
     if (polygon >= at.scene.polygons.size() || at_stripe_edge(attribute->attribute)) return;
     out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
     shades = detail::channels(at.scene.polygons[polygon].color);
@@ -250,7 +249,7 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
 template <class Out>
 void derive(const ColorBlend& e, const Situation& at, Out& out) {
   if (at.method().polygon != no_polygon) out.is(&ColorBlend::polygon, at.method().polygon);
-  const auto number = static_cast<std::size_t>(e.polygon);
+  const std::size_t number = e.polygon;
   if (e.polygon < 0 || number >= at.scene.polygons.size()) return;
   const Polygon& polygon = at.scene.polygons[number];
   out.is(&ColorBlend::opacity, polygon.material->opacity);

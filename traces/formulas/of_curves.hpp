@@ -32,7 +32,7 @@ void derive(const HorizonTest& e, const Situation& at, Out& out) {
                                                out.number("x_1", b->x, to["x_s"])));
     }
   }
-  const auto column = static_cast<std::size_t>(e.x);
+  const std::size_t column = e.x;
   if (e.x < 0 || column >= work.upper.size() || column >= work.lower.size()) return;
   const double upper = work.upper[column], lower = work.lower[column];
   out.reads(Place{Place::In::horizon, e.x});
@@ -51,14 +51,14 @@ void derive(const CurveBegin& e, const Situation& at, Out& out) {
   const Surface& surface = *at.scene.surface;
   if (e.row < 0 || e.row >= (e.across ? surface.columns : surface.rows)) return;
   // A sample stands at (x, z, y) in the world.
-  const glm::dvec3& first = at.scene.points[static_cast<std::size_t>(e.across ? e.row : e.row * surface.columns)];
+  const glm::dvec3& first = at.scene.points[e.across ? e.row : e.row * surface.columns];
   out.is(&CurveBegin::constant, e.across ? first.x : first.y);
 }
 
 template <class Out>
 void derive(const HorizonMove& e, const Situation& at, Out& out) {
   const HorizonWork& work = at.method().horizon;
-  const auto column = static_cast<std::size_t>(e.x);
+  const std::size_t column = e.x;
   const auto& own = e.upper ? work.upper : work.lower;
   if (e.x < 0 || column >= own.size() || !std::isfinite(e.y_curve)) return;
   out.reads(Place{Place::In::horizon, e.x});
@@ -199,7 +199,7 @@ struct Crossings {
       return std::abs(a.value - t) < std::abs(b.value - t);
     };
     const auto best = std::min_element(on_picture.begin(), on_picture.end(), nearer);
-    return outline[static_cast<std::size_t>(best - on_picture.begin())];
+    return outline[best - on_picture.begin()];
   }
 };
 
@@ -249,7 +249,7 @@ inline Crossings crossings_of(const Situation& at, const LineBegin& line, std::i
   const auto a = at.on_raster(line.vertex_0), b = at.on_raster(line.vertex_1);
   if (!a || !b || corners_of(at, facet).empty()) return crossings;
   if (!at.has_depth(line.vertex_0) || !at.has_depth(line.vertex_1)) return crossings;
-  const std::int32_t polygon = at.scene.facets[static_cast<std::size_t>(facet)].polygon;
+  const std::int32_t polygon = at.scene.facets[facet].polygon;
   const auto& pieces = at.method().pieces;
   std::size_t first = 0;
   for (std::size_t end = pieces.size(); first < end;) {
@@ -263,7 +263,7 @@ inline Crossings crossings_of(const Situation& at, const LineBegin& line, std::i
 }
 
 inline const LineRow* line_row(const Situation& at, std::int32_t number) {
-  const auto line = static_cast<std::size_t>(number);
+  const std::size_t line = number;
   return number >= 0 && line < at.method().lines.size() ? &at.method().lines[line] : nullptr;
 }
 

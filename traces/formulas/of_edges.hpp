@@ -15,6 +15,7 @@
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
 #include "traces/formulas/vectors.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::formulas {
 
@@ -51,7 +52,7 @@ inline std::optional<bool> is_lowest(const Situation& at, std::int32_t vertex) {
   const auto here = std::find(outline.begin(), outline.end(), vertex);
   if (here == outline.end() || std::find(here + 1, outline.end(), vertex) != outline.end()) return std::nullopt;
   const auto y_of = [&](std::size_t place) { return at.on_raster(outline[place % outline.size()]); };
-  const auto from = static_cast<std::size_t>(here - outline.begin());
+  const std::size_t from = here - outline.begin();
   const auto y = y_of(from);
   if (!y) return std::nullopt;
   for (const std::size_t way : {std::size_t{1}, outline.size() - 1}) {
@@ -184,7 +185,7 @@ void derive(const EdgeEnter& e, const Situation& at, Out& out) {
   out.reads(Place{Place::In::edge_table, e.edge});
   if (at.method().scan_line) out.rule(Rule::edge_in_bucket, *at.method().scan_line == entry->first_row);
   const auto& active = at.method().active;
-  const auto place = static_cast<std::size_t>(e.place);
+  const std::size_t place = e.place;
   // A place is one of a list whose edges have moved and left as the run says.
   if (!at.records<EdgeStep>() || !detail::list_is_exact(at)) return;
   if (e.place < 0 || place > active.size()) return;
@@ -230,7 +231,7 @@ void derive(const EdgeStep& e, const Situation& at, Out& out) {
 template <class Out>
 void derive(const EdgeSwap& e, const Situation& at, Out& out) {
   const auto& active = at.method().active;
-  const auto left = static_cast<std::size_t>(e.place);
+  const std::size_t left = e.place;
   if (!at.records<EdgeStep>() || !detail::list_is_exact(at) || e.place < 0 || left + 1 >= active.size()) return;
   for (const std::size_t place : {left, left + 1}) out.reads(Place{Place::In::active_edge, active[place].edge});
   out.rule(Rule::swap_needed, active[left].x >= active[left + 1].x);
@@ -352,7 +353,7 @@ void derive(const FlagFlip& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const SpanFlags& e, const Situation& at, Out& out) {
-  if (at.records<FlagFlip>()) out.is(&SpanFlags::flags, static_cast<std::int32_t>(at.method().sweep.inside.size()));
+  if (at.records<FlagFlip>()) out.is(&SpanFlags::flags, size32(at.method().sweep.inside));
   if (at.method().scan_line) out.rule(Rule::span_line, *at.method().scan_line == e.y);
   // From the edge at which a flag flipped last to the next one, as far as the raster goes.
   const bool moves = at.records<EdgeStep>() && at.tells_leaving(), swaps = at.records<EdgeSwap>();

@@ -10,6 +10,7 @@
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/vectors.hpp"
 #include "traces/formulas/viewing.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::formulas {
 
@@ -93,7 +94,7 @@ inline std::optional<Vector<Rounded>> way_on(const RayBegin& e, const RayBegin& 
   const Rounded length = sqrt(dot(full, full));
   const Vector<Rounded> along{full.x / length, full.y / length, full.z / length};
   if (e.role == RayRole::reflected) return mirrored(along, plane->normal);
-  const auto polygon = static_cast<std::size_t>(at.scene.facets[static_cast<std::size_t>(facet)].polygon);
+  const std::size_t polygon = at.scene.facets[facet].polygon;
   const Rounded outside(1, 0), inside(at.scene.polygons[polygon].material->refraction, 0);
   const bool entering = dot(along, plane->normal).value < 0;
   return refracted(along, plane->normal, entering ? outside : inside, entering ? inside : outside);
@@ -103,7 +104,7 @@ inline std::optional<Vector<Rounded>> way_on(const RayBegin& e, const RayBegin& 
 template <class Use>
 void for_each_facet_at(const Situation& at, const glm::dvec3& p, Use&& use) {
   for (std::size_t number = 0; number < at.scene.facets.size(); ++number) {
-    const auto facet = static_cast<std::int32_t>(number);
+    const auto facet = index32(number);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     glm::dvec3 low(infinity), high(-infinity);
     for (const std::int32_t corner : corners_of(at, facet))

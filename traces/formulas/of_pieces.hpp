@@ -12,6 +12,7 @@
 #include "traces/formulas/outlines.hpp"
 #include "traces/formulas/situation.hpp"
 #include "traces/formulas/vectors.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::formulas {
 
@@ -25,7 +26,7 @@ inline bool cuts_in_world(const Situation& at) {
 inline const Stage& cutting_stage(const Situation& at) { return cuts_in_world(at) ? world_stage : raster_stage; }
 inline std::optional<glm::dvec3> cutting_point(const Situation& at, std::int32_t vertex) {
   if (cuts_in_world(at)) {
-    if (at.is_point(vertex)) return at.scene.points[static_cast<std::size_t>(vertex)];
+    if (at.is_point(vertex)) return at.scene.points[vertex];
     const VertexStages* made = at.vertex(vertex);
     return made ? std::optional(made->world) : std::nullopt;
   }
@@ -142,7 +143,7 @@ inline const Piece* whole_of(const Situation& at, const Piece* piece) {
 /// The vertices around a piece: its outline; where none is recorded, the corners of the facet that it was just made of.
 inline std::span<const std::int32_t> around_piece(const Situation& at, const Piece& piece) {
   const auto& pieces = at.method().pieces;
-  const auto facet = static_cast<std::size_t>(at.method().facet);
+  const std::size_t facet = at.method().facet;
   const bool just_made = piece.parent == -1 && !pieces.empty() && &piece == &pieces[pieces.size() - 1];
   if (!piece.outline.empty() || !just_made || at.method().facet < 0 || facet >= at.scene.facets.size() ||
       at.scene.facets[facet].polygon != piece.polygon)
@@ -178,7 +179,7 @@ inline std::optional<Rounded> where_cut(const SplitVertex& e, const Situation& a
     const Piece* piece = at.piece(number);
     if (piece && piece->plane) add(plane_value<Rounded>(*piece->plane, a), plane_value<Rounded>(*piece->plane, b));
   };
-  const auto node = static_cast<std::size_t>(method.node);
+  const std::size_t node = method.node;
   if (method.node >= 0 && node < method.tree.size()) by_plane_of(method.tree[node].pieces.front());
   if (method.pair) by_plane_of(method.pair->piece), by_plane_of(method.pair->other);
   if (!all.empty() && gives(nearest_of(e.t, all), e.t, rounding_of_float64)) return nearest_of(e.t, all);
@@ -248,9 +249,9 @@ inline bool may_be(Side side, double least, double greatest) {
 
 inline const TreeNode* parent_of(const Situation& at, std::int32_t node) {
   const auto& tree = at.method().tree;
-  const auto number = static_cast<std::size_t>(node);
+  const std::size_t number = node;
   if (node < 0 || number >= tree.size() || tree[number].parent < 0) return nullptr;
-  return &tree[static_cast<std::size_t>(tree[number].parent)];
+  return &tree[tree[number].parent];
 }
 /// Does the run paint what is farther first, so that what is nearer covers it?
 inline bool paints_over(const Situation& at) {
@@ -333,7 +334,7 @@ void derive(const OverlapTest& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const TablesBegin&, const Situation& at, Out& out) {
-  out.is(&TablesBegin::polygons, static_cast<std::int32_t>(at.scene.polygons.size()));
+  out.is(&TablesBegin::polygons, size32(at.scene.polygons));
 }
 
 /// Newell's list goes by the farthest depth, the farthest first. Pieces that were moved stand where tests put them, and
@@ -346,7 +347,7 @@ void derive(const ListInsert& e, const Situation& at, Out& out) {
   const Piece* own = at.piece(e.piece);
   if (pair && pair->other == e.piece) return out.is(&ListInsert::place, 0);  // it becomes the first
   if (pair || !at.method().drawn.empty()) return;                            // others are moved, too
-  const auto place = static_cast<std::size_t>(e.place);
+  const std::size_t place = e.place;
   if (!own || !own->extent || e.place < 0 || place > list.size()) return;
   const auto farther = [&](const ListEntry& one) {  // clearly farther than the piece: 1, nearer: -1; else 0
     const Piece* piece = at.piece(one.piece);
@@ -385,7 +386,7 @@ void derive(const PieceDraw& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const NodeMake& e, const Situation& at, Out& out) {
-  const auto parent = static_cast<std::size_t>(e.parent);
+  const std::size_t parent = e.parent;
   if (e.parent < 0) return out.rule(Rule::node_is_free, at.method().tree.empty());
   if (parent >= at.method().tree.size()) return;
   const TreeNode& node = at.method().tree[parent];
@@ -398,7 +399,7 @@ void derive(const EyeSide& e, const Situation& at, Out& out) {
   if (const TreeNode* parent = detail::parent_of(at, e.node);
       parent && detail::paints_over(at) && detail::lies_beyond(*parent, e.node))
     out.rule(Rule::far_side_first, !detail::painted_last(at, *parent));
-  const auto number = static_cast<std::size_t>(e.node);
+  const std::size_t number = e.node;
   if (e.node < 0 || number >= at.method().tree.size() || !at.camera) return;
   const auto plane = detail::plane_of(out, at, at.method().tree[number].pieces.front());
   if (!plane) return;

@@ -116,7 +116,7 @@ namespace detail {
 /// The piece that pixels are being painted with where it is its plane that gives the depths; -1 where none is.
 inline std::int32_t piece_painted(const Situation& at) {
   const MethodState& method = at.method();
-  const auto area = static_cast<std::size_t>(method.area);
+  const std::size_t area = method.area;
   if (method.area >= 0 && area < method.areas.size())
     return method.areas[area].decided ? method.areas[area].decided->piece : -1;
   return method.sweep.winners.empty() ? -1 : method.sweep.winners.back().piece;
@@ -136,7 +136,7 @@ void derive_painted_by_plane(const PixelPaint& e, const Situation& at, Out& out)
     const bool on_line = at.method().scan_line.value_or(e.y) == e.y;
     out.rule(Rule::pixel_in_span, e.x >= winner.first && e.x <= winner.last && on_line);
   } else if (at.method().area >= 0) {
-    const AreaBegin& area = at.method().areas[static_cast<std::size_t>(at.method().area)].entry;
+    const AreaBegin& area = at.method().areas[at.method().area].entry;
     out.rule(Rule::pixel_in_area,
              e.x >= area.first_column && e.x < area.end_column && e.y >= area.first_row && e.y < area.end_row);
   }
@@ -151,7 +151,7 @@ void derive_painted_by_ray(const PixelPaint& e, const Situation& at, Out& out) {
   const RayBegin& ray = tree.front().entry;
   const RayEnd& end = *tree.front().end;
   out.rule(Rule::ray_paints_own, ray.x == e.x && ray.y == e.y);
-  const auto facet = static_cast<std::size_t>(end.nearest_facet);
+  const std::size_t facet = end.nearest_facet;
   if (end.nearest_facet < 0 || facet >= at.scene.facets.size()) return;
   out.is(&PixelPaint::polygon, at.scene.facets[facet].polygon);
   if (!at.camera || !at.header.declares(Convention::depth)) return;

@@ -40,8 +40,7 @@ void derive(const BuffersClear& e, const Situation& at, Out& out) {
 template <class Out>
 void derive(const ViewTransform& e, const Situation& at, Out& out) {
   if (!at.camera || at.on_screen() || !at.is_point(e.vertex)) return;
-  const auto w = vector_of(out, "", at.scene.points[static_cast<std::size_t>(e.vertex)],
-                           Place{Place::In::point, e.vertex}, world_stage);
+  const auto w = vector_of(out, "", at.scene.points[e.vertex], Place{Place::In::point, e.vertex}, world_stage);
   const glm::dmat4& t_v = at.camera->view;
   const auto row = [&](int i, std::string_view a, std::string_view b, std::string_view c, std::string_view d) {
     return matrix_row(detail::of_scene(out, a, t_v[0][i]), detail::of_scene(out, b, t_v[1][i]),
@@ -102,10 +101,9 @@ void derive(const ViewportTransform& e, const Situation& at, Out& out) {
 namespace detail {
 
 inline std::span<const std::int32_t> corners_of(const Situation& at, std::int32_t facet) {
-  if (facet < 0 || static_cast<std::size_t>(facet) >= at.scene.facets.size()) return {};
-  const Facet& found = at.scene.facets[static_cast<std::size_t>(facet)];
-  return std::span(at.scene.corners)
-      .subspan(static_cast<std::size_t>(found.first_corner), static_cast<std::size_t>(found.corner_count));
+  if (facet < 0 || facet >= std::ssize(at.scene.facets)) return {};
+  const Facet& found = at.scene.facets[facet];
+  return std::span(at.scene.corners).subspan(found.first_corner, found.corner_count);
 }
 
 inline constexpr int clip_planes = 6;
@@ -188,8 +186,8 @@ void derive(const FacingTest& e, const Situation& at, Out& out) {
   const bool parallel = at.camera->kind == Camera::Kind::orthographic;
   const Place scene{Place::In::scene, 0};
   const auto point = [&](std::size_t i) {
-    return vector_of(out, "_" + std::to_string(i), at.scene.points[static_cast<std::size_t>(corners[i])],
-                     Place{Place::In::point, corners[i]}, world_stage);
+    return vector_of(out, "_" + std::to_string(i), at.scene.points[corners[i]], Place{Place::In::point, corners[i]},
+                     world_stage);
   };
   const auto vertex = [&](std::size_t i) { return at.vertex(corners[i < corners.size() ? i : 0]); };
   const auto view = [&](std::size_t i) {
@@ -237,7 +235,7 @@ void derive(const PolygonBegin& e, const Situation& at, Out& out) {
     for (const ActiveEdge& active : at.method().active)
       if (const EdgeTableInsert* entry = at.edge(active.edge)) all_left = all_left && entry->end_row > *line;
   if (at.tells_leaving()) out.rule(Rule::edge_left_behind, all_left);
-  const auto facet = static_cast<std::size_t>(e.facet);
+  const std::size_t facet = e.facet;
   if (e.facet < 0 || facet >= at.scene.facets.size()) return;
   out.rule(Rule::facet_of_polygon, at.scene.facets[facet].polygon == e.polygon);
 }
@@ -265,8 +263,7 @@ inline bool has_area_on_screen(const Situation& at, std::span<const std::int32_t
   constexpr double most = 1e9;  // pixels: no raster holds more
   double twice = 0, size = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const glm::dvec3 &a = at.scene.points[static_cast<std::size_t>(corners[i])],
-                     &b = at.scene.points[static_cast<std::size_t>(corners[(i + 1) % corners.size()])];
+    const glm::dvec3 &a = at.scene.points[corners[i]], &b = at.scene.points[corners[(i + 1) % corners.size()]];
     if (!(std::abs(a.x) < most && std::abs(a.y) < most)) return false;
     twice += a.x * b.y - b.x * a.y;
     size = std::max({size, std::abs(b.x - a.x), std::abs(b.y - a.y)});
@@ -277,7 +274,7 @@ inline bool has_area_on_screen(const Situation& at, std::span<const std::int32_t
 /// Is a facet turned away from the eye, in world coordinates? The cosine between the line of sight and the normal;
 /// nothing where it has no area.
 inline std::optional<double> turned_away(const Situation& at, std::span<const std::int32_t> corners) {
-  const auto point = [&](std::size_t i) { return at.scene.points[static_cast<std::size_t>(corners[i])]; };
+  const auto point = [&](std::size_t i) { return at.scene.points[corners[i]]; };
   const glm::dvec3 normal = newell_normal(glm::dvec3(0), corners.size(), point);
   const glm::dvec3 sight = at.camera->kind == Camera::Kind::orthographic ? -at.camera->eye : point(0) - at.camera->eye;
   double size = 0;
@@ -291,7 +288,7 @@ inline std::optional<double> turned_away(const Situation& at, std::span<const st
 inline bool is_in_view(const Situation& at, std::span<const std::int32_t> corners) {
   std::vector<glm::dvec3> outline;
   for (const std::int32_t corner : corners) {
-    const glm::dvec3& world = at.scene.points[static_cast<std::size_t>(corner)];
+    const glm::dvec3& world = at.scene.points[corner];
     const VertexStages* viewed = at.viewed(corner);
     outline.push_back(at.on_screen() ? world
                       : viewed       ? viewed->view

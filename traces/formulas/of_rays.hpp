@@ -122,9 +122,7 @@ template <class Box>
 bool holds_point(const Box& box, const glm::dvec3& p) {
   return lies_in(p.x, box.x_min, box.x_max) && lies_in(p.y, box.y_min, box.y_max) && lies_in(p.z, box.z_min, box.z_max);
 }
-inline const glm::dvec3& corner_at(const Situation& at, std::int32_t point) {
-  return at.scene.points[static_cast<std::size_t>(point)];
-}
+inline const glm::dvec3& corner_at(const Situation& at, std::int32_t point) { return at.scene.points[point]; }
 
 /// How far a box may reach beyond what it holds: programs make it wider by some share of the coordinates' size, or not.
 inline double box_margin(const Scene& scene) {
@@ -182,7 +180,7 @@ template <class Out>
 void derive(const BoxMake& e, const Situation& at, Out& out) {
   const bool turned = e.x_min > e.x_max || e.y_min > e.y_max || e.z_min > e.z_max;
   out.rule(Rule::box_is_tight, !turned && detail::is_tight(at, e));
-  const auto parent = static_cast<std::size_t>(e.parent);
+  const std::size_t parent = e.parent;
   if (e.parent < 0 || parent >= at.method().boxes.size()) return;
   const BoxMake& around = at.method().boxes[parent].entry;
   out.rule(Rule::box_in_parent, detail::holds_point(around, {e.x_min, e.y_min, e.z_min}) &&
@@ -191,7 +189,7 @@ void derive(const BoxMake& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const BoxHold& e, const Situation& at, Out& out) {
-  const auto box = static_cast<std::size_t>(e.box);
+  const std::size_t box = e.box;
   if (e.box < 0 || box >= at.method().boxes.size()) return;
   bool holds = true;
   for (const std::int32_t corner : detail::corners_of(at, e.facet))
@@ -257,7 +255,7 @@ template <class Out>
 void derive(const BoxTest& e, const Situation& at, Out& out) {
   if (e.hit) out.rule(Rule::box_entered, e.t_enter <= e.t_leave);
   const RayBegin* ray = detail::ray_cast_last(at);
-  const auto box = static_cast<std::size_t>(e.box);
+  const std::size_t box = e.box;
   if (!ray || e.box < 0 || box >= at.method().boxes.size()) return;
   const detail::Passage passage = detail::passage_of(*ray, at.method().boxes[box].entry);
   const detail::Reach reach = detail::reach_of(at, *ray);
@@ -354,7 +352,7 @@ double off_by_margin(const E& e, const Situation& at, double margin, Apart&& apa
   } else if constexpr (std::is_same_v<E, BoxTest>) {
     const RayBegin* ray = detail::ray_cast_last(at);
     const auto& boxes = at.method().boxes;
-    const auto number = static_cast<std::size_t>(e.box);
+    const std::size_t number = e.box;
     if (!ray || e.box < 0 || number >= boxes.size()) return 0;
     BoxMake wider = boxes[number].entry;
     const detail::Passage through = detail::passage_of(*ray, wider);

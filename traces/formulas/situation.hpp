@@ -227,9 +227,7 @@ struct Situation {
             {Place::In::span, static_cast<std::int64_t>(last)}};
   }
   /// Where the numbers of a span that begins now will stand.
-  Place place_of_next_span() const {
-    return {Place::In::span, ahead.has_pixels() ? 0 : static_cast<std::int64_t>(ahead.spans().size())};
-  }
+  Place place_of_next_span() const { return {Place::In::span, ahead.has_pixels() ? 0 : std::ssize(ahead.spans())}; }
   /// Do all polygons share one edge table, so that spans are of any of them?
   bool of_any() const { return method().keeps_all && method().piece < 0; }
   /// The polygon of the span of the pixel at work, where there are spans of several polygons.
@@ -251,13 +249,11 @@ struct Situation {
   /// Are x and z computed by adding to what they were, so that scan lines come one after the other?
   bool adds_slopes() const { return zstep::adds_slopes(header.conventions); }
   bool on_screen() const { return scene.camera.kind == Camera::Kind::screen; }
-  bool is_point(std::int32_t vertex) const {
-    return vertex >= 0 && static_cast<std::size_t>(vertex) < scene.points.size();
-  }
+  bool is_point(std::int32_t vertex) const { return vertex >= 0 && vertex < std::ssize(scene.points); }
 
   /// A vertex on its way; nullptr where there is none.
   const VertexStages* vertex(std::int32_t number) const {
-    const auto at = static_cast<std::size_t>(number);
+    const std::size_t at = number;
     return number >= 0 && at < before.vertices.size() ? &before.vertices[at] : nullptr;
   }
   /// The same once it has view coordinates. A run that records a later stage alone does not have them, but of the
@@ -276,7 +272,7 @@ struct Situation {
   }
   std::optional<OnRaster> on_raster(std::int32_t number) const { return zstep::on_raster(scene, before, number); }
   const EdgeTableInsert* edge(std::int32_t number) const {
-    const auto at = static_cast<std::size_t>(number);
+    const std::size_t at = number;
     return number >= 0 && at < method().edge_table.size() ? &method().edge_table[at] : nullptr;
   }
   const ActiveEdge* active(std::int32_t number) const {
@@ -285,7 +281,7 @@ struct Situation {
     return nullptr;
   }
   const Piece* piece(std::int32_t number) const {
-    const auto at = static_cast<std::size_t>(number);
+    const std::size_t at = number;
     return number >= 0 && at < method().pieces.size() ? &method().pieces[at] : nullptr;
   }
   /// The pixel at work, where it is this one.
@@ -296,9 +292,7 @@ struct Situation {
   std::int64_t pixel(std::int32_t x, std::int32_t y) const {
     return static_cast<std::int64_t>(before.picture_of_pass().at(x, y));
   }
-  double stored(std::int32_t x, std::int32_t y) const {
-    return before.picture_of_pass().depth[static_cast<std::size_t>(pixel(x, y))];
-  }
+  double stored(std::int32_t x, std::int32_t y) const { return before.picture_of_pass().depth[pixel(x, y)]; }
   Place depth_place(std::int32_t x, std::int32_t y) const {
     return {method().pass == Pass::light ? Place::In::light_buffer : Place::In::depth_buffer, pixel(x, y)};
   }

@@ -39,7 +39,7 @@ class SpansAhead {
   }
   void add(const SpanBegin& span, std::optional<std::int32_t> polygon) {
     if (has_pixels_) clear();
-    const auto y = static_cast<std::size_t>(std::max(0, span.y));
+    const std::size_t y = std::max(0, span.y);
     if (y >= lines_.size()) lines_.resize(y + 1);
     lines_[y].push_back(spans_.size());
     const std::int32_t count = std::max(0, span.last - span.first + 1);
@@ -49,7 +49,7 @@ class SpansAhead {
   /// The span that a pixel that comes now belongs to: of those that cover it one whose pixel has not come. Of several,
   /// as of two polygons on one line, the one at work, or the first, unless the depth says clearly that it is another's.
   std::optional<std::size_t> find(std::int32_t x, std::int32_t y, double z) const {
-    const auto line = static_cast<std::size_t>(y);
+    const std::size_t line = y;
     if (y < 0 || line >= lines_.size()) return std::nullopt;
     std::optional<std::size_t> best, any;
     double off = 0;
@@ -57,7 +57,7 @@ class SpansAhead {
       if (!may_own(number, x, y)) return;
       any = number;
       const Open& open = spans_[number];
-      if (open.came[static_cast<std::size_t>(x - open.span.first)]) return;
+      if (open.came[x - open.span.first]) return;
       const double its = std::abs(depth_at(open.span, x) - (reciprocal ? 1 / z : z));
       constexpr double clearly = 8;
       if (!best || clearly * its <= off) best = number, off = its;
@@ -78,7 +78,7 @@ class SpansAhead {
     const auto number = find(x, y, z);
     if (!number) return;
     Open& open = spans_[*number];
-    open.came[static_cast<std::size_t>(x - open.span.first)] = true;
+    open.came[x - open.span.first] = true;
     open.x_last = x, open.z_last = z;
     last_ = Last{*number, x, y};
   }
@@ -89,11 +89,11 @@ class SpansAhead {
   /// May this polygon be seen at a pixel of this depth, as far as its spans say? Of equal depths it may be any.
   bool may_be(std::int32_t polygon, std::int32_t x, std::int32_t y, double z) const {
     const auto own = at_work(x, y);
-    if (!own || y < 0 || static_cast<std::size_t>(y) >= lines_.size()) return true;
+    if (!own || y < 0 || y >= std::ssize(lines_)) return true;
     const double sought = reciprocal ? 1 / z : z;
     const double off = std::abs(depth_at(spans_[*own].span, x) - sought);
     constexpr double rounded = 1e-6, clearly = 8;
-    for (const std::size_t number : lines_[static_cast<std::size_t>(y)]) {
+    for (const std::size_t number : lines_[y]) {
       const Open& open = spans_[number];
       if (open.polygon == polygon && covers(open.span, x, y) &&
           std::abs(depth_at(open.span, x) - sought) <= clearly * off + rounded * std::abs(sought))
@@ -109,7 +109,7 @@ class SpansAhead {
   };
 
   void clear() {
-    for (const Open& open : spans_) lines_[static_cast<std::size_t>(std::max(0, open.span.y))].clear();
+    for (const Open& open : spans_) lines_[std::max(0, open.span.y)].clear();
     spans_.clear(), last_.reset();
     has_pixels_ = its_own_ = false;
   }

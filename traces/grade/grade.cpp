@@ -29,7 +29,7 @@ std::int64_t longest_ascending(const std::vector<std::int64_t>& numbers) {
     if (place == ends.end()) ends.push_back(number);
     else *place = number;
   }
-  return static_cast<std::int64_t>(ends.size());
+  return std::ssize(ends);
 }
 
 std::array<std::int64_t, kind_count> steps_by_kind(const Trace& trace) {
@@ -84,8 +84,7 @@ Counter::Counter(const Trace& reference, const Trace& run, const diff::DiffRepor
                  const std::vector<bool>& not_computed, const std::set<std::uint8_t>& aside)
     : run_(run), difference_(difference), aside_(aside), expected_(steps_by_kind(reference)) {
   run.each(0, run.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
-    if (not_computed[static_cast<std::size_t>(position)] && difference.alignment.in_a(position) != 0)
-      ++not_computed_[recorded.event.index()];
+    if (not_computed[position] && difference.alignment.in_a(position) != 0) ++not_computed_[recorded.event.index()];
     return true;
   });
 }
@@ -131,7 +130,7 @@ std::int64_t Counter::out_of_order(const Part& part) const {
     if (const std::int64_t a = difference_.alignment.in_a(position); a != 0) matched.push_back(a);
     return true;
   });
-  return static_cast<std::int64_t>(matched.size()) - longest_ascending(matched);
+  return std::ssize(matched) - longest_ascending(matched);
 }
 
 namespace {
@@ -141,17 +140,16 @@ class Outlines {
  public:
   explicit Outlines(const Scene& scene) : scene_(scene), facets_(scene.polygons.size(), nullptr) {
     for (const Facet& facet : scene.facets) {
-      const Facet*& first = facets_[static_cast<std::size_t>(facet.polygon)];
+      const Facet*& first = facets_[facet.polygon];
       if (!first) first = &facet;
     }
   }
   /// None where there is no such polygon.
   std::span<const std::int32_t> of(std::int32_t polygon) const {
-    if (polygon < 0 || static_cast<std::size_t>(polygon) >= facets_.size()) return {};
-    const Facet* facet = facets_[static_cast<std::size_t>(polygon)];
+    if (polygon < 0 || polygon >= std::ssize(facets_)) return {};
+    const Facet* facet = facets_[polygon];
     if (!facet) return {};
-    return std::span(scene_.corners)
-        .subspan(static_cast<std::size_t>(facet->first_corner), static_cast<std::size_t>(facet->corner_count));
+    return std::span(scene_.corners).subspan(facet->first_corner, facet->corner_count);
   }
 
  private:
@@ -176,9 +174,7 @@ struct Meanings {
     any = true;
     const auto outline = outlines.of(polygon);
     const auto place = [&](std::int32_t vertex) {
-      return vertex >= 0 && static_cast<std::size_t>(vertex) < outline.size()
-                 ? outline[static_cast<std::size_t>(vertex)]
-                 : -1;
+      return vertex >= 0 && vertex < std::ssize(outline) ? outline[vertex] : -1;
     };
     as_scene = as_scene && joins(outline, a, b);
     polygons_from_1 = polygons_from_1 && joins(outlines.of(polygon - 1), a, b);
@@ -290,7 +286,7 @@ std::uint32_t number_fields(std::uint8_t kind) {
 /// follows from, and it must be finite: NaN follows from NaN, and anything from nothing.
 std::vector<bool> not_computed(const Trace& run, const diff::DiffReport& difference, const std::vector<Fault>& faults) {
   std::vector<bool> found(static_cast<std::size_t>(run.size()) + 1);
-  for (const Fault& fault : faults) found[static_cast<std::size_t>(fault.step)] = true;
+  for (const Fault& fault : faults) found[fault.step] = true;
   // By the steps of the run, as the walk goes.
   std::vector<const diff::Difference*> differing;
   for (const diff::Difference& one : difference.alignment.differences)
@@ -302,7 +298,7 @@ std::vector<bool> not_computed(const Trace& run, const diff::DiffReport& differe
       run,
       [&](std::int64_t step, const auto& e, const Situation& at) {
         if (step < (*next)->b) return true;
-        if (from_nothing(e, at, **next, difference.precision)) found[static_cast<std::size_t>(step)] = true;
+        if (from_nothing(e, at, **next, difference.precision)) found[step] = true;
         return ++next != differing.end();
       },
       [](std::int64_t, const Impossible&) {});

@@ -104,7 +104,7 @@ struct PartCount {
   }
 
  private:
-  double share(std::int64_t of) const { return all() == 0 ? 1 : static_cast<double>(of) / static_cast<double>(all()); }
+  double share(std::int64_t of) const { return all() == 0 ? 1 : ratio(of, all()); }
 };
 
 /// By pixel, whether a picture has a polygon there, or ink.

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "traces/scene.hpp"
+
 namespace zstep::portable {
 
 namespace {
@@ -88,7 +90,7 @@ SineCosine sine_cosine(double x) {
   const bool negative = turns.rest.high < 0;
   const DoubleDouble rest = negative ? -turns.rest : turns.rest;
   const int part = nearest_whole(parts * rest.high);
-  const SineCosine& at = at_parts().turn[static_cast<std::size_t>(part)];
+  const SineCosine& at = at_parts().turn[part];
   const SineVersine small = small_turn(rest + -(part / double{parts}));
   DoubleDouble sine = at.sine + (at.cosine * small.sine - at.sine * small.versine);
   const DoubleDouble cosine = at.cosine - (at.sine * small.sine + at.cosine * small.versine);
@@ -100,8 +102,7 @@ Exponential exponential(DoubleDouble x) {
   const int exponent = nearest_whole(x.high * log2_of_e);
   for (const double part : ln_2) x = x + DoubleDouble(-exponent * part);
   const int part = nearest_whole(parts * x.high);
-  return {at_parts().exponential[static_cast<std::size_t>(part + 23)], small_exponential(x + -(part / double{parts})),
-          exponent};
+  return {at_parts().exponential[part + 23], small_exponential(x + -(part / double{parts})), exponent};
 }
 
 DoubleDouble value(const Exponential& e) { return e.at_64th + e.at_64th * e.more; }
@@ -116,8 +117,7 @@ DoubleDouble logarithm(double x) {
   const auto [mantissa, exponent] = near_one(x);
   const int part = nearest_whole(parts * mantissa);
   const double at = part / double{parts};
-  DoubleDouble sum = at_parts().logarithm[static_cast<std::size_t>(part)] +
-                     2 * small_arc_tangent((mantissa - at) / exact_sum(mantissa, at), 1);
+  DoubleDouble sum = at_parts().logarithm[part] + 2 * small_arc_tangent((mantissa - at) / exact_sum(mantissa, at), 1);
   for (std::size_t i = 3; exponent != 0 && i-- > 0;) sum = sum + DoubleDouble(exponent * ln_2[i]);
   return sum;
 }
@@ -127,8 +127,7 @@ DoubleDouble angle(DoubleDouble y, DoubleDouble x) {
   const DoubleDouble tangent = y / x;
   const int part = nearest_whole(parts * tangent.high);
   const double at = part / double{parts};
-  return at_parts().arc_tangent[static_cast<std::size_t>(part)] +
-         small_arc_tangent((tangent + -at) / (1 + at * tangent), -1);
+  return at_parts().arc_tangent[part] + small_arc_tangent((tangent + -at) / (1 + at * tangent), -1);
 }
 
 namespace {
@@ -168,10 +167,10 @@ QuarterTurns quarter_turns(double x) {
   }
 
   // Moved so that the two bits of the count are the uppermost ones; what is above them is whole turns.
-  const int behind_point = 32 * (static_cast<int>(used) + first) - exponent;
-  const int move = 32 * static_cast<int>(digits) - 2 - behind_point;
+  const int behind_point = 32 * (index32(used) + first) - exponent;
+  const int move = 32 * index32(digits) - 2 - behind_point;
   Digits moved{};
-  for (std::size_t i = static_cast<std::size_t>(move / 32); i < digits; ++i) {
+  for (std::size_t i = move / 32; i < digits; ++i) {
     const std::size_t from = i - static_cast<std::size_t>(move / 32);
     const std::uint64_t two = std::uint64_t{product[from]} << 32 | (from > 0 ? product[from - 1] : 0);
     moved[i] = static_cast<std::uint32_t>(two << (move % 32) >> 32);
@@ -224,7 +223,7 @@ std::optional<double> quick_sine(double x, int quarters) {
   const double d = sign * rest.high - part / double{parts}, low = sign * rest.low, s = d * d;
   const double sine = low + d * (s * (-1.0 / 6 + s * (1.0 / 120 - s * (1.0 / 5040))));  // without d
   const double versine = s * (0.5 - s * (1.0 / 24 - s * (1.0 / 720))) + d * low;
-  const SineCosine& at = at_parts().turn[static_cast<std::size_t>(part)];
+  const SineCosine& at = at_parts().turn[part];
   const bool of_sine = (quadrant & 1) == 0, minus = ((quadrant & 2) != 0) != (of_sine && sign < 0);
   const auto found = of_sine
                          ? if_certain(sum_of(at.sine, at.cosine, d, at.cosine.high * sine - at.sine.high * versine))
@@ -241,7 +240,7 @@ std::optional<double> quick_exponential(DoubleDouble x, double error) {
   const double more =
       low * (1 + d) +
       d * d * (0.5 + d * (1.0 / 6 + d * (1.0 / 24 + d * (1.0 / 120 + d * (1.0 / 720 + d * (1.0 / 5040 + d / 40320))))));
-  const DoubleDouble& at = at_parts().exponential[static_cast<std::size_t>(part + 23)];
+  const DoubleDouble& at = at_parts().exponential[part + 23];
   const auto found = if_certain(sum_of(at, at, d, at.high * more), quick_error + error);
   return found ? std::optional(std::ldexp(*found, exponent)) : found;
 }
@@ -255,7 +254,7 @@ DoubleDouble quick_logarithm(double x) {
   const double r_low = ((step - back.high) - back.low) / at, t = square.high;
   const double odd = 1.0 / 3 + t * (1.0 / 5 + t * (1.0 / 7 + t * (1.0 / 9)));
   const double even = 1.0 / 4 + t * (1.0 / 6 + t * (1.0 / 8 + t * (1.0 / 10)));
-  const DoubleDouble& log_at = at_parts().logarithm[static_cast<std::size_t>(part)];
+  const DoubleDouble& log_at = at_parts().logarithm[part];
   const DoubleDouble base = exact_sum(s.exponent * ln_2[0], log_at.high), sum = exact_sum(base.high, r);
   const DoubleDouble all = exact_sum(sum.high, -t / 2);
   const double low = s.exponent * ln_2[1] + log_at.low + (base.low + sum.low + all.low);
@@ -275,7 +274,7 @@ DoubleDouble quick_angle(DoubleDouble y, DoubleDouble x) {
   const DoubleDouble back = exact_product(u, below.high);
   const double u_low = ((above.high - back.high) - back.low + (above.low - u * below.low)) / below.high;
   const double tail = u * s * (1.0 / 3 - s * (1.0 / 5 - s * (1.0 / 7 - s * (1.0 / 9))));
-  const DoubleDouble& of_at = at_parts().arc_tangent[static_cast<std::size_t>(part)];
+  const DoubleDouble& of_at = at_parts().arc_tangent[part];
   const DoubleDouble sum = exact_sum(of_at.high, u);
   return sum_of_ordered(sum.high, sum.low + (of_at.low + (u_low - tail)));
 }

@@ -64,7 +64,7 @@ inline void suppose(const ListInsert& e, const Situation& at, Supposed& out) {
   if (at.method().pair && !is_part) return;  // others are moved, too, and not to where they belong by depth
   const Piece* piece = at.piece(e.piece);
   const auto& list = at.method().list;
-  const auto place = static_cast<std::size_t>(e.place);
+  const std::size_t place = e.place;
   if (!piece || !piece->extent || e.place < 0 || place > list.size()) return;
   const auto piece_at = [&](std::size_t which) -> const Piece* {
     const Piece* other = list[which].marked ? nullptr : at.piece(list[which].piece);
@@ -128,7 +128,7 @@ inline void suppose(const EyeSide& e, const Situation& at, Supposed& out) {
     const bool beyond = formulas::detail::lies_beyond(*parent, e.node);
     out.says(near_side_first, beyond, !beyond);
   }
-  const auto number = static_cast<std::size_t>(e.node);
+  const std::size_t number = e.node;
   if (e.node < 0 || number >= at.method().tree.size() || !at.camera) return;
   const Piece* piece = at.piece(at.method().tree[number].pieces.front());
   if (!piece || !piece->plane) return;
@@ -178,8 +178,8 @@ inline std::optional<bool> in_front(const Situation& at, const AreaBegin& area, 
 }  // namespace detail
 
 inline void suppose(const AreaBegin& e, const Situation& at, Supposed& out) {
-  if (e.parent < 0 || static_cast<std::size_t>(e.parent) >= at.method().areas.size()) return;
-  const AreaBegin& parent = at.method().areas[static_cast<std::size_t>(e.parent)].entry;
+  if (e.parent < 0 || e.parent >= std::ssize(at.method().areas)) return;
+  const AreaBegin& parent = at.method().areas[e.parent].entry;
   detail::suppose_half({e.first_column, e.end_column}, {parent.first_column, parent.end_column},
                        "first_column end_column", out);
   detail::suppose_half({e.first_row, e.end_row}, {parent.first_row, parent.end_row}, "first_row end_row", out);
@@ -205,7 +205,7 @@ inline void suppose(const AreaDecide& e, const Situation& at, Supposed& out) {
 
 inline void suppose(const BoxTest& e, const Situation& at, Supposed& out) {
   const RayBegin* ray = formulas::detail::ray_cast_last(at);
-  const auto box = static_cast<std::size_t>(e.box);
+  const std::size_t box = e.box;
   if (!ray || e.box < 0 || box >= at.method().boxes.size()) return;
   const std::array<double, 3> way = formulas::detail::way_of(*ray);
   if (std::find(way.begin(), way.end(), 0.0) == way.end()) return;
@@ -239,7 +239,7 @@ namespace detail {
 /// The rows of a surface from the nearest to the farthest, where all are on one side of the eye; else none.
 inline std::vector<std::int32_t> rows_from_eye(const Situation& at) {
   if (!at.scene.surface || !at.camera || at.scene.surface->columns <= 0) return {};
-  const auto columns = static_cast<std::size_t>(at.scene.surface->columns);
+  const std::size_t columns = at.scene.surface->columns;
   std::vector<std::int32_t> rows(at.scene.points.size() / columns);
   std::iota(rows.begin(), rows.end(), 0);
   const auto place = [&](std::int32_t row) { return at.scene.points[static_cast<std::size_t>(row) * columns].y; };
@@ -261,7 +261,7 @@ inline void suppose_lower_moved(const Situation& at, Supposed& out) {
   const HorizonWork& work = at.method().horizon;
   if (!work.here || work.here->test.verdict == Horizon::hidden) return;
   const HorizonPassage& last = *work.here;
-  const auto column = static_cast<std::size_t>(last.test.x);
+  const std::size_t column = last.test.x;
   if (last.test.x < 0 || column >= work.lower.size() || !(last.test.y_curve > last.lower)) return;
   // Who does not move it either uses it all the same, or has the upper one alone.
   for (const Mistake mistake : {lower_never_moves, only_upper})
@@ -274,7 +274,7 @@ inline void suppose(const CurveBegin& e, const Situation& at, Supposed& out) {
   detail::suppose_lower_moved(at, out);
   if (e.across || (at.method().horizon.curve && at.method().horizon.curve->across)) return;
   const std::vector<std::int32_t> rows = detail::rows_from_eye(at);
-  const auto turn = static_cast<std::size_t>(e.curve);
+  const std::size_t turn = e.curve;
   if (e.curve < 0 || turn >= rows.size()) return;
   out.whole(farthest_first, "row", e.row, {rows[rows.size() - 1 - turn]}, {rows[turn]});
 }
@@ -313,7 +313,7 @@ inline void suppose(const ColorWrite& e, const Situation& at, Supposed& out) {
 inline void suppose(const HorizonTest& e, const Situation& at, Supposed& out) {
   detail::suppose_lower_moved(at, out);
   const HorizonWork& work = at.method().horizon;
-  const auto column = static_cast<std::size_t>(e.x);
+  const std::size_t column = e.x;
   if (work.segment) {
     const auto a = at.on_raster(work.segment->vertex_0), b = at.on_raster(work.segment->vertex_1);
     if (a && b && a->x != b->x && e.x > std::min(a->x, b->x) && e.x < std::max(a->x, b->x))

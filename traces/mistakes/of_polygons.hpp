@@ -14,6 +14,7 @@
 #include "traces/formulas/outlines.hpp"
 #include "traces/formulas/viewing.hpp"
 #include "traces/mistakes/supposed.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::mistakes {
 
@@ -22,7 +23,7 @@ namespace detail {
 /// z_v of a vertex of the scene, as its place there gives it; nothing of one that clipping has made.
 inline std::optional<Rounded> true_z_v(const Situation& at, std::int32_t vertex) {
   if (!at.camera || !at.is_point(vertex)) return std::nullopt;
-  const glm::dvec3& w = at.scene.points[static_cast<std::size_t>(vertex)];
+  const glm::dvec3& w = at.scene.points[vertex];
   const glm::dmat4& t_v = at.camera->view;
   return formulas::matrix_row<Rounded>(t_v[0][2], t_v[1][2], t_v[2][2], t_v[3][2], w.x, w.y, w.z);
 }
@@ -118,8 +119,7 @@ inline bool is_turned(const Situation& at, std::int32_t polygon, std::int32_t up
     return false;
   };
   return any_of_polygon(method.pieces, [&](std::size_t i) { return std::span(method.pieces[i].outline); }) ||
-         any_of_polygon(at.scene.facets,
-                        [&](std::size_t i) { return formulas::detail::corners_of(at, static_cast<std::int32_t>(i)); });
+         any_of_polygon(at.scene.facets, [&](std::size_t i) { return formulas::detail::corners_of(at, index32(i)); });
 }
 
 /// The edges of this polygon are done: is the one from its last vertex back to the first among them, if all others are?
@@ -347,7 +347,7 @@ namespace detail {
 inline void suppose_last_written(const Situation& at, Supposed& out) {
   const auto& last = at.method().fragment;
   if (!last || !last->nearer || at.method().keeps_all || at.method().polygon == no_polygon) return;
-  const auto pixel = static_cast<std::size_t>(at.pixel(last->x, last->y));
+  const std::size_t pixel = at.pixel(last->x, last->y);
   const bool drawn = at.before.picture.polygon[pixel] == at.method().polygon;
   const double depth = at.before.picture.depth[pixel];
   const bool stored = depth == last->z, as_before = depth == last->stored;
@@ -449,11 +449,11 @@ inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   const Comparison& comparison = at.header.comparison;
   const bool wins = comparison.wins(e.z, stored), right = e.nearer == wins;
   const bool tie = e.z == stored || out.equal(e.z, Rounded(stored));
-  const std::int32_t drawn = at.before.picture.polygon[static_cast<std::size_t>(at.pixel(e.x, e.y))];
+  const std::int32_t drawn = at.before.picture.polygon[at.pixel(e.x, e.y)];
   out.says(equal_wins, tie ? e.nearer : right, right, "nearer");
   auto& line = out.one_line;
   if (line.empty()) line.assign(static_cast<std::size_t>(at.scene.raster.width), at.header.empty_depth());
-  double& last = line[static_cast<std::size_t>(e.x)];
+  double& last = line[e.x];
   const bool wins_on_line = comparison.wins(e.z, last);
   if (wins_on_line) last = e.z;
   out.says(buffer_of_one_line, e.nearer == wins_on_line, right, "nearer");
@@ -461,7 +461,7 @@ inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   // Where pixels are not written the run says only who won there last, if it says which polygon is at work.
   auto& winners = out.winners;
   if (winners.empty()) winners.assign(at.before.picture.polygon.size(), no_polygon);
-  std::int32_t& winner = winners[static_cast<std::size_t>(at.pixel(e.x, e.y))];
+  std::int32_t& winner = winners[at.pixel(e.x, e.y)];
   const std::int32_t here = at.method().polygon;
   const bool of_other = draws ? drawn != no_polygon && drawn != here
                               : stored != at.header.empty_depth() && (here == no_polygon || winner != here);

@@ -53,7 +53,7 @@ class AttributeJudge {
     if (!std::isfinite(e.attribute)) {
       if (++errors_.not_finite == 1) errors_.largest_step = step;
       errors_.largest = errors_.sum_of_squares = errors_.rounding = std::numeric_limits<double>::infinity();
-      errors_.rounding_of_pixel[static_cast<std::size_t>(at.pixel(e.x, e.y))] = errors_.rounding;
+      errors_.rounding_of_pixel[at.pixel(e.x, e.y)] = errors_.rounding;
       ++errors_.attributes;
       return;
     }
@@ -64,7 +64,7 @@ class AttributeJudge {
     if (off > errors_.largest) errors_.largest = off, errors_.largest_step = step;
     const double by_rounding = as_run_ ? std::abs(rounded(a - as_run_->attribute(e.x))) : off;
     errors_.rounding = std::max(errors_.rounding, by_rounding);
-    errors_.rounding_of_pixel[static_cast<std::size_t>(at.pixel(e.x, e.y))] = by_rounding;
+    errors_.rounding_of_pixel[at.pixel(e.x, e.y)] = by_rounding;
   }
 
   AttributeErrors finish() { return std::move(errors_); }

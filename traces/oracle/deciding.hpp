@@ -109,7 +109,7 @@ class Common {
     Wholly& found = known->second;
     if (!is_new) return found;
     for (const std::int32_t corner : formulas::detail::corners_of(at, facet))
-      found.corners.push_back(exactly(trace.scene().points[static_cast<std::size_t>(corner)]));
+      found.corners.push_back(exactly(trace.scene().points[corner]));
     if (found.corners.size() < 3) return found;
     const Plane plane = oracle::plane_of(found.corners);
     if (plane.a != 0 || plane.b != 0 || plane.c != 0) found.plane = plane;

@@ -94,7 +94,7 @@ class DepthJudge {
     found_.format = precision.format, found_.format_text = precision.text;
     found_.unit = depth_unit(trace.scene(), conventions);
     const Raster& raster = trace.scene().raster;
-    const std::size_t pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+    const std::size_t pixels = static_cast<std::size_t>(raster.width) * raster.height;
     stored_.resize(pixels), fighting_.resize(pixels);
     if (trace.header().declares(Convention::nearer)) nearest_.resize(pixels * open_.size());
     found_.of_pixel.assign(pixels, std::numeric_limits<double>::quiet_NaN());
@@ -107,7 +107,7 @@ class DepthJudge {
     if (at.method().pass == Pass::light) return;
     if constexpr (std::is_same_v<E, EdgeTableInsert>) edge_inserted(position, e.edge);
     if constexpr (std::is_same_v<E, SpanBegin>) {
-      spans_.resize(static_cast<std::size_t>(at.place_of_next_span().number));
+      spans_.resize(at.place_of_next_span().number);
       spans_.push_back({.began = position});
       // When its pixels come the edges may be another polygon's.
       if (at.ahead.of_all) find_exactly(spans_.back(), at, e);
@@ -182,7 +182,7 @@ class DepthJudge {
     if (exact) found.exact = std::make_shared<const ExactDepth>(std::move(*exact));
   }
   Span* span_at(const Situation::SpanOfPixel& of) {
-    const auto number = static_cast<std::size_t>(of.place.number);
+    const std::size_t number = of.place.number;
     return of && number < spans_.size() ? &spans_[number] : nullptr;
   }
   /// The span of a pixel, exactly; null where the trace does not have what it needs.
@@ -252,7 +252,7 @@ class DepthJudge {
   /// The facet at work, if it is the polygon's; else the polygon's only one. -1 where there is none.
   std::int32_t facet_of(const Situation& at, std::int32_t polygon) const {
     const std::vector<Facet>& facets = trace_.scene().facets;
-    const auto at_work = static_cast<std::size_t>(at.method().facet);
+    const std::size_t at_work = at.method().facet;
     if (at.method().facet >= 0 && at_work < facets.size() && facets[at_work].polygon == polygon)
       return at.method().facet;
     const auto of_polygon = [&](const Facet& facet) { return facet.polygon == polygon; };
@@ -262,9 +262,9 @@ class DepthJudge {
   }
   std::array<std::int32_t, 3> triangle(std::int32_t facet) const {
     const Scene& scene = trace_.scene();
-    const Facet& of = scene.facets[static_cast<std::size_t>(facet)];
+    const Facet& of = scene.facets[facet];
     if (of.corner_count != 3) return {-1, -1, -1};
-    const auto corner = [&](std::int32_t i) { return scene.corners[static_cast<std::size_t>(of.first_corner + i)]; };
+    const auto corner = [&](std::int32_t i) { return scene.corners[of.first_corner + i]; };
     return {corner(0), corner(1), corner(2)};
   }
   bool is_on_raster(const Situation& at, const std::array<std::int32_t, 3>& corners) const {
@@ -287,7 +287,7 @@ class DepthJudge {
   std::shared_ptr<const ExactDepth> exact_plane(const Situation& at, std::int32_t x, std::int32_t y) const {
     const MethodState& method = at.method();
     std::int32_t piece = method.sweep.winners.empty() ? -1 : method.sweep.winners.back().piece;
-    const auto area = static_cast<std::size_t>(method.area);
+    const std::size_t area = method.area;
     if (method.area >= 0 && area < method.areas.size() && method.areas[area].decided)
       piece = method.areas[area].decided->piece;
     const auto plane = vertices_.plane_of(piece, at);
@@ -308,7 +308,7 @@ class DepthJudge {
   void hit(std::int64_t position, const RayHit& e, const Situation& at) {
     if (!e.inside || at.method().rays.tree.size() != 1) return;
     const auto t = rays_.meet(e.facet, ray_.x, ray_.y);
-    const auto facet = static_cast<std::size_t>(e.facet);
+    const std::size_t facet = e.facet;
     if (!t || facet >= trace_.scene().facets.size()) return;
     const Known here{constant(*t), e.t, trace_.scene().facets[facet].polygon, e.facet, -1};
     // Of equal t the facet that comes first in the scene is kept.
@@ -337,8 +337,7 @@ class DepthJudge {
   }
   void decided_wrong(std::int64_t position, std::int32_t x, std::int32_t y, const Known& z, const Known& stored) {
     ++found_.all.decided_wrong;
-    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(trace_.scene().raster.width) +
-                              static_cast<std::size_t>(x);
+    const std::size_t pixel = static_cast<std::size_t>(y) * trace_.scene().raster.width + static_cast<std::size_t>(x);
     fighting_[pixel] = true;
     found_.turned.resize(fighting_.size());
     for (const Known* of : {&z, &stored})
@@ -396,7 +395,7 @@ class DepthJudge {
   }
   /// Edges are numbered anew in each edge table.
   void edge_inserted(std::int64_t position, std::int32_t number) {
-    const auto edge = static_cast<std::size_t>(number);
+    const std::size_t edge = number;
     if (number < 0 || edge > inserted_.size()) return;
     if (edge == inserted_.size()) inserted_.push_back(position);
     else inserted_[edge] = position;
@@ -406,13 +405,13 @@ class DepthJudge {
     if (!span || span->y != y) return;
     const auto put = [&](std::vector<double>& errors, std::int32_t from, std::int32_t to, std::int32_t most) {
       if (from < 0 || from > to || to >= most || !std::isfinite(error_)) return;
-      const auto n = static_cast<std::size_t>(to - from);
+      const std::size_t n = to - from;
       if (n >= errors.size()) errors.resize(n + 1);
       errors[n] = std::abs(error_);
     };
     const Raster& raster = trace_.scene().raster;
     const EdgeTableInsert* edge = span.is_of_other(at) ? nullptr : at.edge(span->left_edge);
-    const auto number = static_cast<std::size_t>(span->left_edge);
+    const std::size_t number = span->left_edge;
     const std::int64_t inserted = edge && number < inserted_.size() ? inserted_[number] : 0;
     if (x == span->first) {
       along_span_.clear();
@@ -435,7 +434,7 @@ class DepthJudge {
   void compare(std::int64_t position, const DepthCompare& e, const Situation& at) {
     if (!fragment_.exact) return;
     fragment_.z = e.z;
-    const auto pixel = static_cast<std::size_t>(at.pixel(e.x, e.y));
+    const std::size_t pixel = at.pixel(e.x, e.y);
     Known stored = stored_[pixel];
     stored.z = at.stored(e.x, e.y);
     if (stored.exact && stored.polygon != fragment_.polygon) note_gap(stored, e.x);

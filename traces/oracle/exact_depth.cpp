@@ -221,10 +221,10 @@ std::optional<SeenPlane> seen_plane(const Scene& scene, Conventions::Depth depth
   if (scene.camera.kind == Camera::Kind::perspective && (*t == 0 || *t_x == 0 || *t_y == 0)) return std::nullopt;
   const Rational z = rays.depth(*t), dz_dx = rays.depth(*t_x) - z, dz_dy = rays.depth(*t_y) - z;
   SeenPlane plane{rounded(dz_dx), rounded(dz_dy), 0};
-  const Facet& shape = scene.facets[static_cast<std::size_t>(facet)];
+  const Facet& shape = scene.facets[facet];
   for (std::int32_t i = 0; i < shape.corner_count; ++i) {
-    const std::int32_t corner = scene.corners[static_cast<std::size_t>(shape.first_corner + i)];
-    const auto at = on_raster(scene, depth, scene.points[static_cast<std::size_t>(corner)]);
+    const std::int32_t corner = scene.corners[shape.first_corner + i];
+    const auto at = on_raster(scene, depth, scene.points[corner]);
     if (!at) return std::nullopt;
     plane.bend = std::max(plane.bend, std::abs(rounded(at->z - (z + dz_dx * at->x + dz_dy * at->y))));
   }

@@ -11,6 +11,7 @@
 #include "traces/formulas/situation.hpp"
 #include "traces/formulas/viewing.hpp"
 #include "traces/oracle/exact_depth.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::oracle {
 
@@ -42,14 +43,14 @@ std::string decimals_of(const Rational& exact, int count) {
     const int places = count - 1 - exponent;
     (places > 0 ? above : below) *= pow(Whole(10), static_cast<unsigned>(std::abs(places)));
     digits = Whole((2 * above + below) / (2 * below)).str();
-    fits = static_cast<int>(digits.size()) == count;
-    if (!fits) exponent += static_cast<int>(digits.size()) > count ? 1 : -1;
+    fits = size32(digits) == count;
+    if (!fits) exponent += size32(digits) > count ? 1 : -1;
   }
   const std::string sign = exact < 0 ? "\u2212" : "";
   if (exponent < -6 || exponent >= count - 1)
     return sign + digits.substr(0, 1) + "." + digits.substr(1) + "e" + std::to_string(exponent);
   if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
-  const auto whole = static_cast<std::size_t>(exponent + 1);
+  const std::size_t whole = exponent + 1;
   return sign + digits.substr(0, whole) + "." + digits.substr(whole);
 }
 
@@ -174,12 +175,12 @@ const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
 
 const std::optional<Plane>& ExactRays::plane(std::int32_t facet) {
   const auto [known, is_new] = planes_.try_emplace(facet);
-  if (!is_new || facet < 0 || static_cast<std::size_t>(facet) >= scene_.facets.size()) return known->second;
-  const Facet& entry = scene_.facets[static_cast<std::size_t>(facet)];
+  if (!is_new || facet < 0 || facet >= std::ssize(scene_.facets)) return known->second;
+  const Facet& entry = scene_.facets[facet];
   std::vector<Point> corners;
   for (std::int32_t i = 0; i < entry.corner_count; ++i) {
-    const std::int32_t corner = scene_.corners[static_cast<std::size_t>(entry.first_corner + i)];
-    const glm::dvec3& point = scene_.points[static_cast<std::size_t>(corner)];
+    const std::int32_t corner = scene_.corners[entry.first_corner + i];
+    const glm::dvec3& point = scene_.points[corner];
     if (!std::isfinite(point.x + point.y + point.z)) return known->second;
     corners.push_back(exactly(point));
   }

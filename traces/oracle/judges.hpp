@@ -121,7 +121,7 @@ class PieceJudge {
     }
   }
   void judge(const EyeSide& e, const Situation& at) {
-    const auto node = static_cast<std::size_t>(e.node);
+    const std::size_t node = e.node;
     if (node >= at.method().tree.size()) return;
     const Wholly& whole = common_.whole_of(at.method().tree[node].pieces[0], at);
     if (!whole.plane) return;
@@ -299,7 +299,7 @@ class RayJudge {
   }
   void judge(const BoxTest& e, const Situation& at) {
     const auto ray = ray_at(at);
-    const auto number = static_cast<std::size_t>(e.box);
+    const std::size_t number = e.box;
     if (!ray || number >= at.method().boxes.size()) return;
     const BoxMake& box = at.method().boxes[number].entry;
     const double low[3] = {box.x_min, box.y_min, box.z_min}, high[3] = {box.x_max, box.y_max, box.z_max};
@@ -430,7 +430,7 @@ class CurveJudge {
     if (!horizon || std::abs(rounded(horizon->y) - e.y_curve) > 1e-6) horizon = Height{exactly(e.y_curve), 0};
   }
   void judge(const LineAgainst& e, const Situation& at) {
-    const auto line = static_cast<std::size_t>(e.line);
+    const std::size_t line = e.line;
     if (line >= at.method().lines.size() || e.outcome == LineFace::apart || e.outcome == LineFace::own) return;
     const LineBegin& entry = at.method().lines[line].entry;
     const auto a = common_.vertices.on_raster(entry.vertex_0, at), b = common_.vertices.on_raster(entry.vertex_1, at);

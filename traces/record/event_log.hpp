@@ -18,6 +18,7 @@
 
 #include "traces/events/slots.hpp"
 #include "traces/events/vocabulary.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -332,7 +333,7 @@ inline void EventLog::close_run() {
   const bool painted = painted_;
   painting_ = painted_ = false;
   if (pixels > 0) {
-    const RunHead head{x_ - static_cast<std::int32_t>(pixels), pixels, nearer & (~std::uint64_t{0} >> (64 - pixels))};
+    const RunHead head{x_ - index32(pixels), pixels, nearer & (~std::uint64_t{0} >> (64 - pixels))};
     end_[1] = painted;
     std::memcpy(end_ + 2, &head, sizeof head);
     std::memcpy(end_ + 2 + sizeof head, depths_.data(), pixels * sizeof(double));

@@ -149,12 +149,11 @@ std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint
   const std::uint64_t size = in.size();
   if (size < memory_page) return found;
   if (head->log_size > (size - memory_page) / std::max<std::uint64_t>(head->logs, 1)) return found;
-  const auto log_size = static_cast<std::size_t>(head->log_size);
+  const std::size_t log_size = head->log_size;
   if (log_size != head->log_size) return found;  // more than there is memory to address
   for (std::uint64_t block = first; found.size() < head->logs; ++block) {
-    const auto number = static_cast<std::size_t>(
-        std::find(head->block.begin(), head->block.begin() + static_cast<std::ptrdiff_t>(head->logs), block) -
-        head->block.begin());
+    const std::size_t number =
+        std::find(head->block.begin(), head->block.begin() + head->logs, block) - head->block.begin();
     if (number == head->logs) break;
     Bytes log(log_size);
     in.seek(memory_page + std::uint64_t{number} * log_size);

@@ -17,6 +17,7 @@
 
 #include "traces/codec/runs.hpp"
 #include "traces/replay/state.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -47,7 +48,7 @@ inline std::size_t place_of(MethodState& machine, std::int32_t edge) {
 }
 
 inline void must_be_in_table(const MethodState& machine, std::int32_t edge) {
-  if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size())
+  if (edge < 0 || edge >= std::ssize(machine.edge_table))
     throw Impossible(fmt::format("edge {} is not in the edge table", edge));
 }
 inline void set_stage(MethodState& machine, std::int32_t edge, EdgeStage stage) {
@@ -110,7 +111,7 @@ inline void apply_method_state(const EdgeTableInsert& event, MethodState& machin
     machine.edge_stages.clear();
     machine.active.clear();
   }
-  if (event.edge != static_cast<std::int32_t>(machine.edge_table.size())) {
+  if (event.edge != size32(machine.edge_table)) {
     throw Impossible(
         fmt::format("edge {} enters the edge table where edge {} is due", event.edge, machine.edge_table.size()));
   }
@@ -126,19 +127,19 @@ inline void apply_method_state(const ScanLineBegin& event, MethodState& machine)
 inline void apply_method_state(const EdgeEnter& event, MethodState& machine) {
   if (!machine.edges_told) return;
   detail::must_be_in_table(machine, event.edge);
-  if (machine.edge_stages[static_cast<std::size_t>(event.edge)] == EdgeStage::active)
+  if (machine.edge_stages[event.edge] == EdgeStage::active)
     throw Impossible(fmt::format("edge {} enters the active edge list twice", event.edge));
-  if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.active.size())
+  if (event.place < 0 || event.place > std::ssize(machine.active))
     throw Impossible(fmt::format("the active edge list has no place {}", event.place));
   detail::set_stage(machine, event.edge, EdgeStage::active);
-  const EdgeTableInsert& entry = machine.edge_table[static_cast<std::size_t>(event.edge)];
+  const EdgeTableInsert& entry = machine.edge_table[event.edge];
   machine.active.insert(machine.active.begin() + event.place, ActiveEdge{event.edge, entry.x_edge, entry.z_edge});
 }
 inline void apply_method_state(const EdgeRetire& event, MethodState& machine) {
   if (!machine.enters_told) return;
   const std::size_t place = detail::place_of(machine, event.edge);
   detail::set_stage(machine, event.edge, EdgeStage::retired);
-  machine.active.erase(machine.active.begin() + static_cast<std::ptrdiff_t>(place));
+  machine.active.erase(machine.active.begin() + place);
 }
 inline void apply_method_state(const EdgeStep& event, MethodState& machine) {
   if (!machine.enters_told) return;
@@ -150,8 +151,7 @@ inline void apply_method_state(const EdgeSwap& event, MethodState& machine) {
   if (!machine.enters_told) return;
   if (event.place < 0 || static_cast<std::size_t>(event.place) + 1 >= machine.active.size())
     throw Impossible(fmt::format("the active edge list has no places {} and {}", event.place, event.place + 1));
-  std::swap(machine.active[static_cast<std::size_t>(event.place)],
-            machine.active[static_cast<std::size_t>(event.place) + 1]);
+  std::swap(machine.active[event.place], machine.active[static_cast<std::size_t>(event.place) + 1]);
 }
 inline void apply_method_state(const AttributeInterpolate& event, MethodState& machine) { machine.attribute = event; }
 inline void apply_method_state(const PlaneSlopes& event, MethodState& machine) { machine.slopes = event; }
@@ -173,7 +173,7 @@ inline void apply_method_state(const TablesBegin&, MethodState& machine) { machi
 inline void apply_method_state(const PieceMake& event, MethodState& machine) {
   detail::must_be_due("piece", event.piece, machine.pieces.size());
   if (event.parent != -1) detail::must_exist<PieceMake>("piece", event.parent, machine.pieces.size());
-  if (event.parent != -1) machine.pieces.edit(static_cast<std::size_t>(event.parent)).cut = true;
+  if (event.parent != -1) machine.pieces.edit(event.parent).cut = true;
   Piece piece;
   piece.polygon = event.polygon;
   piece.parent = event.parent;
@@ -182,11 +182,11 @@ inline void apply_method_state(const PieceMake& event, MethodState& machine) {
 }
 inline void apply_method_state(const PlaneEquation& event, MethodState& machine) {
   detail::must_exist<PieceMake>("piece", event.piece, machine.pieces.size());
-  machine.pieces.edit(static_cast<std::size_t>(event.piece)).plane = event;
+  machine.pieces.edit(event.piece).plane = event;
 }
 inline void apply_method_state(const Extent& event, MethodState& machine) {
   detail::must_exist<PieceMake>("piece", event.piece, machine.pieces.size());
-  machine.pieces.edit(static_cast<std::size_t>(event.piece)).extent = event;
+  machine.pieces.edit(event.piece).extent = event;
 }
 inline void apply_method_state(const PieceDraw& event, MethodState& machine) {
   detail::must_exist<PieceMake>("piece", event.piece, machine.pieces.size());
@@ -212,7 +212,7 @@ inline void leave_polygon(MethodState& machine) {
 
 inline void apply_method_state(const ListInsert& event, MethodState& machine) {
   detail::must_exist<PieceMake>("piece", event.piece, machine.pieces.size());
-  if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.list.size())
+  if (event.place < 0 || event.place > std::ssize(machine.list))
     throw Impossible(fmt::format("the list has no place {}", event.place));
   if (machine.list.contains(event.piece))
     throw Impossible(fmt::format("piece {} is in the list already", event.piece), kind_of<ListRemove>);
@@ -246,7 +246,7 @@ inline void apply_method_state(const NodeMake& event, MethodState& machine) {
   detail::leave_polygon(machine);
   if (event.parent != -1) detail::must_exist<NodeMake>("node", event.parent, machine.tree.size());
   if (event.parent != -1) {
-    TreeNode& parent = machine.tree.edit(static_cast<std::size_t>(event.parent));
+    TreeNode& parent = machine.tree.edit(event.parent);
     (event.front ? parent.front_child : parent.back_child) = event.node;
   }
   TreeNode node;
@@ -257,16 +257,16 @@ inline void apply_method_state(const NodeMake& event, MethodState& machine) {
 }
 inline void apply_method_state(const NodeAdd& event, MethodState& machine) {
   detail::must_exist<NodeMake>("node", event.node, machine.tree.size());
-  machine.tree.edit(static_cast<std::size_t>(event.node)).pieces.push_back(event.piece);
+  machine.tree.edit(event.node).pieces.push_back(event.piece);
 }
 inline void apply_method_state(const EyeSide& event, MethodState& machine) {
   detail::must_exist<NodeMake>("node", event.node, machine.tree.size());
-  machine.tree.edit(static_cast<std::size_t>(event.node)).eye = event;
+  machine.tree.edit(event.node).eye = event;
   machine.node = event.node;
 }
 inline void apply_method_state(const NodeSkip& event, MethodState& machine) {
   detail::must_exist<NodeMake>("node", event.node, machine.tree.size());
-  TreeNode& node = machine.tree.edit(static_cast<std::size_t>(event.node));
+  TreeNode& node = machine.tree.edit(event.node);
   (event.front ? node.front_skipped : node.back_skipped) = true;
 }
 
@@ -303,7 +303,7 @@ inline void apply_method_state(const AreaBegin& event, MethodState& machine) {
 inline void apply_method_state(const AreaBin& event, MethodState& machine) { machine.bins.push_back(event); }
 inline void apply_method_state(const AreaDecide& event, MethodState& machine) {
   detail::must_exist<AreaBegin>("area", event.area, machine.areas.size());
-  machine.areas.edit(static_cast<std::size_t>(event.area)).decided = event;
+  machine.areas.edit(event.area).decided = event;
 }
 
 // --- Rays and boxes
@@ -317,7 +317,7 @@ inline void apply_method_state(const BoxMake& event, MethodState& machine) {
 }
 inline void apply_method_state(const BoxHold& event, MethodState& machine) {
   detail::must_exist<BoxMake>("box", event.box, machine.boxes.size());
-  machine.boxes.edit(static_cast<std::size_t>(event.box)).facets.push_back(event.facet);
+  machine.boxes.edit(event.box).facets.push_back(event.facet);
 }
 inline void apply_method_state(const GridMake& event, MethodState& machine) {
   detail::leave_polygon(machine);
@@ -377,7 +377,7 @@ inline void apply_method_state(const HorizonTest& event, MethodState& machine) {
   work.test = event;
   work.cross.reset();
   const auto of_column = [&](const std::vector<double>& horizon) {
-    const auto column = static_cast<std::size_t>(event.x);
+    const std::size_t column = event.x;
     return event.x >= 0 && column < horizon.size() ? horizon[column] : std::numeric_limits<double>::quiet_NaN();
   };
   work.before = work.here;
@@ -386,7 +386,7 @@ inline void apply_method_state(const HorizonTest& event, MethodState& machine) {
 inline void apply_method_state(const HorizonCross& event, MethodState& machine) { machine.horizon.cross = event; }
 inline void apply_method_state(const HorizonMove& event, MethodState& machine) {
   std::vector<double>& horizon = event.upper ? machine.horizon.upper : machine.horizon.lower;
-  const auto column = static_cast<std::size_t>(event.x);
+  const std::size_t column = event.x;
   if (horizon.size() <= column) horizon.resize(column + 1, std::numeric_limits<double>::quiet_NaN());
   horizon[column] = event.y_curve;
 }
@@ -401,11 +401,11 @@ inline void apply_method_state(const LineBegin& event, MethodState& machine) {
 inline void apply_method_state(const LineAgainst& event, MethodState& machine) { machine.against = event; }
 inline void apply_method_state(const LineHide& event, MethodState& machine) {
   detail::must_exist<LineBegin>("line", event.line, machine.lines.size());
-  machine.lines.edit(static_cast<std::size_t>(event.line)).hidden.push_back(event);
+  machine.lines.edit(event.line).hidden.push_back(event);
 }
 inline void apply_method_state(const LinePiece& event, MethodState& machine) {
   detail::must_exist<LineBegin>("line", event.line, machine.lines.size());
-  machine.lines.edit(static_cast<std::size_t>(event.line)).pieces.push_back(event);
+  machine.lines.edit(event.line).pieces.push_back(event);
 }
 
 // --- Passes
@@ -423,8 +423,7 @@ inline void apply_method_state(const ShadowCompare& event, MethodState& machine)
 template <class E>
 void apply_method_state(const E& event, MethodState& machine, std::int64_t step) {
   apply_method_state(event, machine);
-  if constexpr (std::is_same_v<E, PlaneEquation>)
-    machine.pieces.edit(static_cast<std::size_t>(event.piece)).plane_step = step;
+  if constexpr (std::is_same_v<E, PlaneEquation>) machine.pieces.edit(event.piece).plane_step = step;
 }
 
 /// A log that forgets: for running ahead where nobody will step back to.
@@ -460,10 +459,9 @@ void set_polygon(State& state, Log& log, std::int32_t x, std::int32_t y, std::in
 template <class E, class Log>
 void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
   const auto vertex = [&](std::int32_t index) -> VertexStages& {
-    if (index < 0 || static_cast<std::size_t>(index) >= state.vertices.size())
-      throw Impossible(fmt::format("there is no vertex {}", index));
-    log.vertex(static_cast<std::size_t>(index), state.vertices[static_cast<std::size_t>(index)]);
-    return state.vertices.edit(static_cast<std::size_t>(index));
+    if (index < 0 || index >= std::ssize(state.vertices)) throw Impossible(fmt::format("there is no vertex {}", index));
+    log.vertex(static_cast<std::size_t>(index), state.vertices[index]);
+    return state.vertices.edit(index);
   };
   const auto set_fragment = [&](const std::optional<Fragment>& fragment) {
     log.fragment(state.machine.fragment);
@@ -498,7 +496,7 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     way.stage = VertexStages::on_raster;
   } else if constexpr (std::is_same_v<E, ClipCross> || std::is_same_v<E, SplitVertex>) {
     // Where a run does not say that another polygon begins, the first vertex that is made for it does.
-    const auto number = static_cast<std::size_t>(event.vertex);
+    const std::size_t number = event.vertex;
     if (!state.machine.polygons_told && event.vertex >= 0 && number >= points && number < state.vertices.size()) {
       log.vertices_dropped(state.vertices, number);
       state.vertices.resize(number);
@@ -518,7 +516,7 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     }
     state.vertices.push_back(way);
   } else if constexpr (std::is_same_v<E, OutlineVertex>) {
-    if (event.vertex < 0 || static_cast<std::size_t>(event.vertex) >= state.vertices.size())
+    if (event.vertex < 0 || event.vertex >= std::ssize(state.vertices))
       throw Impossible(fmt::format("there is no vertex {}", event.vertex));
   } else if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw> ||
                        std::is_same_v<E, TablesBegin>) {

@@ -22,6 +22,7 @@
 #include "traces/replay/key_frames.hpp"
 #include "traces/replay/same.hpp"
 #include "traces/replay/state.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -228,7 +229,7 @@ struct Replay::Impl {
   void run(std::int64_t target, const OnWay& on_way) {
     const std::int64_t from = state.position;
     while (state.position < target) {
-      if (on_way && on_way(static_cast<double>(state.position - from) / static_cast<double>(target - from))) return;
+      if (on_way && on_way(ratio(state.position - from, target - from))) return;
       const std::int64_t end = std::min(target, std::max(key_frames.next_due(), state.position + 1));
       trace->visit(state.position, end, Ahead{*this});
       pass(end);

@@ -126,7 +126,7 @@ class SharedList {
     return pieces_[piece].items()[at];
   }
   bool contains(std::int32_t number) const {
-    return number >= 0 && static_cast<std::size_t>(number) < homes_.size() && homes_[index(number)] != nowhere;
+    return number >= 0 && number < std::ssize(homes_) && homes_[index(number)] != nowhere;
   }
   /// Where the item of a number stands, which the list contains.
   std::size_t place_of(std::int32_t number) const {
@@ -180,10 +180,10 @@ class SharedList {
     const auto [piece, at] = place < size_ ? find(place) : std::pair{pieces_.size() - 1, pieces_.back().items().size()};
     settle(item, pieces_[piece].home);
     std::vector<T>& items = own(piece);
-    items.insert(items.begin() + static_cast<std::ptrdiff_t>(at), std::move(item));
+    items.insert(items.begin() + at, std::move(item));
     ++size_;
     if (items.size() <= longest) return;
-    const auto half = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
+    const auto half = items.begin() + (items.size() / 2);
     std::vector<T> rest(half, items.end());
     items.erase(half, items.end());
     add_piece(piece + 1, std::move(rest));
@@ -192,9 +192,9 @@ class SharedList {
     const auto [piece, at] = find(place);
     std::vector<T>& items = own(piece);
     settle(items[at], nowhere);
-    items.erase(items.begin() + static_cast<std::ptrdiff_t>(at));
+    items.erase(items.begin() + at);
     --size_;
-    if (items.empty()) pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(piece));
+    if (items.empty()) pieces_.erase(pieces_.begin() + piece);
   }
 
   bool shares_with(const SharedList& other) const {
@@ -239,8 +239,7 @@ class SharedList {
   void add_piece(std::size_t number, std::vector<T> items) {
     const std::uint32_t home = ++last_home_;
     for (const T& item : items) settle(item, home);
-    pieces_.insert(pieces_.begin() + static_cast<std::ptrdiff_t>(number),
-                   Piece{home, std::make_shared<std::vector<T>>(std::move(items))});
+    pieces_.insert(pieces_.begin() + number, Piece{home, std::make_shared<std::vector<T>>(std::move(items))});
   }
 
   std::size_t size_ = 0;

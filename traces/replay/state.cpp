@@ -16,7 +16,7 @@ bool same_picture(const Picture& a, const Picture& b) {
 std::vector<std::int32_t> draw_places(const MethodState& machine) {
   std::vector<std::int32_t> places(machine.pieces.size(), -1);
   std::int32_t place = 0;
-  for (const std::int32_t piece : machine.drawn) places[static_cast<std::size_t>(piece)] = place++;
+  for (const std::int32_t piece : machine.drawn) places[piece] = place++;
   return places;
 }
 

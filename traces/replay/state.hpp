@@ -253,7 +253,7 @@ struct OnRaster {
   double x = 0, y = 0, z = 0;
 };
 inline std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::int32_t vertex) {
-  const auto at = static_cast<std::size_t>(vertex);
+  const std::size_t at = vertex;
   if (vertex < 0) return std::nullopt;
   if (scene.camera.kind == Camera::Kind::screen && at < scene.points.size())
     return OnRaster{scene.points[at].x, scene.points[at].y, scene.points[at].z};
@@ -268,7 +268,7 @@ inline bool cuts_in_world(const Scene& scene, const MethodState& method) {
 }
 /// In the space in which pieces are cut.
 inline std::optional<glm::dvec3> cutting_point(const Scene& scene, const State& state, std::int32_t vertex) {
-  const auto at = static_cast<std::size_t>(vertex);
+  const std::size_t at = vertex;
   if (vertex >= 0 && cuts_in_world(scene, state.machine)) {
     if (at < scene.points.size()) return scene.points[at];
     return at < state.vertices.size() ? std::optional(state.vertices[at].world) : std::nullopt;

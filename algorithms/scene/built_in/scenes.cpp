@@ -9,6 +9,7 @@
 
 #include "algorithms/scene/built_in/built_in.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::scene {
 
@@ -56,12 +57,12 @@ PolygonSoup dodecahedron_solid() {
   for (const glm::dvec3 n : directions) {
     std::vector<std::int32_t> ring;  // the five corners furthest out in this direction
     for (std::size_t i = 0; i < soup.points.size(); ++i)
-      if (glm::dot(soup.points[i], n) > 2.5) ring.push_back(static_cast<std::int32_t>(i));
-    const glm::dvec3 middle = n * (glm::dot(soup.points[static_cast<std::size_t>(ring[0])], n) / glm::dot(n, n));
-    const glm::dvec3 u = soup.points[static_cast<std::size_t>(ring[0])] - middle, v = glm::cross(n, u) / glm::length(n);
+      if (glm::dot(soup.points[i], n) > 2.5) ring.push_back(index32(i));
+    const glm::dvec3 middle = n * (glm::dot(soup.points[ring[0]], n) / glm::dot(n, n));
+    const glm::dvec3 u = soup.points[ring[0]] - middle, v = glm::cross(n, u) / glm::length(n);
     std::sort(ring.begin(), ring.end(), [&](std::int32_t a, std::int32_t b) {
       const auto angle = [&](std::int32_t i) {
-        const glm::dvec3 p = soup.points[static_cast<std::size_t>(i)] - middle;
+        const glm::dvec3 p = soup.points[i] - middle;
         const double turn = portable::atan2(glm::dot(p, v), glm::dot(p, u));
         return turn < -1e-9 ? turn + 7 : turn;
       };

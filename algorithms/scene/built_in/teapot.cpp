@@ -140,7 +140,7 @@ glm::dvec3 point_of(const Patch& patch, double u, double v) {
   glm::dvec3 sum(0);
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
-      const auto& control = teapot_points[static_cast<std::size_t>(patch[4 * i + j])];
+      const auto& control = teapot_points[patch[4 * i + j]];
       sum += in_u[i] * in_v[j] * glm::dvec3(control[0], control[1], control[2]);
     }
   // Millionths to units, the middle of the pot's extent to the origin, its length to 2.
@@ -159,7 +159,7 @@ PolygonSoup teapot(int level) {
   PointMerger merger;
   const auto where = [] { return std::string("teapot"); };
   std::vector<std::int64_t> index(static_cast<std::size_t>((level + 1) * (level + 1)));
-  const auto at = [&](int i, int j) -> std::int64_t& { return index[static_cast<std::size_t>(i * (level + 1) + j)]; };
+  const auto at = [&](int i, int j) -> std::int64_t& { return index[i * (level + 1) + j]; };
   for (const Patch& patch : teapot_patches) {
     for (int i = 0; i <= level; ++i)
       for (int j = 0; j <= level; ++j)

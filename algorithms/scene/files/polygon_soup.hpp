@@ -33,26 +33,26 @@ struct PolygonSoup {
   /// Adds a point; throws InputError at `where()` beyond the limit. `line` 0: the file has no lines.
   template <class Where>
   void add_point(glm::dvec3 point, std::int32_t line, Where&& where) {
-    if (static_cast<std::int64_t>(points.size()) == most_points) too_much(where(), "points", most_points);
+    if (std::ssize(points) == most_points) too_much(where(), "points", most_points);
     points.push_back(point);
     if (line > 0) point_lines.push_back(line);
   }
   /// Adds a polygon whose corners were pushed to `corners` since the last one; throws InputError beyond the limit.
   template <class Where>
   void close_outline(std::int32_t line, std::optional<Color> color, Where&& where) {
-    if (static_cast<std::int64_t>(outlines.size()) == most_polygons) too_much(where(), "polygons", most_polygons);
+    if (std::ssize(outlines) == most_polygons) too_much(where(), "polygons", most_polygons);
     const std::int32_t first = outlines.empty() ? 0 : outlines.back().first_corner + outlines.back().corner_count;
-    const auto polygon = static_cast<std::int32_t>(outlines.size());
-    if (static_cast<std::int64_t>(corners.size()) - first > most_corners_of_polygon)
+    const auto polygon = size32(outlines);
+    if (std::ssize(corners) - first > most_corners_of_polygon)
       too_much(where(), "corners of one polygon", most_corners_of_polygon);
-    outlines.push_back({polygon, first, static_cast<std::int32_t>(corners.size()) - first});
+    outlines.push_back({polygon, first, size32(corners) - first});
     if (line > 0) outline_lines.push_back(line);
     if (color && colors.empty()) colors.resize(outlines.size() - 1);
     if (color || !colors.empty()) colors.push_back(color);
   }
   template <class Where>
   void add_corner(std::int64_t point, Where&& where) {
-    if (static_cast<std::int64_t>(corners.size()) == most_corners) too_much(where(), "corners", most_corners);
+    if (std::ssize(corners) == most_corners) too_much(where(), "corners", most_corners);
     corners.push_back(static_cast<std::int32_t>(point));
   }
 
@@ -77,7 +77,7 @@ class PointMerger {
     std::int32_t& slot = slots_[place_of(soup, point)];
     if (slot < 0) {
       soup.add_point(point, line, where);
-      slot = static_cast<std::int32_t>(soup.points.size()) - 1;
+      slot = size32(soup.points) - 1;
       ++count_;
     }
     return slot;
@@ -95,8 +95,7 @@ class PointMerger {
     }
     const std::size_t mask = slots_.size() - 1;
     std::size_t place = static_cast<std::size_t>(hash) & mask;
-    while (slots_[place] >= 0 && soup.points[static_cast<std::size_t>(slots_[place])] != point)
-      place = (place + 1) & mask;
+    while (slots_[place] >= 0 && soup.points[slots_[place]] != point) place = (place + 1) & mask;
     return place;
   }
 
@@ -104,7 +103,7 @@ class PointMerger {
     const std::vector<std::int32_t> old = std::move(slots_);
     slots_.assign(old.empty() ? 64 : 2 * old.size(), -1);
     for (const std::int32_t index : old)
-      if (index >= 0) slots_[place_of(soup, soup.points[static_cast<std::size_t>(index)])] = index;
+      if (index >= 0) slots_[place_of(soup, soup.points[index])] = index;
   }
 
   std::vector<std::int32_t> slots_;  // indices into the soup's points, -1 where empty; at least half of them are

@@ -122,7 +122,7 @@ class Reader {
 
   void face() {
     const std::int32_t line = file_.line();
-    const auto count = static_cast<std::int64_t>(soup_.points.size());
+    const std::int64_t count = soup_.points.size();
     for (std::string_view token = file_.next_in_line(); !token.empty(); token = file_.next_in_line()) {
       const std::string_view digits = token.substr(0, token.find('/'));
       const auto index = parse_integer(digits);
@@ -176,7 +176,7 @@ class Reader {
 
   // A face may stand before its vertices, so positive indices are held against the count only at the end.
   void check_forward_references() const {
-    const auto count = static_cast<std::int64_t>(soup_.points.size());
+    const std::int64_t count = soup_.points.size();
     if (furthest_ > count)
       throw InputError(furthest_where_, fmt::format("there is no vertex {}: the file has {}", furthest_, count),
                        "correct the index, or get the file again if it was cut short");

@@ -101,10 +101,10 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name, std::si
       throw InputError(where(), fmt::format("a colour of {} components", components), "a colour is r g b or r g b a");
     std::array<std::uint8_t, 4> channels{};
     for (std::int32_t k = 0; k < components; ++k) {
-      const auto value = static_cast<double>(file.take<float>());
+      const double value = file.take<float>();
       if (!(value >= 0 && value <= 1))
         throw InputError(where(), "a colour's number is out of range", "use fractions of 0 to 1");
-      channels[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255 * value));
+      channels[k] = static_cast<std::uint8_t>(std::lround(255 * value));
     }
     if (components >= 3) color = Color{channels[0], channels[1], channels[2]};
     soup.close_outline(0, color, where);

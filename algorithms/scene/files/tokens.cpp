@@ -85,7 +85,7 @@ std::optional<double> parse_number(std::string_view token) {
   if (mantissa == 0) {
     value = 0;
   } else if (significant <= 19 && mantissa <= exact && exponent >= -22 && exponent <= 22) {
-    const double power = powers_of_ten[static_cast<std::size_t>(exponent < 0 ? -exponent : exponent)];
+    const double power = powers_of_ten[exponent < 0 ? -exponent : exponent];
     value = exponent < 0 ? static_cast<double>(mantissa) / power : static_cast<double>(mantissa) * power;
   } else {
     if (digits.empty()) digits = std::to_string(mantissa);

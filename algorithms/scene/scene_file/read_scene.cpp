@@ -390,11 +390,11 @@ class Reader {
     else
       for (const toml::node& node : *corners) {
         const auto index = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
-        if (!index || *index < 0 || *index >= static_cast<std::int64_t>(shared_points_.size()))
+        if (!index || *index < 0 || *index >= std::ssize(shared_points_))
           fail_at(node, file_, "a corner is no index into the scene's points",
                   shared_points_.empty() ? std::string("put points = [[x, y, z], …] at the top of the file")
                                          : fmt::format("the indices are 0 to {}", shared_points_.size() - 1));
-        const SharedPoint& point = shared_points_[static_cast<std::size_t>(*index)];
+        const SharedPoint& point = shared_points_[*index];
         soup.add_corner(keep_points_ ? *index : merger.add(soup, point.position, point.line, where), where);
       }
     soup.close_outline(line, polygon_color, where);

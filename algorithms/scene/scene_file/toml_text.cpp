@@ -9,6 +9,7 @@
 
 #include "algorithms/scene/files/tokens.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::scene {
@@ -259,7 +260,7 @@ glm::dvec3 point_in(const toml::node& node, const std::string& file, std::string
     fail_at(node, file, fmt::format("{} is not a point", what), flat ? "write [x, y, z] or [x, y]" : "write [x, y, z]");
   glm::dvec3 point(0);
   for (std::size_t i = 0; i < list->size(); ++i)
-    point[static_cast<int>(i)] = number_in((*list)[i], file, fmt::format("{} of {}", "xyz"[i], what));
+    point[index32(i)] = number_in((*list)[i], file, fmt::format("{} of {}", "xyz"[i], what));
   return point;
 }
 

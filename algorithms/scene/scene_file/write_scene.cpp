@@ -13,6 +13,7 @@
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::scene {
 
@@ -54,7 +55,7 @@ class PolygonEdits {
     std::map<PlaceOfPoint, std::size_t> moved;
     for (std::size_t at = 0; at < read_.points.size(); ++at) {
       if (read_.points[at] == wanted_.scene.points[at]) continue;
-      if (placement_of(read_, static_cast<std::int32_t>(at)) != nullptr) return false;  // in another file
+      if (placement_of(read_, index32(at)) != nullptr) return false;  // in another file
       std::size_t group = 0;
       for (const Placement& mesh : read_.placements) group += static_cast<std::size_t>(mesh.first_point) <= at;
       if (!moved.try_emplace(place_of(group, read_.points[at]), at).second) return false;
@@ -108,7 +109,7 @@ class PolygonEdits {
         continue;
       }
       for (std::size_t axis = 0; axis < numbers.size(); ++axis)
-        if (const int k = static_cast<int>(axis); point[k] != to[k])
+        if (const int k = index32(axis); point[k] != to[k])
           values_.emplace_back(&numbers[axis], fmt::format("{}", to[k]));
     }
   }
@@ -174,7 +175,7 @@ void write_polygons(TomlText& text, const Wanted& wanted) {
   for (std::size_t k = 0; k < scene.polygons.size(); ++k) {
     const Polygon& polygon = scene.polygons[k];
     const std::size_t first = facet;
-    while (facet < scene.facets.size() && scene.facets[facet].polygon == static_cast<std::int32_t>(k)) ++facet;
+    while (facet < scene.facets.size() && scene.facets[facet].polygon == index32(k)) ++facet;
     const auto corners = corners_of(scene, std::span(scene.facets).subspan(first, facet - first));
     if (corners.empty())
       throw InputError(scene.name,

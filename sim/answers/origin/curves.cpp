@@ -11,6 +11,7 @@
 #include "traces/formulas/of_edges.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/formulas/walk.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -101,13 +102,13 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross
 namespace {
 
 const LineRow* line_at(const Work& work, std::int32_t line) {
-  const auto at = static_cast<std::size_t>(line);
+  const std::size_t at = line;
   return line >= 0 && at < work.machine().lines.size() ? &work.machine().lines[at] : nullptr;
 }
 
 /// The piece that a facet became: one of its polygon, and, of several, the one whose plane the line crosses there.
 std::int32_t piece_of_facet(const Work& work, std::int32_t facet, const LineBegin& line, double t) {
-  const auto at = static_cast<std::size_t>(facet);
+  const std::size_t at = facet;
   if (facet < 0 || at >= work.scene.facets.size()) return -1;
   std::int32_t best = -1;
   double least = std::numeric_limits<double>::infinity();
@@ -118,7 +119,7 @@ std::int32_t piece_of_facet(const Work& work, std::int32_t facet, const LineBegi
     if (piece.polygon != work.scene.facets[at].polygon || !piece.plane) continue;
     const double off = std::abs(formulas::plane_value(
         *piece.plane, formulas::part_of_way(glm::dvec3(a->x, a->y, a->z), glm::dvec3(b->x, b->y, b->z), t)));
-    if (off < least) least = off, best = static_cast<std::int32_t>(i);
+    if (off < least) least = off, best = index32(i);
   }
   return best;
 }

@@ -112,7 +112,7 @@ class Exactly {
   const ChainValue& value_at(Where at) const { return chain_.links[at.link].values[at.value]; }
   std::optional<Where> source_of(const Operand& operand) const {
     if (operand.link < 0) return std::nullopt;
-    const auto link = static_cast<std::size_t>(operand.link);
+    const std::size_t link = operand.link;
     const std::vector<ChainValue>& values = chain_.links[link].values;
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values[i].name == operand.name) return Where{link, i};

@@ -17,7 +17,7 @@ namespace {
 
 /// A number that names something: what that is, and where it comes from.
 void tell_name(Datum& datum, Work& work, std::string_view field, std::int32_t number, std::string_view meaning) {
-  const auto at = static_cast<std::size_t>(number);
+  const std::size_t at = number;
   const bool vertex = field.starts_with("vertex");
   if (number < 0) return datum.note("none");
   if (field == "polygon" || field == "owner")
@@ -123,7 +123,7 @@ std::string named(const Work& work, const Event& event, std::string_view field) 
   }
   if (field == "polygon") return work.label(number);
   if (field == "upper") return number != 0 ? "upper" : "lower";
-  const auto facet = static_cast<std::size_t>(number);
+  const std::size_t facet = number;
   if (field == "facet" && facet < work.scene.facets.size()) return work.label(work.scene.facets[facet].polygon);
   if (field == "facet") return fmt::format("facet {}", number);
   const std::string word = field_word(event, field);
@@ -154,7 +154,7 @@ namespace {
 using formulas::Place;
 
 const EdgeTableInsert* row_of(const Work& work, std::int32_t edge) {
-  const auto at = static_cast<std::size_t>(edge);
+  const std::size_t at = edge;
   return edge >= 0 && at < work.machine().edge_table.size() ? &work.machine().edge_table[at] : nullptr;
 }
 
@@ -270,7 +270,7 @@ struct Source {
 
   /// A depth from elsewhere in the run: its own links follow after these.
   Number of_buffer() const {
-    const auto width = static_cast<std::int64_t>(work.scene.raster.width);
+    const std::int64_t width = work.scene.raster.width;
     const Trace::Pixel pixel{static_cast<std::int32_t>(operand.place.number % width),
                              static_cast<std::int32_t>(operand.place.number / width)};
     const auto& fragment = work.machine().fragment;

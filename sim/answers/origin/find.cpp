@@ -18,7 +18,7 @@ std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t fro
 }
 
 std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
-  const auto at = static_cast<std::size_t>(facet);
+  const std::size_t at = facet;
   return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
 }
 
@@ -170,8 +170,8 @@ VertexSteps steps_of_vertex(const Trace& trace, const MethodState& machine, std:
 }
 
 Step step_of_edge(const Trace& trace, const MethodState& machine, std::int64_t at, std::int32_t edge) {
-  if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size()) return std::nullopt;
-  const EdgeTableInsert entry = machine.edge_table[static_cast<std::size_t>(edge)];
+  if (edge < 0 || edge >= std::ssize(machine.edge_table)) return std::nullopt;
+  const EdgeTableInsert entry = machine.edge_table[edge];
   const auto wanted = [&](const EdgeTableInsert& e) { return same_edge(e, entry); };
   const std::int64_t soon = std::max<std::int64_t>(1, at - near);
   if (const auto found = find_last<EdgeTableInsert>(
@@ -194,7 +194,7 @@ Step step_of_active_edge(const Trace& trace, const MethodState& machine, std::in
 }
 
 Step step_of_plane(const MethodState& machine, std::int32_t piece) {
-  const auto number = static_cast<std::size_t>(piece);
+  const std::size_t number = piece;
   const bool found = piece >= 0 && number < machine.pieces.size() && machine.pieces[number].plane_step > 0;
   return found ? Step(machine.pieces[number].plane_step) : std::nullopt;
 }

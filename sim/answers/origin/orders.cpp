@@ -20,7 +20,7 @@ namespace zstep::answers {
 // The planes of pieces.
 
 const Piece* piece_at(const Work& work, std::int32_t piece) {
-  const auto at = static_cast<std::size_t>(piece);
+  const std::size_t at = piece;
   return piece >= 0 && at < work.machine().pieces.size() ? &work.machine().pieces[at] : nullptr;
 }
 namespace {
@@ -102,7 +102,7 @@ Number Work::plane(std::int32_t number, char letter) {
 }
 
 Number Work::facet_plane(std::int32_t facet, char letter) {
-  const auto number = static_cast<std::size_t>(facet);
+  const std::size_t number = facet;
   if (facet < 0 || number >= scene.facets.size()) return 0;
   const ray_casting::Target target = ray_casting::target_of(scene, facet);
   const double value = letter == 'A'   ? target.plane.a
@@ -113,7 +113,7 @@ Number Work::facet_plane(std::int32_t facet, char letter) {
                     what = "plane of " + label(scene.facets[number].polygon) + ", in the world";
   return derived(0, subject, what, std::string(1, letter), value, [&](Datum& datum) {
     datum.at_source(source_of_polygon(scene.facets[number].polygon));
-    const auto first = static_cast<std::size_t>(scene.facets[number].first_corner);
+    const std::size_t first = scene.facets[number].first_corner;
     tell_plane(datum, *this, 0, subject, letter, target.corners.size(),
                [&](std::size_t i, Axis3 axis) { return world(scene.corners[first + i], axis); });
   });
@@ -262,7 +262,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const SplitVertex&
 namespace {
 
 Number node_plane(Work& work, std::int32_t node, char letter) {
-  const auto at = static_cast<std::size_t>(node);
+  const std::size_t at = node;
   if (node < 0 || at >= work.machine().tree.size() || work.machine().tree[at].pieces.empty()) return 0;
   return work.plane(work.machine().tree[at].pieces.front(), letter);
 }
@@ -287,7 +287,7 @@ static void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std:
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::string_view field) {
-  const auto parent = static_cast<std::size_t>(e.parent);
+  const std::size_t parent = e.parent;
   if (e.parent < 0 || parent >= work.machine().areas.size()) return datum.note("the whole picture");
   const bool column = field.ends_with("column");
   const AreaBegin around = work.machine().areas[parent].entry;

@@ -57,7 +57,7 @@ bool names_channel(std::string_view field) { return field == "r8" || field == "g
 
 Number Work::color_of(std::int32_t polygon, int which) {
   static constexpr const char* names[] = {"red", "green", "blue"};
-  const auto at = static_cast<std::size_t>(polygon);
+  const std::size_t at = polygon;
   const bool known = polygon >= 0 && at < scene.polygons.size();
   const double value = channel(known ? scene.polygons[at].color : scene.background, which);
   return derived(0, fmt::format("colour of {}", polygon), "colour of " + label(polygon), names[which], value,
@@ -65,7 +65,7 @@ Number Work::color_of(std::int32_t polygon, int which) {
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::string_view field) {
-  const auto at = static_cast<std::size_t>(e.polygon);
+  const std::size_t at = e.polygon;
   if (field == "opacity") {
     if (e.polygon >= 0 && at < work.scene.polygons.size()) datum.at_source(work.source_of_polygon(e.polygon));
     return datum.note("the material's");

@@ -29,8 +29,7 @@ int number_of_axis(std::string_view field) { return field[0] == 'x' ? 0 : field[
 /// By how much boxes are larger than what is in them.
 double pad_of(const Scene& scene) {
   double size = glm::length(scene.camera.eye);
-  for (const std::int32_t corner : scene.corners)
-    size = std::max(size, glm::length(scene.points[static_cast<std::size_t>(corner)]));
+  for (const std::int32_t corner : scene.corners) size = std::max(size, glm::length(scene.points[corner]));
   return 1e-9 * size;
 }
 
@@ -40,7 +39,7 @@ void tell_side(Datum& datum, Work& work, std::string_view field, double pads) {
   const int axis = number_of_axis(field);
   const double pad = pads * pad_of(work.scene), value = datum.number();
   for (const std::int32_t corner : work.scene.corners) {
-    const double coordinate = work.scene.points[static_cast<std::size_t>(corner)][axis];
+    const double coordinate = work.scene.points[corner][axis];
     if (formulas::side_of_box(coordinate, pad, low) != value) continue;
     Operands of;
     const Formula p = of("p", work.world(corner, static_cast<Axis3>(axis))), wider = of("pad", pad);
@@ -97,7 +96,7 @@ static void tell(Datum& datum, Work& work, std::int64_t, const GridMake&, std::s
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t step, const BoxTest& e, std::string_view field) {
-  const auto at = static_cast<std::size_t>(e.box);
+  const std::size_t at = e.box;
   if (field == "hit") {
     const Number enter = work.field(step, "t_enter"), leave = work.field(step, "t_leave");
     if (!e.hit && enter.value <= leave.value)
@@ -267,7 +266,7 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
   const Way along{d_x, d_y, d_z}, normal{n_x, n_y, n_z};
   if (e.role == RayRole::reflected) return datum.is(along_axis(formulas::mirrored(along, normal), axis), of, false);
   const bool entering = formulas::dot(along, normal).value() < 0;
-  const auto polygon = static_cast<std::size_t>(work.scene.facets[static_cast<std::size_t>(facet)].polygon);
+  const std::size_t polygon = work.scene.facets[facet].polygon;
   const double n = work.scene.polygons[polygon].material->refraction, ratio = entering ? 1 / n : n;
   const auto way = formulas::refracted(along, normal, of("r", ratio));
   if (way) datum.is(along_axis(*way, axis), of, false);
@@ -341,7 +340,7 @@ constexpr const char* light_names[] = {"red", "green", "blue"};
 
 /// Own colour, mirrored and transmitted light, by the material.
 void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, int which) {
-  const auto facet = static_cast<std::size_t>(e.nearest_facet);
+  const std::size_t facet = e.nearest_facet;
   const bool met = e.nearest_facet >= 0 && facet < work.scene.facets.size();
   const std::int32_t polygon = met ? work.scene.facets[facet].polygon : no_polygon;
   const Number own = work.color_of(polygon, which);
@@ -364,7 +363,7 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
   const Formula color = of("colour", own);
   const auto left = dark ? std::optional(of("in_shadow", formulas::in_shadow)) : std::nullopt;
   if (shadow) datum.note(fmt::format("the light {} the point: step {}", dark ? "does not reach" : "reaches", *shadow));
-  const Material none, &material = met ? *work.scene.polygons[static_cast<std::size_t>(polygon)].material : none;
+  const Material none, &material = met ? *work.scene.polygons[polygon].material : none;
   const double passes = (1 - material.reflectance) * (1 - material.opacity),
                mirror = material.reflectance + (through ? 0 : passes);
   const Formula own_part = of("own_part", (1 - material.reflectance) * material.opacity);

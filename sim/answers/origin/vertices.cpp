@@ -17,7 +17,7 @@ constexpr std::array<const char*, 3> world_names{"x", "y", "z"}, view_names{"x_v
 std::size_t place(Axis3 axis) { return static_cast<std::size_t>(axis); }
 
 const VertexStages* way_of(const Work& work, std::int32_t vertex) {
-  const auto at = static_cast<std::size_t>(vertex);
+  const std::size_t at = vertex;
   return vertex >= 0 && at < work.state().vertices.size() ? &work.state().vertices[at] : nullptr;
 }
 
@@ -71,7 +71,7 @@ bool is_split(const Work& work, const Step& made) { return made && holds<SplitVe
 }  // namespace
 
 Number Work::world(std::int32_t vertex, Axis3 axis) {
-  const auto number = static_cast<std::size_t>(vertex);
+  const std::size_t number = vertex;
   if (vertex < 0) return 0;
   if (number >= scene.points.size()) {
     const Step made = steps_of(vertex).made;
@@ -97,7 +97,7 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
 
 Number Work::in_scene(std::int32_t vertex, Axis3 axis) {
   if (!is_moved(scene, vertex)) return in_file(vertex, axis);
-  const auto number = static_cast<std::size_t>(vertex);
+  const std::size_t number = vertex;
   const double value = component((*placement_of(scene, vertex))(scene.file_points[number]), axis);
   return derived(0, fmt::format("placed {}", vertex),
                  fmt::format("vertex {} where the scene places it", vertex_name(vertex)), scene_names[place(axis)],
@@ -105,7 +105,7 @@ Number Work::in_scene(std::int32_t vertex, Axis3 axis) {
 }
 
 Number Work::in_file(std::int32_t vertex, Axis3 axis) {
-  const double value = component(scene.file_points[static_cast<std::size_t>(vertex)], axis);
+  const double value = component(scene.file_points[vertex], axis);
   return derived(0, fmt::format("file {}", vertex), fmt::format("vertex {} in its file", vertex_name(vertex)),
                  file_names[place(axis)], value,
                  [&](Datum& datum) { datum.given(), datum.at_source(source_of_point(vertex)); });
@@ -171,9 +171,9 @@ void tell_vertices(Datum& datum, Work& work, std::int64_t step, const Event& eve
 namespace {
 
 std::vector<std::int32_t> corners_at_work(const Work& work) {
-  const auto piece = static_cast<std::size_t>(work.machine().piece);
+  const std::size_t piece = work.machine().piece;
   if (work.machine().piece >= 0 && piece < work.machine().pieces.size()) return work.machine().pieces[piece].outline;
-  const auto at = static_cast<std::size_t>(work.machine().facet);
+  const std::size_t at = work.machine().facet;
   if (work.machine().facet < 0 || at >= work.scene.facets.size()) return {};
   const Facet& facet = work.scene.facets[at];
   const auto first = work.scene.corners.begin() + facet.first_corner;

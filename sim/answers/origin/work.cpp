@@ -4,6 +4,7 @@
 
 #include "sim/answers/origin/fields.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -92,11 +93,11 @@ std::string Work::source_line(std::int32_t line) const {
   return line > 0 ? fmt::format("{}:{}", name, line) : name;
 }
 std::string Work::source_of_polygon(std::int32_t polygon) const {
-  const auto place = static_cast<std::size_t>(polygon);
+  const std::size_t place = polygon;
   return source_line(polygon >= 0 && place < scene.polygons.size() ? scene.polygons[place].source_line : 0);
 }
 std::string Work::source_of_point(std::int32_t point) const {
-  const auto place = static_cast<std::size_t>(point);
+  const std::size_t place = point;
   const std::int32_t line = place < scene.point_lines.size() ? scene.point_lines[place] : 0;
   const Placement* placement = placement_of(scene, point);
   if (placement == nullptr) return source_line(line);
@@ -105,7 +106,7 @@ std::string Work::source_of_point(std::int32_t point) const {
 }
 
 std::int32_t Work::link_of(std::int64_t step, const std::string& subject, const std::string& what) {
-  const auto [known, is_new] = links_.try_emplace({step, subject}, static_cast<std::int32_t>(chain.links.size()));
+  const auto [known, is_new] = links_.try_emplace({step, subject}, size32(chain.links));
   if (!is_new) return known->second;
   if (chain.links.size() >= most_links || numbers_ >= most_numbers) {
     links_.erase(known);
@@ -115,14 +116,14 @@ std::int32_t Work::link_of(std::int64_t step, const std::string& subject, const 
   ChainLink link;
   link.step = step;
   link.parent = current_;
-  link.depth = current_ < 0 ? 0 : chain.links[static_cast<std::size_t>(current_)].depth + 1;
+  link.depth = current_ < 0 ? 0 : chain.links[current_].depth + 1;
   link.what = what;
   chain.links.push_back(std::move(link));
   return known->second;
 }
 
 std::optional<std::size_t> Work::place_of(std::int32_t link, const std::string& name, double value) {
-  std::vector<ChainValue>& values = chain.links[static_cast<std::size_t>(link)].values;
+  std::vector<ChainValue>& values = chain.links[link].values;
   for (const ChainValue& known : values)
     if (known.name == name) return std::nullopt;
   ++numbers_;
@@ -166,7 +167,7 @@ void Work::run_later() {
     current_ = next.parent;
     const Number number = field(next.step, next.name);
     if (number.link < 0 || next.parent < 0) continue;
-    for (ChainValue& value : chain.links[static_cast<std::size_t>(next.parent)].values)
+    for (ChainValue& value : chain.links[next.parent].values)
       for (Operand& operand : value.operands)
         if (operand.link < 0 && operand.symbol == next.symbol) operand.link = number.link, operand.name = number.name;
   }

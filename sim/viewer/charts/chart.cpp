@@ -15,6 +15,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -140,7 +141,7 @@ LineChart unit_chart(const Scene& scene, const std::vector<std::pair<std::string
   chart.x_ticks = decades_between(near, far);
   constexpr int points = 17;
   for (std::size_t mode = 0; mode < modes.size(); ++mode) {
-    LineChart::Line line{modes[mode].first, {}, false, static_cast<int>(mode)};
+    LineChart::Line line{modes[mode].first, {}, false, index32(mode)};
     for (int k = 0; k < points; ++k) {
       const double z =
           near * portable::pow(far / near, (k + 0.5) / points);  // not at the planes: about 0 floats are endless
@@ -166,7 +167,7 @@ constexpr float mark_size = 7;
 
 std::string tick_text(double value) {
   if (value < 1 || (value < 1000 && value != std::round(value))) return fmt::format("{:.3g}", value);
-  const auto whole = static_cast<std::int64_t>(std::llround(value));
+  const std::int64_t whole = std::llround(value);
   if (whole < 1000) return std::to_string(whole);
   return fmt::format("{} {:03}", whole / 1000, whole % 1000);
 }

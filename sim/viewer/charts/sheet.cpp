@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/words/escaped.hpp"
 #include "traces/math/portable_math.hpp"
 
@@ -60,7 +61,7 @@ Sheet::Sheet(int width, int height, float text_pixels)
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
+  io.DisplaySize = ImVec2(to_float(width), to_float(height));
   io.DeltaTime = 1.0f / 60;
   fonts_.load(text_pixels);
   renderer_.take_fonts();
@@ -108,9 +109,7 @@ void Sheet::rectangle(ImVec2 from, ImVec2 to, ImU32 color) {
 void Sheet::image(int x, int y, const Image& image) {
   for (int row = 0; row < image.height && y + row < canvas_.height(); ++row)
     for (int column = 0; column < image.width && x + column < canvas_.width(); ++column) {
-      const std::size_t at =
-          (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) *
-          3;
+      const std::size_t at = (static_cast<std::size_t>(row) * image.width + column) * 3;
       canvas_.row(y + row)[x + column] = opaque({image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]});
     }
 }

@@ -61,8 +61,8 @@ class Sheet : public Paper {
   Sheet& operator=(const Sheet&) = delete;
 
   const Theme& theme() const override { return light_theme(); }
-  float width() const { return static_cast<float>(renderer_.width()); }
-  float height() const { return static_cast<float>(renderer_.height()); }
+  float width() const { return to_float(renderer_.width()); }
+  float height() const { return to_float(renderer_.height()); }
   float text_height() const override { return fonts_.text->FontSize; }
   float text_width(const std::string& text, bool bold = false) const override;
   void text(float x, float y, const std::string& text, ImU32 color, Side side = Side::left, bool bold = false) override;

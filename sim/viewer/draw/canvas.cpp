@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -51,13 +52,13 @@ void stroke_circle(ImDrawList* list, ImVec2 center, float radius, ImU32 color, f
 
 void fill_circle(ImDrawList* list, ImVec2 center, float radius, ImU32 color) {
   const std::vector<ImVec2> corners = corners_of_circle(center, radius);
-  list->AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()), color);
+  list->AddConvexPolyFilled(corners.data(), size32(corners), color);
 }
 
 void Canvas::resize(int width, int height) {
   width_ = std::max(0, width);
   height_ = std::max(0, height);
-  pixels_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0xff000000u);
+  pixels_.assign(static_cast<std::size_t>(width_) * height_, 0xff000000u);
 }
 
 void Canvas::fill(Pixel32 color) { std::fill(pixels_.begin(), pixels_.end(), color); }

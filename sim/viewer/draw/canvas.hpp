@@ -1,6 +1,7 @@
 // A rectangle of pixels that the viewer paints itself: buffers, wireframes, the timeline.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <imgui.h>
 #include <span>
@@ -9,6 +10,12 @@
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
+
+/// A whole number of pixels, lines or rows, as Dear ImGui counts them.
+template <std::integral Whole>
+constexpr float to_float(Whole number) {
+  return static_cast<float>(number);
+}
 
 // Lines and circles. Dear ImGui's own take 1/√x as the processor estimates it, and cosines of the C library: a picture
 // would be another on another computer.
@@ -42,10 +49,8 @@ class Canvas {
   int width() const { return width_; }
   int height() const { return height_; }
   bool empty() const { return pixels_.empty(); }
-  Pixel32* row(int y) { return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
-  const Pixel32* row(int y) const {
-    return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
-  }
+  Pixel32* row(int y) { return pixels_.data() + static_cast<std::size_t>(y) * width_; }
+  const Pixel32* row(int y) const { return pixels_.data() + static_cast<std::size_t>(y) * width_; }
 
   /// Clipped to the canvas; right and bottom are exclusive.
   void rectangle(int left, int top, int right, int bottom, Pixel32 color);

@@ -5,6 +5,7 @@
 
 #include <xxhash.h>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/draw/theme.hpp"
 
 namespace zstep::viewer {
@@ -27,7 +28,7 @@ void Renderer::resize(int width, int height) {
 }
 
 std::uint64_t Renderer::fingerprint() const {
-  const auto pixels = static_cast<std::size_t>(picture_.width()) * static_cast<std::size_t>(picture_.height());
+  const auto pixels = static_cast<std::size_t>(picture_.width()) * picture_.height();
   return XXH3_64bits(picture_.row(0), pixels * sizeof(Pixel32));
 }
 
@@ -52,10 +53,8 @@ void Renderer::fill(Box box, ImU32 color) {
 }
 
 void Renderer::draw_letter(const ImDrawVert& first, const ImDrawVert& opposite, Box box, Box clip) {
-  const int u0 = whole(first.uv.x * static_cast<float>(font_.width)),
-            v0 = whole(first.uv.y * static_cast<float>(font_.height));
-  const int u1 = whole(opposite.uv.x * static_cast<float>(font_.width)),
-            v1 = whole(opposite.uv.y * static_cast<float>(font_.height));
+  const int u0 = whole(first.uv.x * to_float(font_.width)), v0 = whole(first.uv.y * to_float(font_.height));
+  const int u1 = whole(opposite.uv.x * to_float(font_.width)), v1 = whole(opposite.uv.y * to_float(font_.height));
   const int wide = std::max(1, box.right - box.left), high = std::max(1, box.bottom - box.top);
   const bool same_size = u1 - u0 == wide && v1 - v0 == high;
   const Pixel32 ink = to_pixel(first.col);
@@ -98,7 +97,7 @@ void Renderer::draw_triangle(const ImDrawVert& a, const ImDrawVert& b, const ImD
   const int top = std::max(clip.top, whole(std::floor(std::min({p[0].y, p[1].y, p[2].y}))));
   const int bottom = std::min(clip.bottom, whole(std::ceil(std::max({p[0].y, p[1].y, p[2].y}))));
   for (int y = top; y < bottom; ++y) {
-    const float middle = static_cast<float>(y) + 0.5f;
+    const float middle = to_float(y) + 0.5f;
     float low = 1e6f, high = -1e6f;
     for (int k = 0; k < 3; ++k) {
       const ImVec2 from = p[k], to = p[(k + 1) % 3];
@@ -143,7 +142,7 @@ void Renderer::draw(const ImDrawData& data, Pixel32 clear) {
 
 std::vector<std::uint8_t> Renderer::rgb() const {
   std::vector<std::uint8_t> out;
-  out.reserve(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) * 3);
+  out.reserve(static_cast<std::size_t>(width()) * height() * 3);
   for (int y = 0; y < height(); ++y)
     for (int x = 0; x < width(); ++x)
       for (const int shift : {16, 8, 0}) out.push_back(static_cast<std::uint8_t>(picture_.row(y)[x] >> shift));

@@ -68,7 +68,7 @@ DepthScale::DepthScale() {
 
 Pixel32 DepthScale::at(double t) const {
   if (!(t > 0)) t = 0;
-  return table_[static_cast<std::size_t>(std::lround(std::min(t, 1.0) * 255))];
+  return table_[std::lround(std::min(t, 1.0) * 255)];
 }
 
 ImU32 ink_on(Pixel32 background) {

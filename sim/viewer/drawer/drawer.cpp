@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/lists.hpp"
 
 namespace zstep::viewer {
@@ -169,8 +170,7 @@ void App::draw_drawer() {
 float App::pixel_on(ImVec2 stage, std::size_t leading) const {
   const Raster& raster = session_.scene().raster;
   const float panes = leading > 1 ? 2 : 1;
-  return std::min(stage.x / panes / static_cast<float>(raster.width),
-                  (stage.y - 1.5f * ui_.em) / static_cast<float>(raster.height));
+  return std::min(stage.x / panes / to_float(raster.width), (stage.y - 1.5f * ui_.em) / to_float(raster.height));
 }
 
 App::Docked App::docked(ImVec2 size, ImVec2 beside, ImVec2 below, std::size_t leading) const {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <tuple>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/panes/happened.hpp"
@@ -27,7 +28,7 @@ ChainColumns columns_of(const Ui& ui, const answers::Chain& chain, float room) {
   columns.what = ui.em * 0.5f;
   for (const answers::ChainLink& link : chain.links) {
     columns.what = std::max(columns.what, ui.em * 1.5f + text_size(ui, ui.fonts.mono, grouped(link.step)).x);
-    what = std::max(what, text_size(ui, ui.fonts.text, link.what).x + ui.em * static_cast<float>(link.depth));
+    what = std::max(what, text_size(ui, ui.fonts.text, link.what).x + ui.em * to_float(link.depth));
     source = std::max(source, text_size(ui, ui.fonts.small, link.source).x);
   }
   columns.formula = columns.what + std::min(what, room * 0.45f) + ui.em;
@@ -42,7 +43,7 @@ bool draw_link(App& app, std::size_t place, const ChainColumns& columns) {
   const answers::ChainLink& link = app.chain().links[place];
   const auto [at, end, clicked, visible] = list_row(app, place, std::round(ui.em * 1.4f));
   if (!visible) return clicked;
-  const float y = at.y + ui.em * 0.15f, x = at.x + columns.what + ui.em * static_cast<float>(link.depth);
+  const float y = at.y + ui.em * 0.15f, x = at.x + columns.what + ui.em * to_float(link.depth);
   draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, c.muted, link.step == 0 ? "scene" : grouped(link.step));
   draw_text(ui, {x, y}, ui.fonts.text, c.text,
             fitted(ui, ui.fonts.text, link.what, at.x + columns.formula - x - ui.em * 0.5f));
@@ -74,7 +75,7 @@ void draw_explain(App& app) {
                    last.step > 0 ? " of step " + grouped(last.step) : ""),
        {.font = ui.fonts.bold});
   std::optional<std::size_t> clicked;
-  const bool beside = begin_first(ui, "links", 0.6f, ui.em * (0.8f + 1.4f * static_cast<float>(chain.links.size())));
+  const bool beside = begin_first(ui, "links", 0.6f, ui.em * (0.8f + 1.4f * to_float(chain.links.size())));
   const ChainColumns columns = columns_of(ui, chain, ImGui::GetContentRegionAvail().x);
   for (std::size_t place = 0; place < chain.links.size(); ++place)
     if (draw_link(app, place, columns)) clicked = place;
@@ -82,7 +83,7 @@ void draw_explain(App& app) {
   app.scroll_to_picked = false;
   ImGui::EndChild();
   begin_second(ui, "formulas", beside);
-  if (const auto picked = static_cast<std::size_t>(std::max(0, app.picked)); picked < chain.links.size()) {
+  if (const std::size_t picked = std::max(0, app.picked); picked < chain.links.size()) {
     const answers::ChainLink& link = chain.links[picked];
     flow(ui, link.what + (link.source.empty() ? "" : ", " + link.source), {});
     for (const answers::ChainValue& value : link.values) {
@@ -188,8 +189,8 @@ bool draw_visit(App& app, std::size_t place, const VisitColumns& columns) {
 void draw_history(App& app) {
   Ui& ui = app.ui();
   const std::size_t count = app.history().size();
-  const auto to_come = static_cast<std::size_t>(std::count_if(
-      app.history().begin(), app.history().end(), [&](const answers::Visit& one) { return app.is_to_come(one.step); }));
+  const std::size_t to_come = std::count_if(app.history().begin(), app.history().end(),
+                                            [&](const answers::Visit& one) { return app.is_to_come(one.step); });
   const std::size_t so_far = count - to_come;
   const std::string happened = so_far == 0   ? "nothing happened to it yet"
                                : so_far == 1 ? "one thing happened to it"
@@ -201,7 +202,7 @@ void draw_history(App& app) {
        {.font = ui.fonts.bold});
   if (count == 0) return say_empty(ui, "Another pixel that is selected is told of here.");
   std::optional<std::size_t> clicked;
-  const bool beside = begin_first(ui, "visits", 0.66f, ui.em * (2.2f + 1.4f * static_cast<float>(count)));
+  const bool beside = begin_first(ui, "visits", 0.66f, ui.em * (2.2f + 1.4f * to_float(count)));
   const VisitColumns columns = columns_of(app, ImGui::GetContentRegionAvail().x);
   draw_headings(app, columns);
   for (std::size_t place = 0; place < count; ++place)
@@ -209,7 +210,7 @@ void draw_history(App& app) {
   app.scroll_to_picked = false;
   ImGui::EndChild();
   begin_second(ui, "why", beside);
-  if (const auto picked = static_cast<std::size_t>(std::max(0, app.picked)); picked < count) {
+  if (const std::size_t picked = std::max(0, app.picked); picked < count) {
     const answers::Visit& visit = app.told_visit(picked);
     if (app.is_to_come(visit.step))
       flow(ui, fmt::format("Still to come, at step {}:", grouped(visit.step)), {.color = ui.colors().muted});

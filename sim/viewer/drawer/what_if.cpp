@@ -7,6 +7,7 @@
 
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/lists.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -126,7 +127,7 @@ void draw_what_if(App& app) {
   app.scroll_to_picked = false;
   ImGui::EndChild();
   if (asked == 0) return;
-  app.picked = static_cast<int>(of);
+  app.picked = index32(of);
   if (asked == 2) app.put(fmt::format("{} = {}", found[of].name, found[of].value));
   else app.nudge(found[of], asked);
 }

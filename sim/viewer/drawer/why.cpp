@@ -15,6 +15,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -69,7 +70,7 @@ void App::open_why() {
       drawer_ == Drawer::history && static_cast<std::size_t>(std::max(0, picked)) < history_.size();
   if (from_history) {
     why_of_ = history_of_;
-    const std::int32_t polygon = history_[static_cast<std::size_t>(std::max(0, picked))].polygon;
+    const std::int32_t polygon = history_[std::max(0, picked)].polygon;
     if (polygon != no_polygon) return ask_why(polygon);
   }
   open(Drawer::why_ask);
@@ -103,7 +104,7 @@ std::vector<std::int32_t> App::why_candidates() const {
   const auto exact = answers::polygon_called(scene, typed);
   if (exact) found.push_back(*exact);
   for (std::size_t k = 0; k < scene.polygons.size() && found.size() < listed; ++k) {
-    const auto polygon = static_cast<std::int32_t>(k);
+    const auto polygon = index32(k);
     if (exact != polygon && lower(polygon_label(scene, polygon)).find(wanted) != std::string::npos)
       found.push_back(polygon);
   }
@@ -123,7 +124,7 @@ void App::find_why() {
   why_decides_ = why_.step > 0 && why_.step <= session_.size() && !only_begins(session_.trace().event(why_.step).event);
   picked = 0;
   for (std::size_t k = 0; k < why_.chain.size(); ++k)
-    if (why_.chain[k].step == why_.step) picked = static_cast<int>(k);
+    if (why_.chain[k].step == why_.step) picked = index32(k);
   scroll_to_picked = true;
 }
 
@@ -142,7 +143,7 @@ void App::turn_why() {
 }
 
 void App::go_to_link(std::size_t link) {
-  picked = static_cast<int>(link);
+  picked = index32(link);
   if (link < why_.chain.size()) session_.go_to(why_.chain[link].step);
 }
 
@@ -150,7 +151,7 @@ bool App::pick_candidate(SDL_Keycode code, unsigned) {
   const std::vector<std::int32_t> found = why_candidates();
   if (code == SDLK_TAB) return turn_why(), true;
   if (code != SDLK_RETURN) return pick_among(found.size(), code);
-  if (static_cast<std::size_t>(picked) < found.size()) ask_why(found[static_cast<std::size_t>(picked)]);
+  if (static_cast<std::size_t>(picked) < found.size()) ask_why(found[picked]);
   return true;
 }
 
@@ -190,7 +191,7 @@ void draw_why_ask(App& app) {
   if (found.empty()) say_empty(ui, "No polygon is called so.");
   if (found.size() >= listed)
     say_empty(ui, fmt::format("{} polygons are listed of {}; type to find others.", listed,
-                              grouped(static_cast<std::int64_t>(scene.polygons.size()))));
+                              grouped(std::ssize(scene.polygons))));
   ImGui::EndChild();
   if (turned) app.turn_why();
   else if (clicked) app.ask_why(*clicked);
@@ -234,7 +235,7 @@ void draw_why(App& app) {
   const float steps = step_column(ui, last_step);
   for (std::size_t place = 0; place < app.why().chain.size(); ++place)
     if (draw_link(app, place, steps, polygons)) clicked = place;
-  if (const auto picked = static_cast<std::size_t>(app.picked); !beside && picked < app.why().chain.size())
+  if (const std::size_t picked = app.picked; !beside && picked < app.why().chain.size())
     flow(ui, app.why().chain[picked].text, {});
   if (!app.why().chain.empty()) flow(ui, "Enter or a click goes to a step.", {.color = ui.colors().muted});
   ImGui::EndChild();

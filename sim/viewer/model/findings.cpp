@@ -101,7 +101,7 @@ const StepMarks::Told& Findings::told(Session& session) {
     });
   }
   if (const CheckMarks::Step* mark = mark_of(step)) {
-    const auto cause = static_cast<std::size_t>(mark->cause);
+    const std::size_t cause = mark->cause;
     if (causes_[cause] == step) {
       const std::string follows = what_follows(checked_.report.causes[cause]);
       told_.note = name_of(cause) + (follows.empty() ? "." : ": " + follows + ".");

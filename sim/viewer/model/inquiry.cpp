@@ -72,15 +72,11 @@ void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
           columns_ = names;
           places.emplace(names);
           if (!places->x || !places->y) return;
-          heat_ = HeatMap{
-              "rows",
-              std::vector<double>(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height),
-                                  std::nan("")),
-              0,
-              0,
-              "",
-              false,
-              -1};
+          heat_ =
+              HeatMap{"rows", std::vector<double>(static_cast<std::size_t>(raster.width) * raster.height, std::nan("")),
+                      0,      0,
+                      "",     false,
+                      -1};
         },
         [&](std::span<const query::Value> row) {
           ++count;
@@ -91,8 +87,8 @@ void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
             if (painted) heat_->name = columns_[*painted];
           }
           if (heat_ && pixel) {
-            double& value = heat_->values[static_cast<std::size_t>(pixel->y) * static_cast<std::size_t>(raster.width) +
-                                          static_cast<std::size_t>(pixel->x)];
+            double& value =
+                heat_->values[static_cast<std::size_t>(pixel->y) * raster.width + static_cast<std::size_t>(pixel->x)];
             if (!painted) value = std::isnan(value) ? 1 : value + 1;
             else value = number_of(row[*painted]).value_or(std::nan(""));
           }
@@ -124,8 +120,7 @@ void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
   note_ = count == 1 ? "1 row" : fmt::format("{} rows", grouped(count));
   if (stopped) note_ = fmt::format("stopped; {} so far", note_);
   if (late) note_ = fmt::format("not done after {:g} seconds; {} so far", patience, note_);
-  if (count > static_cast<std::int64_t>(rows_.size()))
-    note_ += fmt::format("; the first {} are shown", grouped(static_cast<std::int64_t>(rows_.size())));
+  if (count > std::ssize(rows_)) note_ += fmt::format("; the first {} are shown", grouped(std::ssize(rows_)));
 }
 
 std::optional<std::int64_t> Inquiry::step_of(std::size_t row) const {

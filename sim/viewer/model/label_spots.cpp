@@ -36,13 +36,11 @@ SeenPart seen_part_of(const RasterMap& map) {
 /// How many pixels in every direction have the same polygon: 1 at its border. Two passes over the window.
 std::vector<int> depth_inside(const Picture& picture, const SeenPart& seen) {
   const int width = seen.width(), height = seen.height();
-  std::vector<int> inside(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  std::vector<int> inside(static_cast<std::size_t>(width) * height, 0);
   const auto polygon = [&](int x, int y) {
     return picture.polygon[picture.at(seen.left + x * seen.every, seen.low + y * seen.every)];
   };
-  const auto at = [&](int x, int y) -> int& {
-    return inside[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-  };
+  const auto at = [&](int x, int y) -> int& { return inside[static_cast<std::size_t>(y) * width + x]; };
   const auto beyond = [&](int x, int y, int to_x, int to_y) {
     const bool there = to_x >= 0 && to_y >= 0 && to_x < width && to_y < height;
     return there && polygon(to_x, to_y) == polygon(x, y) ? at(to_x, to_y) : 0;

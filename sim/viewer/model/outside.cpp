@@ -17,13 +17,13 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
 
 std::span<const std::int32_t> corners_of(const Scene& scene, const Facet& facet) {
-  return std::span(scene.corners)
-      .subspan(static_cast<std::size_t>(facet.first_corner), static_cast<std::size_t>(facet.corner_count));
+  return std::span(scene.corners).subspan(facet.first_corner, facet.corner_count);
 }
 
 EdgeEnds edge_at(std::span<const std::int32_t> corners, std::size_t k) {
@@ -63,7 +63,7 @@ std::string name_of(const Scene& scene, const ScenePart& part) {
 
 std::string place_in_file(const Scene& scene, const ScenePart& part) {
   const std::int32_t vertex = part.vertex ? *part.vertex : part.edge ? part.edge->first : -1;
-  const auto at = static_cast<std::size_t>(vertex);
+  const std::size_t at = vertex;
   if (vertex < 0 || at >= scene.point_lines.size() || scene.point_lines[at] == 0) return "";
   return fmt::format("{}:{}", scene.source, scene.point_lines[at]);
 }
@@ -75,7 +75,7 @@ std::string told_of(const Scene& scene, const ScenePart& part) {
   std::string text = name_of(scene, part);
   if (!text.empty()) text[0] = static_cast<char>(text[0] - 'a' + 'A');
   if (part.vertex && static_cast<std::size_t>(*part.vertex) < scene.points.size()) {
-    const glm::dvec3& p = scene.points[static_cast<std::size_t>(*part.vertex)];
+    const glm::dvec3& p = scene.points[*part.vertex];
     text += fmt::format(" at ({}, {}, {})", number(p.x), number(p.y), number(p.z));
   }
   if (!names.empty()) text += fmt::format(", of {}", fmt::join(names, ", "));
@@ -130,8 +130,7 @@ Color shaded(Color color, glm::dvec3 normal) {
 
 glm::dvec3 normal_of(const Scene& scene, const Facet& facet) {
   const auto corner = [&](std::int32_t k) {
-    return scene.points[static_cast<std::size_t>(
-        scene.corners[static_cast<std::size_t>(facet.first_corner + k % facet.corner_count)])];
+    return scene.points[scene.corners[facet.first_corner + k % facet.corner_count]];
   };
   glm::dvec3 sum(0);
   for (std::int32_t k = 0; k < facet.corner_count; ++k) sum += glm::cross(corner(k), corner(k + 1));
@@ -160,8 +159,8 @@ Room::Room(const Scene& scene, bool by_lamp)
   if (scene.points.empty()) box.low = box.high = glm::dvec3(0);
   low_ = box.low, high_ = box.high;
   for (const Facet& facet : polygons_.facets) {
-    Polygon& polygon = polygons_.polygons[static_cast<std::size_t>(facet.polygon)];
-    polygon.color = shaded(scene.polygons[static_cast<std::size_t>(facet.polygon)].color, normal_of(polygons_, facet));
+    Polygon& polygon = polygons_.polygons[facet.polygon];
+    polygon.color = shaded(scene.polygons[facet.polygon].color, normal_of(polygons_, facet));
   }
   for (int corner = 0; corner < 8; ++corner)
     marks_.emplace_back((corner & 1) ? low_.x : high_.x, (corner & 2) ? low_.y : high_.y,
@@ -296,9 +295,9 @@ Scene Outside::seen(const Scene& polygons) const {
   std::vector<glm::dvec3> points;
   for (const Facet& facet : scene.facets)
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-      std::int32_t& corner = scene.corners[static_cast<std::size_t>(facet.first_corner + k)];
-      const glm::dvec3 point = scene.points[static_cast<std::size_t>(corner)];
-      corner = static_cast<std::int32_t>(points.size());
+      std::int32_t& corner = scene.corners[facet.first_corner + k];
+      const glm::dvec3 point = scene.points[corner];
+      corner = size32(points);
       points.push_back(camera_.eye + (point - camera_.eye) * (1 + 1e-7 * facet.polygon));
     }
   scene.points = std::move(points);

@@ -10,6 +10,7 @@
 #include "sim/cost/measure.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -58,11 +59,10 @@ void Race::choose(const std::vector<std::string>& entrants) {
   if (entrants.size() < least || entrants.size() > most)
     throw InputError("a race", fmt::format("it has {} to {} runs, not {}", least, most, entrants.size()),
                      "name them with commas between, as z-buffer,bsp,warnock");
-  const double share = end() > 0 ? static_cast<double>(at_) / static_cast<double>(end()) : 0;
+  const double share = end() > 0 ? ratio(at_, end()) : 0;
   std::vector<std::unique_ptr<Racer>> made(entrants.size());
   for (std::size_t k = 0; k < entrants.size(); ++k) {
-    if (std::find(entrants.begin(), entrants.begin() + static_cast<std::ptrdiff_t>(k), entrants[k]) !=
-        entrants.begin() + static_cast<std::ptrdiff_t>(k))
+    if (std::find(entrants.begin(), entrants.begin() + k, entrants[k]) != entrants.begin() + k)
       throw InputError("a race", fmt::format("{} is named twice", entrants[k]), "name each once");
     const auto runs = [&](const auto& racer) { return racer->entrant.text == entrants[k]; };
     if (std::any_of(racers_.begin(), racers_.end(), runs)) continue;
@@ -80,7 +80,7 @@ void Race::choose(const std::vector<std::string>& entrants) {
 }
 
 bool Race::set_clock(Measure clock, const std::function<bool()>& ends, std::string& why) {
-  const double share = end() > 0 ? static_cast<double>(at_) / static_cast<double>(end()) : 0;
+  const double share = end() > 0 ? ratio(at_, end()) : 0;
   if (clock == Measure::time) try {
       for (const auto& racer : racers_) {
         if (racer->seconds) continue;
@@ -91,7 +91,7 @@ bool Race::set_clock(Measure clock, const std::function<bool()>& ends, std::stri
             compare::measure(*racer->entrant.method, trace.scene(), trace.header().conventions, how, tick_of(ends));
         if (!measured.done())
           return why = fmt::format("{} was not done within {:g} s.", racer->entrant.title, how.limit), false;
-        racer->seconds = measured.median_seconds(), racer->runs = static_cast<int>(measured.seconds.size());
+        racer->seconds = measured.median_seconds(), racer->runs = size32(measured.seconds);
       }
     } catch (const Ended&) {
       return why = "Measuring was ended, so there is no time to race by.", false;
@@ -156,18 +156,18 @@ std::string Race::place_text() const {
 }
 
 void Race::change_speed(int direction) {
-  const int first = clock_ == Measure::time ? static_cast<int>(rates.size()) : 0;
+  const int first = clock_ == Measure::time ? size32(rates) : 0;
   speed_ = std::clamp(speed_ + direction, first, static_cast<int>(rates.size() + lengths.size()) - 1);
 }
 
 std::string Race::speed_text() const {
-  const auto at = static_cast<std::size_t>(speed_);
+  const std::size_t at = speed_;
   if (at < rates.size()) return fmt::format("{} {}/s", rates[at], word_of(clock_));
   return fmt::format("all in {} s", lengths[at - rates.size()]);
 }
 
 double Race::a_second() const {
-  const auto at = static_cast<std::size_t>(speed_);
+  const std::size_t at = speed_;
   return at < rates.size() ? rates[at] : static_cast<double>(end()) / lengths[at - rates.size()];
 }
 

@@ -14,6 +14,7 @@
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/file/visit.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -208,8 +209,8 @@ int Session::stop_at(std::int64_t position) const {
   const auto& stops = lesson_->stops;
   // Several stops may have one position: arriving there shows the first of them, later positions show the last.
   int found = -1;
-  for (int i = 0; i < static_cast<int>(stops.size()); ++i) {
-    const std::int64_t at = stops[static_cast<std::size_t>(i)].position;
+  for (int i = 0; i < size32(stops); ++i) {
+    const std::int64_t at = stops[i].position;
     if (at == position) return i;
     if (at < position) found = i;
   }
@@ -232,10 +233,10 @@ std::optional<std::int32_t> Session::lit_edge() const {
 ScenePart Session::lit_part() const {
   const auto in_scene = [&](const std::optional<std::int32_t>& edge) {
     const auto& table = state().machine.edge_table;
-    const auto at = static_cast<std::size_t>(edge.value_or(-1));
+    const std::size_t at = edge.value_or(-1);
     if (!edge || at >= table.size()) return ScenePart{};
     const EdgeEnds ends = std::minmax(table[at].vertex_0, table[at].vertex_1);
-    const auto points = static_cast<std::int32_t>(scene().points.size());
+    const auto points = size32(scene().points);
     return ends.first >= 0 && ends.second < points ? ScenePart{{}, ends} : ScenePart{};
   };
   if (hovered_part.any()) return hovered_part;
@@ -251,9 +252,9 @@ void Session::pick(const ScenePart& part) {
 
 void Session::to_stop(int index) {
   if (!lesson_ || lesson_->stops.empty()) return;
-  index = std::clamp(index, 0, static_cast<int>(lesson_->stops.size()) - 1);
+  index = std::clamp(index, 0, size32(lesson_->stops) - 1);
   unit_ = Unit::event;
-  replay_.go_to(lesson_->stops[static_cast<std::size_t>(index)].position);
+  replay_.go_to(lesson_->stops[index].position);
   stop_ = index;
   selected_edge.reset();
   arrived();
@@ -264,11 +265,10 @@ bool Session::next_stop(int direction) {
     message = "There is no lesson here; Ctrl+O opens one.";
     return true;
   }
-  const int count = static_cast<int>(lesson_->stops.size());
+  const int count = size32(lesson_->stops);
   int target = stop_ + direction;
   // Going back from between two stops returns to the one that is still shown.
-  if (direction < 0 && stop_ >= 0 && position() > lesson_->stops[static_cast<std::size_t>(stop_)].position)
-    target = stop_;
+  if (direction < 0 && stop_ >= 0 && position() > lesson_->stops[stop_].position) target = stop_;
   if (target < 0 || target >= count) {
     message = direction > 0 ? "This was the last stop of the lesson." : "This is the first stop of the lesson.";
     const bool again = direction > 0 && told_end_;
@@ -282,32 +282,31 @@ bool Session::next_stop(int direction) {
 
 bool Session::question_open() const {
   if (stop_ < 0) return false;
-  const auto& question = lesson_->stops[static_cast<std::size_t>(stop_)].question;
+  const auto& question = lesson_->stops[stop_].question;
   if (!question) return false;
   const auto given = chosen(stop_);
-  return !given || !question->answers[static_cast<std::size_t>(*given)].right;
+  return !given || !question->answers[*given].right;
 }
 
 bool Session::nudged() const {
-  return question_open() && !chosen(stop_) &&
-         (told_to_answer_ || position() > lesson_->stops[static_cast<std::size_t>(stop_)].position);
+  return question_open() && !chosen(stop_) && (told_to_answer_ || position() > lesson_->stops[stop_].position);
 }
 
 void Session::answer(int choice) {
   if (stop_ < 0) return;
   if (const Marking* asked = marking(); asked && asked->kind == Marking::Kind::order) {
     const std::vector<std::int32_t> choices = choices_of(*asked);
-    if (choice >= 0 && choice < static_cast<int>(choices.size())) mark(choices[static_cast<std::size_t>(choice)]);
+    if (choice >= 0 && choice < size32(choices)) mark(choices[choice]);
     return;
   }
-  const auto& question = lesson_->stops[static_cast<std::size_t>(stop_)].question;
-  if (!question || choice < 0 || choice >= static_cast<int>(question->answers.size())) return;
-  chosen_[static_cast<std::size_t>(stop_)] = choice;
+  const auto& question = lesson_->stops[stop_].question;
+  if (!question || choice < 0 || choice >= size32(question->answers)) return;
+  chosen_[stop_] = choice;
 }
 
 void Session::show_answer() {
   if (!question_open()) return;
-  const std::vector<Answer>& answers = lesson_->stops[static_cast<std::size_t>(stop_)].question->answers;
+  const std::vector<Answer>& answers = lesson_->stops[stop_].question->answers;
   const auto right = std::find_if(answers.begin(), answers.end(), [](const Answer& one) { return one.right; });
   if (right != answers.end()) answer(static_cast<int>(right - answers.begin()));
 }
@@ -332,13 +331,13 @@ const std::vector<Session::Speed>& Session::speeds() {
 
 bool Session::asks_here() const {
   if (stop_ < 0) return false;
-  const Stop& stop = lesson_->stops[static_cast<std::size_t>(stop_)];
+  const Stop& stop = lesson_->stops[stop_];
   return stop.question && !chosen(stop_) && stop.position == position();
 }
 
 void Session::say_that_it_asks() {
   told_to_answer_ = true;
-  const std::size_t answers = lesson_->stops[static_cast<std::size_t>(stop_)].question->answers.size();
+  const std::size_t answers = lesson_->stops[stop_].question->answers.size();
   message =
       fmt::format("Here the lesson asks. Answer first (a key from 1 to {}, or a click), then Space plays on.", answers);
 }
@@ -380,7 +379,7 @@ double Session::play(double now) {
     return std::max(frame, left - (whole - 1));
   }
   if (std::exchange(waits_, 0) > 0) message.clear();
-  const Speed& s = speeds()[static_cast<std::size_t>(speed)];
+  const Speed& s = speeds()[speed];
   std::int64_t to = position();
   if (s.unit_a_frame) {
     to = next_unit(trace_, position(), *s.unit_a_frame);
@@ -394,10 +393,9 @@ double Session::play(double now) {
   if (lesson_ && to > position())
     for (std::size_t i = 0; i < lesson_->stops.size(); ++i) {
       const Stop& stop = lesson_->stops[i];
-      const bool next_here =
-          stop.position == position() && static_cast<int>(i) > stop_;  // several may speak at one step
+      const bool next_here = stop.position == position() && index32(i) > stop_;  // several may speak at one step
       if (stop.position > to || (stop.position <= position() && !next_here)) continue;
-      to_stop(static_cast<int>(i));
+      to_stop(index32(i));
       owed_ = 0;
       if (!asks_here())
         reading_until_ =
@@ -417,7 +415,7 @@ double Session::play(double now) {
 
 const Marking* Session::marking() const {
   if (!lesson_ || stop_ < 0) return nullptr;
-  const auto& marking = lesson_->stops[static_cast<std::size_t>(stop_)].marking;
+  const auto& marking = lesson_->stops[stop_].marking;
   return marking ? &*marking : nullptr;
 }
 
@@ -425,7 +423,7 @@ bool Session::marks_cells() const { return marking() && marking()->kind != Marki
 
 void Session::mark(std::int32_t what) {
   if (!marking()) return;
-  Marks& marks = marks_[static_cast<std::size_t>(stop_)];
+  Marks& marks = marks_[stop_];
   marks.checked = false;
   if (const auto there = std::find(marks.made.begin(), marks.made.end(), what); there != marks.made.end()) {
     marks.made.erase(there);
@@ -442,14 +440,14 @@ void Session::mark(Cell cell) {
 
 void Session::check_marks() {
   if (!marking()) return void(message = "Nothing is asked to be marked here.");
-  Marks& marks = marks_[static_cast<std::size_t>(stop_)];
+  Marks& marks = marks_[stop_];
   if (marks.made.empty()) message = "Nothing is marked yet.";
   else marks.checked = true;
 }
 
 void Session::help_with_marks() {
   if (!marking()) return void(message = "Nothing is asked to be marked here.");
-  Marks& marks = marks_[static_cast<std::size_t>(stop_)];
+  Marks& marks = marks_[stop_];
   if (marks.hints < marking()->hints.size()) ++marks.hints;
   else marks.shown = true;
 }

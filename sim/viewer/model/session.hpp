@@ -74,7 +74,7 @@ class Session {
   bool next_stop(int direction);
   void answer(int choice);
   void show_answer();  ///< the right one of the current stop's question
-  std::optional<int> chosen(int stop) const { return chosen_[static_cast<std::size_t>(stop)]; }
+  std::optional<int> chosen(int stop) const { return chosen_[stop]; }
   bool question_open() const;  ///< the current stop asks and has no right answer yet
   bool nudged() const;         ///< beyond the question of the current stop, which has no answer yet
 
@@ -85,11 +85,11 @@ class Session {
     std::size_t hints = 0;           ///< that were given
     bool shown = false;              ///< what is right
   };
-  const Marking* marking() const;  ///< of the stop that speaks, or nullptr
-  bool marks_cells() const;        ///< pixels or a scan line are asked for
-  const Marks& marks() const { return marks_[static_cast<std::size_t>(stop_)]; }  ///< where marking() is one
-  void mark(std::int32_t what);                                                   ///< or takes the mark away
-  void mark(Cell cell);  ///< or its scan line, where that is asked for
+  const Marking* marking() const;                       ///< of the stop that speaks, or nullptr
+  bool marks_cells() const;                             ///< pixels or a scan line are asked for
+  const Marks& marks() const { return marks_[stop_]; }  ///< where marking() is one
+  void mark(std::int32_t what);                         ///< or takes the mark away
+  void mark(Cell cell);                                 ///< or its scan line, where that is asked for
   void check_marks();
   void help_with_marks();  ///< the next hint, and after the last what is right
 

@@ -205,9 +205,9 @@ void find_rivals(const Moment& now, Slice& slice) {
     for (const SliceSample& sample : slice.samples)
       if (sample.step > slice.work_from && sample.x == depth->x_at) slice.rivals.push_back(sample);
   const auto* winner = get_if<SpanWinner>(&now.event()->event);
-  if (!winner || winner->piece < 0 || static_cast<std::size_t>(winner->piece) >= machine.pieces.size()) return;
+  if (!winner || winner->piece < 0 || winner->piece >= std::ssize(machine.pieces)) return;
   if (winner->last < winner->first) return;  // between two pixels
-  slice.winner = machine.pieces[static_cast<std::size_t>(winner->piece)].polygon;
+  slice.winner = machine.pieces[winner->piece].polygon;
   const double x = (static_cast<double>(winner->first) + winner->last) / 2;
   for (const SliceSpan& span : slice.spans) {
     if (span.step != slice.work_from || !(span.x_left < span.x_right)) continue;

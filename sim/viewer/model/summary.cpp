@@ -27,7 +27,7 @@ DepthRange depth_range(const Trace& trace) {
   for (const Facet& facet : scene.facets) {
     double nearest = no_depth, farthest = -no_depth;
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-      const auto corner = static_cast<std::size_t>(facet.first_corner + k);
+      const std::size_t corner = facet.first_corner + k;
       const auto point =
           corner < scene.corners.size() ? static_cast<std::size_t>(scene.corners[corner]) : scene.points.size();
       if (point >= scene.points.size()) continue;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/since_change.hpp"
@@ -51,13 +52,13 @@ void paint_areas(Canvas& canvas, const RasterMap& map, const Moment& now, const 
         const auto a = on_raster(now.scene(), now.state(), piece.outline[i]);
         const auto b = on_raster(now.scene(), now.state(), piece.outline[(i + 1) % piece.outline.size()]);
         if (!a || !b) continue;
-        const auto polygon = static_cast<std::size_t>(piece.polygon);
+        const std::size_t polygon = piece.polygon;
         const Pixel32 color =
             polygon < now.scene().polygons.size() ? opaque(now.scene().polygons[polygon].color) : to_pixel(c.muted);
         canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 3.6 * line, to_pixel(c.text), 200);
         canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 2.0 * line, color);
       }
-  const auto at = static_cast<std::size_t>(m.area);
+  const std::size_t at = m.area;
   if (m.area >= 0 && at < m.areas.size() && has_pixels(m.areas[at].entry)) {
     const Box b = box_of(map, m.areas[at].entry);
     frame(canvas, {b.left - 2 * line, b.top - 2 * line, b.right + 2 * line, b.bottom + 2 * line}, 4 * line,
@@ -76,12 +77,12 @@ void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin) {
     if (!row.decided || !has_pixels(row.entry)) continue;
     const std::string sign = sign_of(row.decided->what);
     const Box b = box_of(map, row.entry);
-    const auto width = static_cast<float>(b.right - b.left), height = static_cast<float>(b.bottom - b.top);
+    const auto width = to_float(b.right - b.left), height = to_float(b.bottom - b.top);
     for (const ImFont* font : {ui.fonts.bold, ui.fonts.small}) {
       const ImVec2 size = text_size(ui, font, sign);
       if (size.x + 6 > width || size.y + 2 > height) continue;
-      const ImVec2 at{origin.x + static_cast<float>(b.left) + (width - size.x) / 2,
-                      origin.y + static_cast<float>(b.top) + (height - size.y) / 2};
+      const ImVec2 at{origin.x + to_float(b.left) + (width - size.x) / 2,
+                      origin.y + to_float(b.top) + (height - size.y) / 2};
       if (!sign.empty())
         ImGui::GetWindowDrawList()->AddRectFilled({at.x - 3, at.y - 1}, {at.x + size.x + 3, at.y + size.y + 1},
                                                   ui.colors().pane);
@@ -103,8 +104,7 @@ std::vector<TableRow> area_rows(Ui& ui) {
   for (const AreaRow& area : m.areas) {
     TableRow row;
     row.about = about_area(area.entry);
-    const bool known =
-        area.decided && area.decided->piece >= 0 && static_cast<std::size_t>(area.decided->piece) < m.pieces.size();
+    const bool known = area.decided && area.decided->piece >= 0 && area.decided->piece < std::ssize(m.pieces);
     row.cells.push_back(TableCell::result_of(
         !area.decided ? ""
                       : fmt::format("case {}{}", sign_of(area.decided->what),
@@ -139,9 +139,8 @@ void mark_areas(Ui& ui, const RasterMap& map, ImVec2 origin) {
   for (const AreaRow& row : ui.session.state().machine.areas) {
     if (!has_pixels(row.entry)) continue;
     const Box b = box_of(map, row.entry);
-    mark_part(ui, changed, about_area(row.entry),
-              {origin.x + static_cast<float>(b.left), origin.y + static_cast<float>(b.top)},
-              {origin.x + static_cast<float>(b.right), origin.y + static_cast<float>(b.bottom)});
+    mark_part(ui, changed, about_area(row.entry), {origin.x + to_float(b.left), origin.y + to_float(b.top)},
+              {origin.x + to_float(b.right), origin.y + to_float(b.bottom)});
   }
 }
 
@@ -169,7 +168,7 @@ void draw_bin(Ui& ui, Bin bin, const ChangedParts& changed) {
   for (const AreaBin& row : m.bins) all += row.bin == bin;
   const float more = text_size(ui, ui.fonts.text, fmt::format("+{}", all)).x;
   for (const AreaBin& row : m.bins) {
-    const auto piece = static_cast<std::size_t>(row.piece);
+    const std::size_t piece = row.piece;
     if (row.bin != bin || row.piece < 0 || piece >= m.pieces.size()) continue;
     const std::int32_t polygon = m.pieces[piece].polygon;
     const std::string label = polygon_label(s.scene(), polygon);
@@ -180,8 +179,7 @@ void draw_bin(Ui& ui, Bin bin, const ChangedParts& changed) {
     }
     const float top = at.y + std::round((height - side) / 2);
     if (static_cast<std::size_t>(polygon) < s.scene().polygons.size())
-      list->AddRectFilled({x, top}, {x + side, top + side},
-                          to_im(opaque(s.scene().polygons[static_cast<std::size_t>(polygon)].color)));
+      list->AddRectFilled({x, top}, {x + side, top + side}, to_im(opaque(s.scene().polygons[polygon].color)));
     frame_box(ui, {x, top}, {x + side, top + side}, c.text);
     draw_text(ui, {x + ui.em * 0.75f, y}, now == nullptr || now->piece != row.piece ? ui.fonts.text : ui.fonts.bold,
               c.text, label);
@@ -201,7 +199,7 @@ void draw_bins(Ui& ui) {
   for (const Bin bin : {Bin::disjoint, Bin::intersecting, Bin::surrounding, Bin::contained}) draw_bin(ui, bin, changed);
   const std::size_t known = m.pieces.size() - std::min(m.pieces.size(), m.bins.size());
   const Flow quiet{.color = ui.colors().muted};
-  const bool settled = m.areas[static_cast<std::size_t>(m.area)].decided.has_value();
+  const bool settled = m.areas[m.area].decided.has_value();
   if (known > 0 && settled)
     flow(ui, fmt::format("{} more {} known to miss the area around it.", known, known == 1 ? "is" : "are"), quiet);
 }
@@ -219,11 +217,11 @@ void draw_areas(Ui& ui) {
       *keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint_areas, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
-                                       {at.x + static_cast<float>(width - 4), at.y + static_cast<float>(height - 4)});
+                                       {at.x + to_float(width - 4), at.y + to_float(height - 4)});
   draw_signs(ui, map, at);
   mark_areas(ui, map, at);
-  if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
-  else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
+  if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
+  else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
   begin_part(ui, "bins");
   draw_bins(ui);
   ImGui::EndChild();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/chart_picture.hpp"
 #include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/legend.hpp"
@@ -16,6 +17,7 @@
 #include "traces/file/header.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -52,8 +54,7 @@ void color_frame(Cells& cells, const Moment& now) {
       continue;
     }
     const std::int32_t p = picture.polygon[i];
-    cells.colors[i] =
-        p >= 0 && static_cast<std::size_t>(p) < colors.size() ? colors[static_cast<std::size_t>(p)] : background;
+    cells.colors[i] = p >= 0 && p < std::ssize(colors) ? colors[p] : background;
   }
 }
 
@@ -244,7 +245,7 @@ void draw_depth_units(Ui& ui) {
   LineChart chart = other ? unit_chart(scene, {{named("A", conventions), conventions}, {named("B", *other), *other}})
                           : unit_chart(scene, {{"", conventions}});
   for (std::size_t i = 0; i < chart.lines.size(); ++i)
-    chart.lines[i].look = i == 0 ? LineChart::plain_look : static_cast<int>(i);
+    chart.lines[i].look = i == 0 ? LineChart::plain_look : index32(i);
   chart.x_title = fmt::format("z_v, from near = {:g} to far = {:g}", scene.camera.near, scene.camera.far);
   chart.y_title = other ? "distance in z_v to the next depth"
                         : fmt::format("distance in z_v to the next depth of {}", word_of(conventions.number_format));
@@ -439,8 +440,8 @@ void draw_shadow_buffer(Ui& ui) {
                                             ui.colors(), ui.depth_scale);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
-                                       {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
-  ImGui::Dummy({room.x, static_cast<float>(height)});
+                                       {at.x + to_float(width), at.y + to_float(height)});
+  ImGui::Dummy({room.x, to_float(height)});
   if (!state.machine.shadow) return;
   mark_point(ui, map, at, *state.machine.shadow);
   const ImVec2 below = ImGui::GetCursorScreenPos();

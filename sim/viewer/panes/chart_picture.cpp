@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/viewer/charts/sheet.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -31,7 +32,7 @@ class PanePaper : public Paper {
     picture_.canvas.rectangle(whole(from.x), whole(from.y), whole(to.x), whole(to.y), to_pixel(color));
   }
   void mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled) override {
-    const auto size = static_cast<double>(radius);
+    const double size = radius;
     picture_.canvas.mark(at.x, at.y, size, shape, to_pixel(color));
     if (!filled) picture_.canvas.mark(at.x, at.y, size * 0.6, shape, to_pixel(theme_.pane));
   }
@@ -61,9 +62,8 @@ void draw_line_chart(Ui& ui, const char* name, const LineChart& chart) {
   const Kept<ChartPicture>& kept =
       *keep<ChartPicture>(ui.charts, name, paint, chart, size, ui.fonts, ui.colors(), ui.thin);
   const Canvas& canvas = kept.made.canvas;
-  ImGui::GetWindowDrawList()->AddImage(
-      Renderer::image(canvas), at,
-      {at.x + static_cast<float>(canvas.width()), at.y + static_cast<float>(canvas.height())});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at,
+                                       {at.x + to_float(canvas.width()), at.y + to_float(canvas.height())});
   for (const ChartPicture::Word& word : kept.made.words)
     draw_text(ui, {at.x + word.at.x, at.y + word.at.y}, ui.fonts.small, word.color, word.text);
 }

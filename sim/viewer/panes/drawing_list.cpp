@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -128,7 +130,7 @@ TestTable lay_out_tests(Ui& ui, const std::vector<RecordedEvent>& made, float ro
     table.column[2] = text_size(ui, table.font, "\u2713").x;
     table.width += table.column[2];
   }
-  table.height = line_height(*ui.fonts.bold) + line_height(*table.font) * static_cast<float>(table.lines.size());
+  table.height = line_height(*ui.fonts.bold) + line_height(*table.font) * to_float(table.lines.size());
   return table;
 }
 
@@ -169,12 +171,12 @@ void draw_tests(Ui& ui, const PairBegin& pair, const TestTable& table) {
 namespace {
 
 ImU32 chip_of(const Session& s, std::int32_t polygon) {
-  const auto at = static_cast<std::size_t>(polygon);
+  const std::size_t at = polygon;
   return polygon >= 0 && at < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[at].color)) : 0;
 }
 
 std::int32_t polygon_of(const MethodState& machine, std::int32_t piece) {
-  const auto at = static_cast<std::size_t>(piece);
+  const std::size_t at = piece;
   return piece >= 0 && at < machine.pieces.size() ? machine.pieces[at].polygon : no_polygon;
 }
 
@@ -209,7 +211,7 @@ std::vector<TableRow> list_rows(Ui& ui) {
   const std::vector<std::string> labels = piece_labels(s.scene(), machine);
   std::vector<TableRow> rows;
   const auto row_of = [&](std::int32_t number, std::string place) {
-    const auto at = static_cast<std::size_t>(number);
+    const std::size_t at = number;
     if (number < 0 || at >= labels.size()) return;
     TableRow row;
     row.about = labels[at];
@@ -232,7 +234,7 @@ struct Rows {
   std::vector<std::string> labels;  ///< by piece
   ChangedParts changed;
   std::string label(std::int32_t piece) const {
-    const auto at = static_cast<std::size_t>(piece);
+    const std::size_t at = piece;
     return piece >= 0 && at < labels.size() ? labels[at] : fmt::format("piece {}", piece);
   }
   float x_of(double z) const { return bars_left + static_cast<float>((axis.far - z) / (axis.far - axis.near)) * bars; }
@@ -287,7 +289,7 @@ void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const auto number_of = static_cast<std::size_t>(entry.piece);
+  const std::size_t number_of = entry.piece;
   const Piece* piece = number_of < machine.pieces.size() ? &machine.pieces[number_of] : nullptr;
   const bool is_p = entry.piece == rows.p, is_q = entry.piece == rows.q;
   ImGui::Dummy({rows.room, rows.height});
@@ -323,7 +325,7 @@ void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
 /// What reaches farther than P's nearest z must be held against P: a dashed line from `top` to the cursor.
 void draw_reach(Ui& ui, const Rows& rows, ImVec2 top) {
   const auto& pieces = ui.session.state().machine.pieces;
-  const auto at = static_cast<std::size_t>(rows.p);
+  const std::size_t at = rows.p;
   if (rows.p < 0 || at >= pieces.size() || !pieces[at].extent) return;
   const float x = top.x + rows.x_of(pieces[at].extent->z_min);
   const float shown = ImGui::GetWindowPos().y, above = std::max(0.0f, std::floor((shown - top.y) / 8)) * 8;
@@ -346,12 +348,11 @@ void draw_list(Ui& ui) {
   const std::vector<ListEntry> others(std::next(entries.begin()), entries.end());
   for (std::size_t row = 0; row < others.size(); ++row)
     if (others[row].piece == rows.touched || others[row].piece == rows.q)
-      follow(ui, top.y + static_cast<float>(row) * rows.height, rows.height);
+      follow(ui, top.y + to_float(row) * rows.height, rows.height);
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(others.size()), rows.height);
+  clipper.Begin(size32(others), rows.height);
   while (clipper.Step())
-    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
-      draw_row(ui, rows, others[static_cast<std::size_t>(row)]);
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) draw_row(ui, rows, others[row]);
   if (testing) draw_reach(ui, rows, top);
   ImGui::EndChild();
 }

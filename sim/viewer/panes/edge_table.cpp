@@ -57,24 +57,24 @@ std::vector<TableRow> rows_of(Ui& ui) {
   std::optional<std::int32_t> bucket;
   for (const EdgeTableInsert* entry : order) {
     const EdgeTableInsert& e = *entry;
-    const EdgeStage stage = machine.edge_stages[static_cast<std::size_t>(e.edge)];
+    const EdgeStage stage = machine.edge_stages[e.edge];
     TableRow out;
     const bool is_now = now == e.edge;
     const auto asks = [&](const char* field) {
       return answers::made_by<EdgeTableInsert>(s.position(), field, {{"edge", e.edge}});
     };
-    out.cells = {bucket == e.first_row ? std::string() : fmt::format("{}", e.first_row),
-                 with_sign(trust_of(ui, formulas::Place::In::edge_table, e.edge), edge_label(s.scene(), e)),
-                 TableCell(static_cast<double>(e.end_row), asks("end_row")),
-                 TableCell(e.x_edge, asks("x_edge")),
-                 TableCell(e.dx_dy, asks("dx_dy")),
-                 TableCell(e.z_edge, asks("z_edge")),
-                 TableCell(e.dz_dy, asks("dz_dy")),
-                 TableCell(polygon_label(s.scene(), e.polygon),
-                           e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < s.scene().polygons.size()
-                               ? to_im(opaque(s.scene().polygons[static_cast<std::size_t>(e.polygon)].color))
-                               : 0),
-                 state_word(stage, is_now, s.event())};
+    out.cells = {
+        bucket == e.first_row ? std::string() : fmt::format("{}", e.first_row),
+        with_sign(trust_of(ui, formulas::Place::In::edge_table, e.edge), edge_label(s.scene(), e)),
+        TableCell(static_cast<double>(e.end_row), asks("end_row")),
+        TableCell(e.x_edge, asks("x_edge")),
+        TableCell(e.dx_dy, asks("dx_dy")),
+        TableCell(e.z_edge, asks("z_edge")),
+        TableCell(e.dz_dy, asks("dz_dy")),
+        TableCell(polygon_label(s.scene(), e.polygon), e.polygon >= 0 && e.polygon < std::ssize(s.scene().polygons)
+                                                           ? to_im(opaque(s.scene().polygons[e.polygon].color))
+                                                           : 0),
+        state_word(stage, is_now, s.event())};
     bucket = e.first_row;
     for (TableCell& cell : out.cells) cell.changed = is_now && cell.value && holds<EdgeTableInsert>(s.event()->event);
     out.cells.back().brief = state_sign(stage, is_now, s.event());
@@ -159,7 +159,7 @@ Mark mark_of(const MethodState& machine, const RecordedEvent* event, std::size_t
 }
 
 std::string label_of(const Session& s, std::int32_t edge) {
-  const auto at = static_cast<std::size_t>(edge);
+  const std::size_t at = edge;
   const auto& table = s.state().machine.edge_table;
   return edge >= 0 && at < table.size() ? edge_label(s.scene(), table[at]) : fmt::format("e{}", edge);
 }
@@ -168,9 +168,9 @@ std::string label_of(const Session& s, std::int32_t edge) {
 TableCell name_of(const Session& s, std::int32_t edge) {
   const MethodState& machine = s.state().machine;
   TableCell cell(label_of(s, edge));
-  const auto at = static_cast<std::size_t>(edge);
+  const std::size_t at = edge;
   if (!machine.keeps_all || edge < 0 || at >= machine.edge_table.size()) return cell;
-  const auto polygon = static_cast<std::size_t>(machine.edge_table[at].polygon);
+  const std::size_t polygon = machine.edge_table[at].polygon;
   if (polygon < s.scene().polygons.size()) cell.chip = to_im(opaque(s.scene().polygons[polygon].color));
   return cell;
 }
@@ -181,12 +181,12 @@ std::vector<TableRow> waiting_rows(const Session& s) {
   const MethodState& machine = s.state().machine;
   std::vector<const EdgeTableInsert*> waiting;
   for (const EdgeTableInsert& entry : machine.edge_table)
-    if (machine.edge_stages[static_cast<std::size_t>(entry.edge)] == EdgeStage::waiting) waiting.push_back(&entry);
+    if (machine.edge_stages[entry.edge] == EdgeStage::waiting) waiting.push_back(&entry);
   const auto sooner = [](const EdgeTableInsert* a, const EdgeTableInsert* b) {
     return std::make_pair(a->first_row, a->edge) < std::make_pair(b->first_row, b->edge);
   };
   const std::size_t count = std::min(enough, waiting.size());
-  std::partial_sort(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count), waiting.end(), sooner);
+  std::partial_sort(waiting.begin(), waiting.begin() + count, waiting.end(), sooner);
   std::vector<TableRow> rows;
   const auto insert = s.event() ? get_if<EdgeTableInsert>(&s.event()->event) : nullptr;
   for (std::size_t k = 0; k < count; ++k) {
@@ -211,7 +211,7 @@ std::vector<TableRow> waiting_rows(const Session& s) {
 TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
   const MethodState& machine = s.state().machine;
   TableRow row;
-  const auto at = static_cast<std::size_t>(active.edge);
+  const std::size_t at = active.edge;
   const EdgeTableInsert* entry = active.edge >= 0 && at < machine.edge_table.size() ? &machine.edge_table[at] : nullptr;
   const auto asks = [&](const char* field) {
     return answers::made_by<EdgeStep, EdgeTableInsert>(s.position(), field, {{"edge", active.edge}});

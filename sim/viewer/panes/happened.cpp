@@ -61,7 +61,7 @@ std::vector<HereLine> lines_of_polygon(const Session& s, std::int32_t polygon) {
   const std::string name = polygon_label(s.scene(), polygon);
   if (later) lines.push_back({fmt::format("On to where work on polygon {} begins", name), "", go(*later)});
   if (earlier) lines.push_back({fmt::format("Back to where work on polygon {} began", name), "", go(*earlier)});
-  const std::int32_t line = s.scene().polygons[static_cast<std::size_t>(polygon)].source_line;
+  const std::int32_t line = s.scene().polygons[polygon].source_line;
   const std::string place = fmt::format("{}:{}", s.scene().source, line);
   if (line > 0) lines.push_back({.text = "Copy where the file has its polygon: " + place, .copies = place});
   return lines;
@@ -126,7 +126,7 @@ constexpr std::array<Dashes, 4> dashes_by_place{{{{1e6f, 0, 1e6f, 0}}, {{6, 3, 6
 float underline_height(const Ui& ui) { return std::round(3 * ui.thin); }
 
 void underline_of_polygon(const Ui& ui, std::int32_t polygon, std::ptrdiff_t place, ImVec2 from, float width) {
-  const auto at = static_cast<std::size_t>(polygon);
+  const std::size_t at = polygon;
   if (polygon < 0 || at >= ui.session.scene().polygons.size()) return;
   const ImU32 color = to_im(opaque(ui.session.scene().polygons[at].color));
   const auto style = std::min(static_cast<std::size_t>(place), dashes_by_place.size() - 1);
@@ -158,7 +158,7 @@ void key_to_owners(Ui& ui, const std::vector<words::Owned>& owned) {
     const std::string label = polygon_label(ui.session.scene(), owners[k]);
     const float width = side + 4 + text_size(ui, font, label).x;
     if (at.x + width > right) at = {origin.x + ui.em, at.y + height};
-    const auto polygon = static_cast<std::size_t>(owners[k]);
+    const std::size_t polygon = owners[k];
     const float y = at.y + std::round((font->FontSize - side) / 2);
     if (polygon < ui.session.scene().polygons.size())
       ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side},

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -80,7 +81,7 @@ void draw_scale(Ui& ui, float bottom, const std::string& before, const std::stri
   const Kept<Canvas>& canvas =
       *keep_canvas(ui.canvases, fmt::format("scale {}", width), width, height, paint_scale, ui.depth_scale);
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), {bar.left, at.y + 1},
-                                       {bar.left + static_cast<float>(width), at.y + 1 + box});
+                                       {bar.left + to_float(width), at.y + 1 + box});
   draw_text(ui, {bar.right + gap, at.y}, font, c.muted, after);
   draw_hatched_box(ui, {bar.right + text_size(ui, font, after).x + 2 * gap, at.y}, box, hatched);
 }
@@ -156,12 +157,10 @@ void draw_histogram(Ui& ui, float bottom, const DepthRange& range, const Picture
   list->AddRectFilled({bar.left, foot - 1}, {bar.right, foot}, c.rule);
   for (std::size_t i = 0; i < bins; ++i) {
     if (spread.bins[i] == 0) continue;
-    const float x0 = std::floor(bar.left + (bar.right - bar.left) * static_cast<float>(i) / static_cast<float>(bins));
-    const float x1 =
-        std::floor(bar.left + (bar.right - bar.left) * static_cast<float>(i + 1) / static_cast<float>(bins));
-    const float y = std::min(
-        foot - 3,
-        foot - 1 - std::round((foot - top - 1) * static_cast<float>(spread.bins[i]) / static_cast<float>(spread.most)));
+    const float x0 = std::floor(bar.left + (bar.right - bar.left) * to_float(i) / to_float(bins));
+    const float x1 = std::floor(bar.left + (bar.right - bar.left) * to_float(i + 1) / to_float(bins));
+    const float y =
+        std::min(foot - 3, foot - 1 - std::round((foot - top - 1) * to_float(spread.bins[i]) / to_float(spread.most)));
     list->AddRectFilled({x0, y}, {x1, foot - 1}, c.text);
     list->AddRectFilled({x0 + 1, y + 1}, {std::max(x0 + 2, x1 - 1), foot - 1},
                         to_im(ui.depth_scale.at((static_cast<double>(i) + 0.5) / static_cast<double>(bins))));

@@ -11,6 +11,7 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -57,7 +58,7 @@ void draw_choices(Ui& ui, const Marking& marking) {
   for (std::size_t k = 0; k < choices.size(); ++k) {
     const auto there = std::find(made.begin(), made.end(), choices[k]);
     const std::string place = there == made.end() ? "" : fmt::format("   {}.", there - made.begin() + 1);
-    ImGui::PushID(static_cast<int>(k));
+    ImGui::PushID(index32(k));
     if (button(ui, fmt::format("({}) {}{}", k + 1, name_of(s.scene(), marking, choices[k]), place),
                there != made.end()))
       s.mark(choices[k]);
@@ -144,10 +145,8 @@ void draw_hand_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const auto box = [&](std::int32_t what) {
     const std::int32_t y = line ? what : what / raster.width, first = line ? 0 : what % raster.width,
                        end = line ? raster.width : first + 1;
-    return std::pair{
-        ImVec2{origin.x + static_cast<float>(map.column_begin(first)), origin.y + static_cast<float>(map.row_begin(y))},
-        ImVec2{origin.x + static_cast<float>(map.column_begin(end)) - 1,
-               origin.y + static_cast<float>(map.row_end(y)) - 1}};
+    return std::pair{ImVec2{origin.x + to_float(map.column_begin(first)), origin.y + to_float(map.row_begin(y))},
+                     ImVec2{origin.x + to_float(map.column_begin(end)) - 1, origin.y + to_float(map.row_end(y)) - 1}};
   };
   for (const std::int32_t what : marks.made) {
     const auto [a, b] = box(what);
@@ -203,12 +202,12 @@ void draw_question(Ui& ui, const Question& question) {
   flow_markdown(ui, question.text);
   const auto given = s.chosen(s.stop());
   for (std::size_t i = 0; i < question.answers.size(); ++i) {
-    draw_answer(ui, static_cast<int>(i), question.answers[i], given == static_cast<int>(i));
+    draw_answer(ui, index32(i), question.answers[i], given == index32(i));
     ImGui::Dummy({1, ui.em * 0.15f});
   }
   if (given) {
     ImGui::Dummy({1, ui.em * 0.2f});
-    flow_markdown(ui, question.answers[static_cast<std::size_t>(*given)].reply);
+    flow_markdown(ui, question.answers[*given].reply);
   }
 }
 
@@ -227,7 +226,7 @@ void draw_lesson(Ui& ui) {
     flow_markdown(ui, s.lesson()->summary);
     return say_empty(ui, "The narration begins a few steps on: N goes to its first stop.");
   }
-  const Stop& stop = s.lesson()->stops[static_cast<std::size_t>(s.stop())];
+  const Stop& stop = s.lesson()->stops[s.stop()];
   ImGui::PushID(s.stop());
   Flow heading;
   heading.font = ui.fonts.bold;
@@ -240,7 +239,7 @@ void draw_lesson(Ui& ui) {
   if (stop.marking) draw_marking(ui, *stop.marking);
   ImGui::Dummy({1, ui.em * 0.4f});
   if (tall_button(ui, "\u25c0 Back", false, s.stop() > 0)) s.next_stop(-1);
-  const bool last = s.stop() + 1 == static_cast<int>(s.lesson()->stops.size());
+  const bool last = s.stop() + 1 == size32(s.lesson()->stops);
   const std::string on = last ? "The last stop" : "Next (N) \u25b6";
   const float needed =
       text_size(ui, ui.fonts.text, "\u25c0 Back").x + text_size(ui, ui.fonts.text, on).x + ui.em * 2.8f;

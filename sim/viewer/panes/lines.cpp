@@ -12,6 +12,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -46,11 +47,11 @@ std::int32_t face_now(const MethodState& m) { return m.against && m.against->lin
 
 void draw_face(const Moment& s, Canvas& canvas, const RasterMap& map, std::int32_t facet, double thickness,
                Pixel32 color) {
-  if (facet < 0 || static_cast<std::size_t>(facet) >= s.scene().facets.size()) return;
-  const Facet& face = s.scene().facets[static_cast<std::size_t>(facet)];
+  if (facet < 0 || facet >= std::ssize(s.scene().facets)) return;
+  const Facet& face = s.scene().facets[facet];
   for (std::int32_t k = 0; k < face.corner_count; ++k) {
-    const std::int32_t a = s.scene().corners[static_cast<std::size_t>(face.first_corner + k)];
-    const std::int32_t b = s.scene().corners[static_cast<std::size_t>(face.first_corner + (k + 1) % face.corner_count)];
+    const std::int32_t a = s.scene().corners[face.first_corner + k];
+    const std::int32_t b = s.scene().corners[face.first_corner + (k + 1) % face.corner_count];
     if (const auto e = ends_of(s, map, {0, a, b, -1, -1, LineKind::inner}))
       canvas.line(e->x0, e->y0, e->x1, e->y1, thickness, color);
   }
@@ -69,12 +70,12 @@ void draw_pieces(const Moment& s, Canvas& canvas, const RasterMap& map, const Li
 
 void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& weight) {
   const MethodState& m = now.state().machine;
-  const auto thin = static_cast<double>(weight);
+  const double thin = weight;
   canvas.fill(to_pixel(c.pane));
   draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
   for (const LineRow& row : m.lines)
     draw_pieces(now, canvas, map, row, 1.6 * thin, to_pixel(c.text), to_pixel(c.muted));
-  const auto at = static_cast<std::size_t>(m.line);
+  const std::size_t at = m.line;
   if (m.line < 0 || at >= m.lines.size()) return;
   const LineRow& row = m.lines[at];
   const auto ends = ends_of(now, map, row.entry);
@@ -90,12 +91,12 @@ void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const 
 
 /// Which polygon a facet belongs to, by its letter.
 std::string face_label(const Scene& scene, std::int32_t facet) {
-  if (facet < 0 || static_cast<std::size_t>(facet) >= scene.facets.size()) return "\u2013";
-  return polygon_label(scene, scene.facets[static_cast<std::size_t>(facet)].polygon);
+  if (facet < 0 || facet >= std::ssize(scene.facets)) return "\u2013";
+  return polygon_label(scene, scene.facets[facet].polygon);
 }
 
 const LineRow* line_at_work(const MethodState& m) {
-  const auto at = static_cast<std::size_t>(m.line);
+  const std::size_t at = m.line;
   return m.line < 0 || at >= m.lines.size() ? nullptr : &m.lines[at];
 }
 
@@ -219,10 +220,10 @@ void draw_lines(Ui& ui) {
       *keep_canvas(ui.canvases, "lines", width, height, paint_lines, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
-                                       {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+                                       {at.x + to_float(width), at.y + to_float(height)});
   mark_lines(ui, at, map);
-  if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
-  else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
+  if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
+  else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
   begin_part(ui, "intervals");
   draw_table(ui);
   ImGui::EndChild();
@@ -266,7 +267,7 @@ void shade_hidden(const HorizonWork& work, Canvas& canvas, const RasterMap& map,
   for (std::size_t x = 0; x < work.upper.size() && x < work.lower.size(); ++x) {
     if (!std::isfinite(work.upper[x])) continue;
     const auto row = [&](double y) { return static_cast<int>(std::lround(std::clamp(map.py(y), 0.0, bottom))); };
-    const int column = static_cast<int>(x);
+    const int column = index32(x);
     canvas.rectangle(map.column_begin(column), row(work.upper[x]), map.column_begin(column + 1),
                      one ? static_cast<int>(bottom) : row(work.lower[x]), shade);
   }
@@ -295,7 +296,7 @@ void paint_horizons(Canvas& canvas, const RasterMap& map, const Moment& now,
                     const std::vector<CurveMarks::Mark>& curves, const Theme& c, const float& thin) {
   const HorizonWork& work = now.state().machine.horizon;
   const Pixel32 paper = to_pixel(c.head);
-  const auto line = static_cast<double>(thin);
+  const double line = thin;
   canvas.fill(to_pixel(c.pane));
   canvas.rectangle(map.column_begin(0), map.row_begin(0), map.column_begin(map.width), map.row_end(map.height - 1),
                    paper);
@@ -336,8 +337,8 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
                                                                : "below";
       const ImVec2 size = text_size(ui, ui.fonts.small, word);
       float x = dot.x + radius + 4, y = dot.y - size.y - radius;
-      if (x + size.x > at.x + static_cast<float>(map.box_width)) x = dot.x - radius - 4 - size.x;
-      y = std::clamp(y, at.y + 1, at.y + static_cast<float>(map.box_height) - size.y - 1);
+      if (x + size.x > at.x + to_float(map.box_width)) x = dot.x - radius - 4 - size.x;
+      y = std::clamp(y, at.y + 1, at.y + to_float(map.box_height) - size.y - 1);
       list->AddRectFilled({x - 2, y - 1}, {x + size.x + 2, y + size.y + 1}, c.pane);
       draw_text(ui, {x, y}, ui.fonts.small, c.now, word);
     }
@@ -369,11 +370,10 @@ std::vector<TableRow> column_rows(Ui& ui) {
 void mark_columns(Ui& ui, ImVec2 origin, const RasterMap& map) {
   const ChangedParts changed = changed_parts(ui, column_rows);
   if (changed.empty()) return;
-  const float top = origin.y + static_cast<float>(map.row_begin(0)),
-              bottom = origin.y + static_cast<float>(map.row_end(map.height - 1));
+  const float top = origin.y + to_float(map.row_begin(0)), bottom = origin.y + to_float(map.row_end(map.height - 1));
   for (int x = 0; x < map.width; ++x)
-    mark_part(ui, changed, fmt::format("{}", x), {origin.x + static_cast<float>(map.column_begin(x)), top},
-              {origin.x + static_cast<float>(map.column_begin(x + 1)), bottom});
+    mark_part(ui, changed, fmt::format("{}", x), {origin.x + to_float(map.column_begin(x)), top},
+              {origin.x + to_float(map.column_begin(x + 1)), bottom});
 }
 
 void draw_horizons(Ui& ui) {
@@ -388,14 +388,14 @@ void draw_horizons(Ui& ui) {
                                             ui.curves.of(s.trace()), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
-                                       {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+                                       {at.x + to_float(width), at.y + to_float(height)});
   mark_column(ui, at, map);
   mark_columns(ui, at, map);
   const std::string whole = one_horizon(s.header()) ? "solid: the horizon    shaded: hidden, by this rule"
                                                     : "solid: upper   dashed: lower   shaded: hidden";
   for (const std::string& text : {whole, std::string("shaded: hidden")})
     if (text_size(ui, font, text).x <= avail.x) {
-      draw_text(ui, {at.x, at.y + static_cast<float>(height) + 2}, font, ui.colors().muted, text);
+      draw_text(ui, {at.x, at.y + to_float(height) + 2}, font, ui.colors().muted, text);
       break;
     }
 }

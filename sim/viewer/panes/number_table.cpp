@@ -15,6 +15,7 @@
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -142,7 +143,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const TableRow& row = rows[r];
     at = ImGui::GetCursorScreenPos();
-    ImGui::PushID(static_cast<int>(r));
+    ImGui::PushID(index32(r));
     const bool clicked = ImGui::InvisibleButton("row", {width, height});
     const bool hovered = ImGui::IsItemHovered();
     ImGui::PopID();

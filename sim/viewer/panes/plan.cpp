@@ -14,6 +14,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -188,7 +189,7 @@ void draw_pieces(const View& v) {
 void draw_planes(const View& v) {
   if (v.m.tree.size() <= most_planes)
     for (std::size_t node = 0; node < v.m.tree.size(); ++node)
-      if (const auto ends = reach_of_line(v.m, static_cast<std::int32_t>(node), v.section, v.frame))
+      if (const auto ends = reach_of_line(v.m, index32(node), v.section, v.frame))
         stroke_line(v.list, v.frame.place((*ends)[0]), v.frame.place((*ends)[1]), v.c.muted, v.ui.thin);
   const auto ends = v.node >= 0 ? reach_of_line(v.m, v.node, v.section, v.frame) : std::nullopt;
   const auto line = line_of(plane_of_node(v.m, v.node), v.section);

@@ -9,9 +9,11 @@
 #include <optional>
 #include <string_view>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/model/label_spots.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -29,14 +31,12 @@ Glyphs glyphs_of(std::string_view text) {
   return glyphs;
 }
 
-int glyph_count(const Glyphs& line) { return static_cast<int>(line.size()); }
-bool is_space(const Glyphs& line, int at) {
-  return at >= glyph_count(line) || line[static_cast<std::size_t>(at)] == " ";
-}
+int glyph_count(const Glyphs& line) { return size32(line); }
+bool is_space(const Glyphs& line, int at) { return at >= glyph_count(line) || line[at] == " "; }
 
 std::string text_between(const Glyphs& line, int from, int to) {
   std::string text;
-  for (int at = from; at < std::min(to, glyph_count(line)); ++at) text += line[static_cast<std::size_t>(at)];
+  for (int at = from; at < std::min(to, glyph_count(line)); ++at) text += line[at];
   return text.erase(text.find_last_not_of(' ') + 1);
 }
 
@@ -113,7 +113,7 @@ class TableBreaks {
 bool is_sign(const Glyphs& line, int at) {
   static constexpr std::string_view before[] = {"=", "+", "\u2212", "\u00b7", "/", "<", "\u2264"};
   return at + 1 < glyph_count(line) && is_space(line, at + 1) &&
-         std::find(std::begin(before), std::end(before), line[static_cast<std::size_t>(at)]) != std::end(before);
+         std::find(std::begin(before), std::end(before), line[at]) != std::end(before);
 }
 
 /// BreakPlaces where a line may break, the better ones first; of each kind the last that fits.
@@ -125,7 +125,7 @@ struct BreakPlaces {
 /// Where a line that begins there and has so much room ends.
 int end_of_line(const Glyphs& line, int from, int room) {
   if (glyph_count(line) - from <= room) return glyph_count(line);
-  const auto glyph = [&](int at) -> std::string_view { return line[static_cast<std::size_t>(at)]; };
+  const auto glyph = [&](int at) -> std::string_view { return line[at]; };
   BreakPlaces found;
   int depth = 0;
   for (int at = from; at <= from + room; ++at) {
@@ -190,7 +190,7 @@ std::vector<CodeLine> code_lines(const std::string& code, int columns) {
       std::string text = text_between(row, from, to);
       const std::size_t blank = std::min(text.find_first_not_of(' '), text.size());
       if (blank == text.size()) continue;
-      lines.push_back({text.substr(blank), static_cast<int>(blank) + (part == 0 ? 0 : hanging), false});
+      lines.push_back({text.substr(blank), index32(blank) + (part == 0 ? 0 : hanging), false});
     }
   }
   return lines;
@@ -202,8 +202,8 @@ namespace {
 float indent_of(const Ui& ui, const Page& page) {
   int deepest = 1;
   for (const StepInfo& step : page) deepest = std::max(deepest, static_cast<int>(step.indent));
-  return std::max(
-      3.0f, std::round(std::min(ui.em * 0.8f, ImGui::GetContentRegionAvail().x * 0.22f / static_cast<float>(deepest))));
+  return std::max(3.0f,
+                  std::round(std::min(ui.em * 0.8f, ImGui::GetContentRegionAvail().x * 0.22f / to_float(deepest))));
 }
 
 float gutter(const Ui& ui) { return std::round(ui.em * 1.15f); }
@@ -220,7 +220,7 @@ Line line_of(Ui& ui, const StepInfo& step, bool now, float level) {
   const float width = ImGui::GetContentRegionAvail().x;
   const auto count = ui.hits.of(step.id);
   Line line;
-  line.indent = gutter(ui) + static_cast<float>(step.indent) * level;
+  line.indent = gutter(ui) + to_float(step.indent) * level;
   line.hits = count && *count > 0 && !ui.presenter ? grouped(*count) : "";
   line.hits_width = line.hits.empty() ? 0 : text_size(ui, ui.fonts.small, line.hits).x + ui.em * 0.4f;
   line.how.font = ui.fonts.mono;
@@ -284,7 +284,7 @@ void draw_fold(Ui& ui, const StepInfo& first, std::size_t lines, float level) {
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, ui.colors().head);
     ui.mouse_help = "Click: the whole page. 7: folded again, around the line at work.";
   }
-  draw_text(ui, {at.x + gutter(ui) + static_cast<float>(first.indent) * level, at.y}, ui.fonts.small, ui.colors().muted,
+  draw_text(ui, {at.x + gutter(ui) + to_float(first.indent) * level, at.y}, ui.fonts.small, ui.colors().muted,
             lines == 1 ? "\u2026 1 line" : fmt::format("\u2026 {} lines", lines));
 }
 
@@ -316,7 +316,7 @@ std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   const auto at_work =
       std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return event && event->step == step.id; });
   if (at_work == page.end() || (ui.whole_code && !ui.presenter)) return all;
-  const auto now = static_cast<std::size_t>(at_work - page.begin());
+  const std::size_t now = at_work - page.begin();
   if (ui.presenter) return lines_near(page, now);
   std::vector<float> heights;
   for (const StepInfo& step : page) heights.push_back(line_of(ui, step, false, level).height);

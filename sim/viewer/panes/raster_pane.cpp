@@ -33,7 +33,7 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
       line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, IM_COL32(40, 40, 40, 255), 200);
   }
   if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
-    const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)];
+    const EdgeTableInsert& e = m.edge_table[*lit];
     line(e.vertex_0, e.vertex_1, 4, c.selected, 220);
   }
 }
@@ -82,10 +82,9 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
 
 void frame_cell(const Ui& ui, const RasterMap& map, ImVec2 origin, Cell cell, float out, float thickness, ImU32 color) {
   out = std::round(out * ui.thin);
-  const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)) - out,
-                 origin.y + static_cast<float>(map.row_begin(cell.y)) - out};
-  const ImVec2 b{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) + out - 1,
-                 origin.y + static_cast<float>(map.row_end(cell.y)) + out - 1};
+  const ImVec2 a{origin.x + to_float(map.column_begin(cell.x)) - out, origin.y + to_float(map.row_begin(cell.y)) - out};
+  const ImVec2 b{origin.x + to_float(map.column_begin(cell.x + 1)) + out - 1,
+                 origin.y + to_float(map.row_end(cell.y)) + out - 1};
   frame_box(ui, a, b, color, thickness);
 }
 
@@ -94,12 +93,12 @@ void frame_cell(const Ui& ui, const RasterMap& map, ImVec2 origin, Cell cell, fl
 /// the pane's colour, so that they stand out from whatever is drawn below.
 /// Of marks on so many small pixels that they cover what they mark, those along the border of what is marked.
 std::vector<PixelMark> border_of(const std::vector<PixelMark>& marks, int width, int height) {
-  std::vector<bool> marked(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (const PixelMark& mark : marks) marked.at(static_cast<std::size_t>(mark.pixel)) = true;
+  std::vector<bool> marked(static_cast<std::size_t>(width) * height);
+  for (const PixelMark& mark : marks) marked.at(mark.pixel) = true;
   std::vector<PixelMark> border;
   for (const PixelMark& mark : marks) {
     const std::int64_t x = mark.pixel % width, y = mark.pixel / width;
-    const auto inside = [&](std::int64_t at) { return marked[static_cast<std::size_t>(at)]; };
+    const auto inside = [&](std::int64_t at) { return marked[at]; };
     const bool surrounded = x > 0 && y > 0 && x + 1 < width && y + 1 < height && inside(mark.pixel - 1) &&
                             inside(mark.pixel + 1) && inside(mark.pixel - width) && inside(mark.pixel + width);
     if (!surrounded) border.push_back(mark);
@@ -123,12 +122,10 @@ void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
     for (const PixelMark& mark : covered ? border : *ui.pixel_marks) {
       const Cell cell{static_cast<std::int32_t>(mark.pixel % picture.width),
                       static_cast<std::int32_t>(mark.pixel / picture.width)};
-      const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)),
-                     origin.y + static_cast<float>(map.row_begin(cell.y))};
-      const ImVec2 b{origin.x + static_cast<float>(map.column_begin(cell.x + 1)),
-                     origin.y + static_cast<float>(map.row_end(cell.y))};
-      const bool seen = b.x > origin.x - 20 && a.x < origin.x + static_cast<float>(map.box_width) + 20 &&
-                        b.y > origin.y - 20 && a.y < origin.y + static_cast<float>(map.box_height) + 20;
+      const ImVec2 a{origin.x + to_float(map.column_begin(cell.x)), origin.y + to_float(map.row_begin(cell.y))};
+      const ImVec2 b{origin.x + to_float(map.column_begin(cell.x + 1)), origin.y + to_float(map.row_end(cell.y))};
+      const bool seen = b.x > origin.x - 20 && a.x < origin.x + to_float(map.box_width) + 20 && b.y > origin.y - 20 &&
+                        a.y < origin.y + to_float(map.box_height) + 20;
       if (seen) use(mark, a, b);
     }
   };
@@ -217,8 +214,8 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
     // A filled corner in each changed cell.
     const float size = std::max(4.0f, std::round(static_cast<float>(map.cell) * 0.3f));
     for (const Cell cell : changed) {
-      const ImVec2 corner{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) - 1,
-                          origin.y + static_cast<float>(map.row_begin(cell.y))};
+      const ImVec2 corner{origin.x + to_float(map.column_begin(cell.x + 1)) - 1,
+                          origin.y + to_float(map.row_begin(cell.y))};
       list->AddTriangleFilled({corner.x - size - 1, corner.y}, corner, {corner.x, corner.y + size + 1},
                               ui.colors().pane);
       list->AddTriangleFilled({corner.x - size, corner.y}, corner, {corner.x, corner.y + size}, c.changed);
@@ -230,10 +227,10 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
       low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
       high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
     }
-    const float x0 = origin.x + static_cast<float>(map.column_begin(low.x)) - 2,
-                x1 = origin.x + static_cast<float>(map.column_begin(high.x + 1)) + 2;
-    const float y0 = origin.y + static_cast<float>(std::min(map.row_begin(low.y), map.row_begin(high.y))) - 2;
-    const float y1 = origin.y + static_cast<float>(std::max(map.row_end(low.y), map.row_end(high.y))) + 2;
+    const float x0 = origin.x + to_float(map.column_begin(low.x)) - 2,
+                x1 = origin.x + to_float(map.column_begin(high.x + 1)) + 2;
+    const float y0 = origin.y + to_float(std::min(map.row_begin(low.y), map.row_begin(high.y))) - 2;
+    const float y1 = origin.y + to_float(std::max(map.row_end(low.y), map.row_end(high.y))) + 2;
     const float arm = std::min(8.0f, std::max(3.0f, (x1 - x0) / 3));
     const float line = std::round(2 * ui.thin);
     for (const float x : {x0, x1 - line}) list->AddRectFilled({x, y0}, {x + line, y1}, c.changed);
@@ -269,12 +266,12 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   const RasterMap map(s.scene().raster, ui.view, width, height);
   const Kept<Canvas>& canvas =
       *keep_canvas(ui.canvases, id, width, height, paint, map, cells, ui.moment(), s.lit_edge(), ui.colors(), ui.thin);
-  const ImVec2 end{origin.x + static_cast<float>(width), origin.y + static_cast<float>(height)};
+  const ImVec2 end{origin.x + to_float(width), origin.y + to_float(height)};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), origin, end);
 
   ImGui::SetCursorScreenPos(origin);
   can_be_hit(ui, origin, end);
-  ImGui::InvisibleButton(id, {static_cast<float>(width), static_cast<float>(height)},
+  ImGui::InvisibleButton(id, {to_float(width), to_float(height)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   zoom_and_pan(ui, map, origin);
   const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
@@ -17,24 +18,22 @@ void paint_large(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32
   const int top = std::max(0, static_cast<int>(std::lround(map.top)));
   const int bottom = std::min(canvas.height(), static_cast<int>(std::lround(map.top + map.height * map.cell)));
   if (left >= right) return;
-  std::vector<int> column(static_cast<std::size_t>(right));
-  std::vector<bool> line(static_cast<std::size_t>(right));
+  std::vector<int> column(right);
+  std::vector<bool> line(right);
   const bool grid = map.cell >= grid_from;
   for (int x = 0; x < map.width; ++x)
     for (int px = std::max(left, map.column_begin(x)); px < std::min(right, map.column_begin(x + 1)); ++px) {
-      column[static_cast<std::size_t>(px)] = x;
-      line[static_cast<std::size_t>(px)] = grid && px + 1 == map.column_begin(x + 1);
+      column[px] = x;
+      line[px] = grid && px + 1 == map.column_begin(x + 1);
     }
   for (int y = 0; y < map.height; ++y) {
-    const Pixel32* source = cells.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
+    const Pixel32* source = cells.data() + static_cast<std::size_t>(y) * map.width;
     for (int py = std::max(top, map.row_begin(y)); py < std::min(bottom, map.row_end(y)); ++py) {
       Pixel32* out = canvas.row(py);
       const bool grid_row = grid && py + 1 == map.row_end(y);
       for (int px = left; px < right; ++px) {
-        const Pixel32 cell = source[column[static_cast<std::size_t>(px)]];
-        out[px] = grid_row || line[static_cast<std::size_t>(px)] ? ink.grid
-                  : cell == hatched_cell                         ? hatch_at(px, py, ink)
-                                                                 : cell;
+        const Pixel32 cell = source[column[px]];
+        out[px] = grid_row || line[px] ? ink.grid : cell == hatched_cell ? hatch_at(px, py, ink) : cell;
       }
     }
   }
@@ -55,7 +54,7 @@ struct Mean {
     unsigned red = 0, green = 0, blue = 0, count = 0;
     for (int row = under.top; row < under.bottom; ++row) {
       const int y = map.y_up ? map.height - 1 - row : row;
-      const Pixel32* source = cells.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
+      const Pixel32* source = cells.data() + static_cast<std::size_t>(y) * map.width;
       for (int x = under.left; x < under.right; ++x) {
         const Pixel32 cell = source[x] == hatched_cell ? ink.hatch : source[x];
         red += cell >> 16 & 255u;
@@ -80,7 +79,7 @@ struct Greatest {
     double most = -std::numeric_limits<double>::infinity();
     for (int row = under.top; row < under.bottom; ++row) {
       const int y = map.y_up ? map.height - 1 - row : row;
-      const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
+      const std::size_t first = static_cast<std::size_t>(y) * map.width;
       for (int x = under.left; x < under.right; ++x)
         if (const std::size_t at = first + static_cast<std::size_t>(x); counts[at] >= most)
           most = counts[at], found = cells[at];
@@ -114,7 +113,7 @@ void paint_small(Canvas& canvas, const RasterMap& map, const ColorOf& color) {
 void paint_raster(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32>& cells, const RasterInk& ink,
                   const std::vector<double>* counts) {
   canvas.fill(ink.outside);
-  if (cells.size() < static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height)) return;
+  if (cells.size() < static_cast<std::size_t>(map.width) * map.height) return;
   if (map.cell >= 1) paint_large(canvas, map, cells, ink);
   else if (counts && counts->size() == cells.size()) paint_small(canvas, map, Greatest{map, cells, ink, *counts});
   else paint_small(canvas, map, Mean{map, cells, ink});
@@ -190,11 +189,10 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
       for (int x = x0; x <= x1; ++x) {
         const int y = map.y_up ? map.height - 1 - r : r;
         widest = std::max<double>(
-            widest, text_size(ui, font,
-                              cell_text(static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
-                                            static_cast<std::size_t>(x),
-                                        decimals))
-                        .x);
+            widest,
+            text_size(ui, font,
+                      cell_text(static_cast<std::size_t>(y) * map.width + static_cast<std::size_t>(x), decimals))
+                .x);
       }
     return widest;
   };
@@ -209,8 +207,7 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
     for (int r = r0; r <= r1; ++r)
       for (int x = x0; x <= x1; ++x) {
         const int y = map.y_up ? map.height - 1 - r : r;
-        const std::size_t at =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
+        const std::size_t at = static_cast<std::size_t>(y) * map.width + x;
         const std::string text = cell_text(at, *decimals);
         if (text.empty()) continue;
         const ImVec2 size = text_size(ui, font, text);
@@ -246,8 +243,7 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces taken)
     if (static_cast<double>(spot.pixels) * map.cell * map.cell < static_cast<double>(size.x * font->FontSize)) continue;
     const auto within = [&](float x, float y) {  // the part of the window that shows the raster
       return ImVec2{
-          std::round(origin.x +
-                     std::clamp(x - origin.x, rim, std::max(rim, static_cast<float>(map.box_width) - size.x - rim))),
+          std::round(origin.x + std::clamp(x - origin.x, rim, std::max(rim, to_float(map.box_width) - size.x - rim))),
           std::round(origin.y +
                      std::clamp(y - origin.y, rim, std::max(rim, static_cast<float>(map.box_height) - size.y - rim)))};
     };
@@ -257,8 +253,8 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces taken)
     std::optional<ImVec2> free;
     for (int k = 0; k < 25 && !free; ++k) {
       constexpr int order[] = {0, 1, -1, 2, -2};
-      const ImVec2 at = within(best.x + std::round(size.x * static_cast<float>(order[k % 5])),
-                               best.y + std::round(size.y * static_cast<float>(order[k / 5])));
+      const ImVec2 at = within(best.x + std::round(size.x * to_float(order[k % 5])),
+                               best.y + std::round(size.y * to_float(order[k / 5])));
       const auto cell = map.cell_at(at.x + size.x / 2 - origin.x, at.y + size.y / 2 - origin.y);
       const Picture& shown = ui.session.picture();
       if (k > 0 && (!cell || shown.polygon[shown.at(cell->x, cell->y)] != spot.polygon)) continue;

@@ -15,6 +15,7 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -92,7 +93,7 @@ void draw_boxes(const Ui& ui, const Plan& plan) {
     }
   }
   for (const BoxTest& test : machine.rays.boxes) {
-    const auto i = static_cast<std::size_t>(test.box);
+    const std::size_t i = test.box;
     if (test.box < 0 || i >= machine.boxes.size()) continue;
     const BoxMake& b = machine.boxes[i].entry;
     outline_box(plan, {b.x_min, b.y_min, b.z_min}, {b.x_max, b.y_max, b.z_max}, test.hit ? c.selected : c.muted,
@@ -134,12 +135,11 @@ void draw_cells(const Ui& ui, const Plan& plan) {
 /// The facets that the mark is for as thick lines.
 void mark_facet(const Ui& ui, const Plan& plan, std::int32_t number, ImU32 color, float thickness) {
   const Scene& scene = ui.session.scene();
-  if (number < 0 || static_cast<std::size_t>(number) >= scene.facets.size()) return;
-  const Facet& facet = scene.facets[static_cast<std::size_t>(number)];
+  if (number < 0 || number >= std::ssize(scene.facets)) return;
+  const Facet& facet = scene.facets[number];
   for (std::int32_t k = 0; k < facet.corner_count; ++k) {
     const auto corner = [&](std::int32_t i) {
-      return scene.points[static_cast<std::size_t>(
-          scene.corners[static_cast<std::size_t>(facet.first_corner + i % facet.corner_count)])];
+      return scene.points[scene.corners[facet.first_corner + i % facet.corner_count]];
     };
     stroke_line(ImGui::GetWindowDrawList(), plan.place(corner(k)), plan.place(corner(k + 1)), color,
                 thickness * ui.thin);
@@ -151,9 +151,8 @@ void draw_facets(const Ui& ui, const Plan& plan) {
   constexpr std::size_t most_drawn = 4000;
   const std::size_t step = 1 + scene.facets.size() / most_drawn;
   for (std::size_t i = 0; i < scene.facets.size(); i += step) {
-    const Polygon& polygon = scene.polygons[static_cast<std::size_t>(scene.facets[i].polygon)];
-    mark_facet(ui, plan, static_cast<std::int32_t>(i),
-               scene.facets.size() > 200 ? ui.colors().muted : to_im(opaque(polygon.color)),
+    const Polygon& polygon = scene.polygons[scene.facets[i].polygon];
+    mark_facet(ui, plan, index32(i), scene.facets.size() > 200 ? ui.colors().muted : to_im(opaque(polygon.color)),
                scene.facets.size() > 200 ? 1.0f : 3.0f);
   }
 }
@@ -165,7 +164,7 @@ void draw_names(const Ui& ui, const Plan& plan) {
   for (const Facet& facet : scene.facets) {
     glm::dvec3 sum(0);
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-      sum += scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + k)])];
+      sum += scene.points[scene.corners[facet.first_corner + k]];
     }
     const std::string name = polygon_label(scene, facet.polygon);
     const ImVec2 middle = plan.place(sum / static_cast<double>(facet.corner_count)),
@@ -263,8 +262,8 @@ const Pane ray_plan_pane{"ray_plan", "RAYS",     draw_ray_plan, note_of_ray_plan
 namespace {
 
 std::string facet_label(const Scene& scene, std::int32_t facet) {
-  if (facet < 0 || static_cast<std::size_t>(facet) >= scene.facets.size()) return "\u2013";
-  return polygon_label(scene, scene.facets[static_cast<std::size_t>(facet)].polygon);
+  if (facet < 0 || facet >= std::ssize(scene.facets)) return "\u2013";
+  return polygon_label(scene, scene.facets[facet].polygon);
 }
 
 template <class E>

@@ -9,6 +9,7 @@
 
 #include "sim/viewer/panes/scene_in_space.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -121,7 +122,7 @@ Room relief_of(const Picture& picture, const Raster& raster, const DepthRange& r
   scene.camera.eye = {0, -1, 0};  // from where the picture's lower side is
   scene.camera.window = 1e-6;
   scene.raster = {1, 1, false};
-  scene.polygons.resize(static_cast<std::size_t>(3 * columns.count()));
+  scene.polygons.resize(3 * columns.count());
   std::vector<double> heights;
   for (std::int32_t k = 0; k < columns.count(); ++k) {
     const Cell pixel = nearest_of(picture, range, columns, k);
@@ -130,19 +131,18 @@ Room relief_of(const Picture& picture, const Raster& raster, const DepthRange& r
     const Pixel32 color = std::isfinite(depth) ? scale.at(range.share(depth)) : 0;
     const auto part = [&](int shift) { return static_cast<std::uint8_t>(color >> shift & 255u); };
     for (std::int32_t side = 0; side < 3; ++side)
-      scene.polygons[static_cast<std::size_t>(3 * k + side)].color =
-          std::isfinite(depth) ? Color{part(16), part(8), part(0)} : floor;
+      scene.polygons[3 * k + side].color = std::isfinite(depth) ? Color{part(16), part(8), part(0)} : floor;
   }
   const auto add = [&](std::int32_t polygon, const std::array<glm::dvec3, 4>& corners) {
-    scene.facets.push_back({polygon, static_cast<std::int32_t>(scene.corners.size()), 4});
+    scene.facets.push_back({polygon, size32(scene.corners), 4});
     for (const glm::dvec3& corner : corners) {
-      scene.corners.push_back(static_cast<std::int32_t>(scene.points.size()));
+      scene.corners.push_back(size32(scene.points));
       scene.points.push_back(corner);
     }
   };
   const auto height = [&](std::int32_t column, std::int32_t row) {
     const bool inside = column >= 0 && row >= 0 && column < columns.across && row < columns.along;
-    return inside ? heights[static_cast<std::size_t>(row * columns.across + column)] : 0;
+    return inside ? heights[row * columns.across + column] : 0;
   };
   // Walls stand between a column and the one before it, and belong to the higher of both.
   const auto wall = [&](std::int32_t column, std::int32_t row, bool across) {

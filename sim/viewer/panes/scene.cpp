@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <glm/vec4.hpp>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
@@ -56,11 +57,10 @@ void paint_wireframe(Canvas& canvas, const RasterMap& map, const Scene& scene, c
   const Pixel32 ink = many ? mixed(to_pixel(c.head), to_pixel(c.muted), 110) : to_pixel(c.muted);
   for (const Facet& facet : scene.facets)
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-      const std::int32_t a = scene.corners[static_cast<std::size_t>(facet.first_corner + k)];
-      const std::int32_t b = scene.corners[static_cast<std::size_t>(facet.first_corner + (k + 1) % facet.corner_count)];
+      const std::int32_t a = scene.corners[facet.first_corner + k];
+      const std::int32_t b = scene.corners[facet.first_corner + (k + 1) % facet.corner_count];
       if (!drawn.insert(std::minmax(a, b)).second) continue;
-      if (const auto s =
-              lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
+      if (const auto s = lens.segment(scene.points[a], scene.points[b]))
         canvas.line(map.px(s->first.x), map.py(s->first.y), map.px(s->second.x), map.py(s->second.y),
                     static_cast<double>(thin), ink);
     }
@@ -72,21 +72,20 @@ void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const s
   const Scene& scene = s.scene();
   const MethodState& m = s.state().machine;
   const Lens lens(scene);
-  if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < scene.facets.size()) {
-    const Facet& facet = scene.facets[static_cast<std::size_t>(m.facet)];
+  if (m.facet >= 0 && m.facet < std::ssize(scene.facets)) {
+    const Facet& facet = scene.facets[m.facet];
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-      const std::int32_t a = scene.corners[static_cast<std::size_t>(facet.first_corner + k)];
-      const std::int32_t b = scene.corners[static_cast<std::size_t>(facet.first_corner + (k + 1) % facet.corner_count)];
-      if (const auto e =
-              lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
+      const std::int32_t a = scene.corners[facet.first_corner + k];
+      const std::int32_t b = scene.corners[facet.first_corner + (k + 1) % facet.corner_count];
+      if (const auto e = lens.segment(scene.points[a], scene.points[b]))
         canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4 * thin,
                     to_pixel(c.now));
     }
   }
-  if (const std::int32_t piece = piece_shown(s); piece >= 0 && static_cast<std::size_t>(piece) < m.pieces.size()) {
+  if (const std::int32_t piece = piece_shown(s); piece >= 0 && piece < std::ssize(m.pieces)) {
     // In the world where pieces are cut there, else on the raster.
     const bool world = !m.tree.empty();
-    const std::vector<std::int32_t>& outline = m.pieces[static_cast<std::size_t>(piece)].outline;
+    const std::vector<std::int32_t>& outline = m.pieces[piece].outline;
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const auto a = cutting_point(scene, s.state(), outline[k]),
                  b = cutting_point(scene, s.state(), outline[(k + 1) % outline.size()]);
@@ -98,7 +97,7 @@ void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const s
     }
   }
   if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
-    const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)];
+    const EdgeTableInsert& e = m.edge_table[*lit];
     const auto a = on_raster(scene, s.state(), e.vertex_0), b = on_raster(scene, s.state(), e.vertex_1);
     if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 5 * thin, to_pixel(c.selected));
   }
@@ -135,7 +134,7 @@ void draw_through_the_eye(Ui& ui, int width, int height) {
                                            s.lit_edge(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(shown.made), at,
-                                       {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+                                       {at.x + to_float(width), at.y + to_float(height)});
   label_pair(ui, map, at);
 }
 
@@ -152,11 +151,11 @@ void draw_scene(Ui& ui) {
             height = static_cast<int>(beside ? avail.y : avail.y - way_height);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (seen_from_outside(ui)) draw_outside(ui, {static_cast<float>(width), static_cast<float>(height)});
+  if (seen_from_outside(ui)) draw_outside(ui, {to_float(width), to_float(height)});
   else draw_through_the_eye(ui, width, height);
   if (alone && !beside) return;
-  if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.5f, at.y});
-  else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
+  if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.5f, at.y});
+  else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
   begin_part(ui, "way");
   draw_vertex_stages(ui);
   ImGui::EndChild();

@@ -13,6 +13,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 
@@ -33,8 +34,7 @@ void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel
   for (int y = 0; y < seen.height; ++y) {
     Pixel32* const row = canvas.row(y);
     const std::int32_t* const polygons = seen.polygon.data() + seen.at(0, y);
-    for (int x = 0; x < seen.width; ++x)
-      row[x] = polygons[x] == no_polygon ? paper : colors[static_cast<std::size_t>(polygons[x])];
+    for (int x = 0; x < seen.width; ++x) row[x] = polygons[x] == no_polygon ? paper : colors[polygons[x]];
   }
 }
 
@@ -81,8 +81,8 @@ void RoomPen::veil(const std::vector<glm::dvec3>& corners, ImU32 color, unsigned
   Scene plane;
   plane.points = corners;
   plane.polygons.resize(1);
-  plane.facets.push_back({0, 0, static_cast<std::int32_t>(corners.size())});
-  for (std::size_t k = 0; k < corners.size(); ++k) plane.corners.push_back(static_cast<std::int32_t>(k));
+  plane.facets.push_back({0, 0, size32(corners)});
+  for (std::size_t k = 0; k < corners.size(); ++k) plane.corners.push_back(index32(k));
   const Picture veil = polygons_seen(outside_, plane);
   for (int y = 0; y < veil.height; ++y)
     for (int x = 0; x < veil.width; ++x) {
@@ -103,8 +103,7 @@ namespace {
 
 void draw_edges(RoomPen& pen, const Scene& polygons) {
   for (const auto& [from, to] : edges_of(polygons))
-    pen.line(polygons.points[static_cast<std::size_t>(from)], polygons.points[static_cast<std::size_t>(to)],
-             pen.colors.text, 0.8);
+    pen.line(polygons.points[from], polygons.points[to], pen.colors.text, 0.8);
 }
 
 /// The eye with its window and its planes; of parallel projection the box that is seen.
@@ -200,18 +199,15 @@ void draw_at_work(RoomPen& pen, const Moment& now) {
   const MethodState& m = now.state().machine;
   const Scene& polygons = pen.room.polygons();
   const Theme& c = pen.colors;
-  if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < polygons.facets.size()) {
-    const Facet& facet = polygons.facets[static_cast<std::size_t>(m.facet)];
+  if (m.facet >= 0 && m.facet < std::ssize(polygons.facets)) {
+    const Facet& facet = polygons.facets[m.facet];
     std::vector<glm::dvec3> corners;
     for (std::int32_t k = 0; k < facet.corner_count; ++k)
-      corners.push_back(
-          polygons
-              .points[static_cast<std::size_t>(polygons.corners[static_cast<std::size_t>(facet.first_corner + k)])]);
+      corners.push_back(polygons.points[polygons.corners[facet.first_corner + k]]);
     pen.around(corners, c.now, 2.6);
   }
   const auto piece = [&](std::int32_t number, ImU32 color) {
-    if (number >= 0 && static_cast<std::size_t>(number) < m.pieces.size())
-      draw_outline(pen, now, m.pieces[static_cast<std::size_t>(number)].outline, color);
+    if (number >= 0 && number < std::ssize(m.pieces)) draw_outline(pen, now, m.pieces[number].outline, color);
   };
   piece(piece_shown(now), c.now);
   if (m.pair && !m.list.empty()) piece(m.pair->other, c.selected), piece(m.pair->piece, c.now);
@@ -220,7 +216,7 @@ void draw_at_work(RoomPen& pen, const Moment& now) {
 /// The vertex at work, and where its line of sight meets the window.
 void draw_vertex(RoomPen& pen, const Moment& now) {
   const std::int32_t vertex = vertex_at_work(now.event());
-  const auto at = static_cast<std::size_t>(vertex);
+  const std::size_t at = vertex;
   if (vertex < 0 || at >= pen.room.polygons().points.size()) return;
   const Theme& c = pen.colors;
   const glm::dvec3 point = pen.room.polygons().points[at];
@@ -235,10 +231,10 @@ void draw_vertex(RoomPen& pen, const Moment& now) {
 /// The plane that divides space at the node at work.
 void draw_dividing_plane(RoomPen& pen, const Moment& now) {
   const MethodState& m = now.state().machine;
-  if (m.node < 0 || static_cast<std::size_t>(m.node) >= m.tree.size()) return;
-  const TreeNode& node = m.tree[static_cast<std::size_t>(m.node)];
+  if (m.node < 0 || m.node >= std::ssize(m.tree)) return;
+  const TreeNode& node = m.tree[m.node];
   if (node.pieces.empty() || static_cast<std::size_t>(node.pieces[0]) >= m.pieces.size()) return;
-  const auto& plane = m.pieces[static_cast<std::size_t>(node.pieces[0])].plane;
+  const auto& plane = m.pieces[node.pieces[0]].plane;
   if (!plane) return;
   if (pen.room.camera().kind != Camera::Kind::screen && !cuts_in_world(now.scene(), m)) return;
   const auto corners = pen.room.section(plane->plane_a, plane->plane_b, plane->plane_c, plane->plane_d);
@@ -302,8 +298,8 @@ void draw_rays(RoomPen& pen, const Moment& now) {
 /// Warnock's area as the part of space that is seen through it.
 void draw_area(RoomPen& pen, const Moment& now) {
   const MethodState& m = now.state().machine;
-  if (m.area < 0 || static_cast<std::size_t>(m.area) >= m.areas.size()) return;
-  const AreaBegin& area = m.areas[static_cast<std::size_t>(m.area)].entry;
+  if (m.area < 0 || m.area >= std::ssize(m.areas)) return;
+  const AreaBegin& area = m.areas[m.area].entry;
   const Room& room = pen.room;
   const auto at = [&](double z) {
     return room.rectangle(area.first_column - 0.5, area.first_row - 0.5, area.end_column - 0.5, area.end_row - 0.5, z);

@@ -13,6 +13,7 @@
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -46,7 +47,7 @@ ImVec2 on_screen(const Outside::Spot& spot, ImVec2 at) {
 void draw_part(const Ui& ui, const Outside& outside, const Room& room, const ScenePart& part, bool picked, ImVec2 at) {
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto place = [&](std::int32_t vertex) { return room.polygons().points[static_cast<std::size_t>(vertex)]; };
+  const auto place = [&](std::int32_t vertex) { return room.polygons().points[vertex]; };
   if (part.edge)
     if (const auto ends = outside.line(place(part.edge->first), place(part.edge->second))) {
       const ImVec2 from = on_screen((*ends)[0], at), to = on_screen((*ends)[1], at);
@@ -74,8 +75,7 @@ ScenePart part_under(const Ui& ui, const Outside& outside, const Room& room, con
   ScenePart vertex, edge;
   Nearest nearest_vertex, nearest_edge;
   for (const EdgeEnds& ends : edges_of(scene)) {
-    const glm::dvec3 from = room.polygons().points[static_cast<std::size_t>(ends.first)],
-                     to = room.polygons().points[static_cast<std::size_t>(ends.second)];
+    const glm::dvec3 from = room.polygons().points[ends.first], to = room.polygons().points[ends.second];
     for (const auto& [number, place] : {std::pair{ends.first, from}, {ends.second, to}})
       if (const auto spot = outside.spot(place))
         if (nearest_vertex.take(portable::length(spot->x - x, spot->y - y), reach_of_vertex, is_seen(seen, *spot)))
@@ -145,8 +145,7 @@ void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const 
     if (piece.parent >= 0 && !piece.cut) outline(piece, 1.2, c.text);
   if (!m.pair) return;
   for (const auto& [number, color] : {std::pair{m.pair->other, c.selected}, {m.pair->piece, c.now}})
-    if (number >= 0 && static_cast<std::size_t>(number) < m.pieces.size())
-      outline(m.pieces[static_cast<std::size_t>(number)], 2.8, color);
+    if (number >= 0 && number < std::ssize(m.pieces)) outline(m.pieces[number], 2.8, color);
 }
 
 void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
@@ -155,9 +154,9 @@ void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Theme& c = ui.colors();
   if (!m.pair || m.list.empty()) return;
   for (const auto& [number, letter] : {std::pair{m.pair->other, "Q"}, {m.pair->piece, "P"}}) {
-    if (number < 0 || static_cast<std::size_t>(number) >= m.pieces.size()) continue;
+    if (number < 0 || number >= std::ssize(m.pieces)) continue;
     double left = map.box_width, right = 0, top = map.box_height;
-    for (const std::int32_t vertex : m.pieces[static_cast<std::size_t>(number)].outline) {
+    for (const std::int32_t vertex : m.pieces[number].outline) {
       const auto corner = on_raster(s.scene(), s.state(), vertex);
       if (!corner) continue;
       left = std::min(left, map.px(corner->x));
@@ -199,7 +198,7 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
   std::vector<Pixel32> colors;
   for (const Polygon& polygon : room.polygons().polygons) {
     const Pixel32 own = opaque(polygon.color);
-    const bool pale = at_work != no_polygon && at_work != static_cast<std::int32_t>(colors.size());
+    const bool pale = at_work != no_polygon && at_work != size32(colors);
     colors.push_back(pale ? mixed(paper, own, 190) : own);
   }
   paint_polygons(picture.canvas, seen, colors, paper);
@@ -229,8 +228,8 @@ bool pull_vertices(Ui& ui, const Room& room, ImVec2 size, ImVec2 at) {
     if (!spot || spot->x < 0 || spot->y < 0 || spot->x > size.x || spot->y > size.y) continue;
     const ImVec2 middle{at.x + static_cast<float>(spot->x), at.y + static_cast<float>(spot->y)};
     const float x = io.MousePos.x - middle.x, y = io.MousePos.y - middle.y, away = x * x + y * y;
-    if (away < least) least = away, nearest = static_cast<std::int32_t>(k);
-    const bool held = ui.taken && ui.taken->vertex == static_cast<std::int32_t>(k);
+    if (away < least) least = away, nearest = index32(k);
+    const bool held = ui.taken && ui.taken->vertex == index32(k);
     const ImVec2 low{middle.x - half, middle.y - half}, high{middle.x + half, middle.y + half};
     ImGui::GetWindowDrawList()->AddRectFilled(low, high, held ? c.selected : c.pane);
     frame_box(ui, low, high, held ? c.text : c.selected, 2);
@@ -238,8 +237,7 @@ bool pull_vertices(Ui& ui, const Room& room, ImVec2 size, ImVec2 at) {
   const bool over = ImGui::IsItemHovered() && nearest;
   if (over && !ui.taken) {
     ui.mouse_help = fmt::format("Drag: moves vertex {}.", *nearest);
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-      ui.taken = Taken{*nearest, room.place(scene.points[static_cast<std::size_t>(*nearest)])};
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) ui.taken = Taken{*nearest, room.place(scene.points[*nearest])};
   }
   if (!ui.taken) return over;
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
@@ -251,7 +249,7 @@ bool pull_vertices(Ui& ui, const Room& room, ImVec2 size, ImVec2 at) {
   taken.place = outside.pulled(taken.place, static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y));
   const glm::dvec3 point = room.point_at(taken.place);
   for (int axis = 0; axis < 3; ++axis) taken.point[axis] = rounded(point[axis], room.size());
-  ui.moved_vertex = taken.point != scene.points[static_cast<std::size_t>(taken.vertex)];
+  ui.moved_vertex = taken.point != scene.points[taken.vertex];
   return true;
 }
 
@@ -263,7 +261,7 @@ void tell_what_is_pointed_at(Ui& ui, const Picture& seen, ImVec2 at) {
   const std::int32_t polygon = seen.polygon[seen.at(x, y)];
   if (polygon == no_polygon) return;
   const Scene& scene = ui.session.scene();
-  const Polygon& told = scene.polygons[static_cast<std::size_t>(polygon)];
+  const Polygon& told = scene.polygons[polygon];
   std::vector<std::string> lines{"polygon " + polygon_label(scene, polygon)};
   if (told.source_line > 0) lines.push_back(fmt::format("line {} of {}", told.source_line, scene.source));
   tooltip(ui, lines);
@@ -276,8 +274,7 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
   TakenPlaces taken;
   const auto write = [&](ImVec2 middle, const ImFont* font, ImU32 color, const std::string& text, bool on_polygon) {
     const ImVec2 size = text_size(ui, font, text);
-    const float width = static_cast<float>(picture.canvas.width()),
-                height = static_cast<float>(picture.canvas.height());
+    const float width = to_float(picture.canvas.width()), height = to_float(picture.canvas.height());
     if (size.x + 4 > width || size.y + 2 > height) return;
     const float left = std::clamp(middle.x + (on_polygon ? -size.x / 2 : 6), 2.0f, width - size.x - 2);
     const float top = std::clamp(middle.y - size.y / 2, 0.0f, height - size.y);
@@ -291,13 +288,13 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
   const auto write_letters = [&] {
     int letters = 0;
     for (const LabelSpot& spot : seen.letters)
-      if (static_cast<float>(spot.pixels) > 1.5f * ui.em * ui.em && ++letters <= 26)
-        write({static_cast<float>(spot.cell.x), static_cast<float>(spot.cell.y)}, ui.fonts.bold, ui.colors().text,
+      if (to_float(spot.pixels) > 1.5f * ui.em * ui.em && ++letters <= 26)
+        write({to_float(spot.cell.x), to_float(spot.cell.y)}, ui.fonts.bold, ui.colors().text,
               polygon_label(scene, spot.polygon), true);
   };
   const bool axes_matter = viewing_step(ui) > 0;
   if (!axes_matter) write_letters();
-  if (static_cast<float>(picture.canvas.width()) >= 15 * ui.em)  // else letters alone
+  if (to_float(picture.canvas.width()) >= 15 * ui.em)  // else letters alone
     for (const ChartPicture::Word& word : picture.words) write(word.at, ui.fonts.small, word.color, word.text, false);
   if (axes_matter) write_letters();
 }

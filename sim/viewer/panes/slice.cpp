@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/charts/sheet.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/words/explain.hpp"
@@ -43,7 +44,7 @@ void take(Fingerprint& print, const SlicePicture& picture) {
 namespace {
 
 Pixel32 color_of(const Scene& scene, std::int32_t polygon, const Theme& c) {
-  const auto at = static_cast<std::size_t>(polygon);
+  const std::size_t at = polygon;
   return polygon >= 0 && at < scene.polygons.size() ? opaque(scene.polygons[at].color) : to_pixel(c.muted);
 }
 
@@ -55,8 +56,7 @@ void paint_stored(Canvas& canvas, const SlicePlot& plot, const Slice& slice, boo
     const auto column = static_cast<double>(x);
     const int left = static_cast<int>(std::lround(plot.x(column - 0.5))),
               right = static_cast<int>(std::lround(plot.x(column + 0.5)));
-    const float y =
-        std::clamp(plot.y_stored(slice.stored[x], slice.empty), -100.0f, static_cast<float>(plot.height) + 100);
+    const float y = std::clamp(plot.y_stored(slice.stored[x], slice.empty), -100.0f, to_float(plot.height) + 100);
     const int above = static_cast<int>(std::lround(y - band_height / 2)),
               below = static_cast<int>(std::lround(y + band_height / 2));
     const int end = dashed ? left + std::max(1, (right - left) / 2) : right;
@@ -90,7 +90,7 @@ void paint_span(Canvas& canvas, const SlicePlot& plot, const SliceSpan& span, bo
 
 void paint_slice(Canvas& canvas, const SlicePicture& picture, const Scene& scene, const Theme& c, const float& thin) {
   const SlicePlot& plot = picture.plot;
-  const auto line = static_cast<double>(thin);
+  const double line = thin;
   canvas.fill(to_pixel(c.pane));
   const int bottom = static_cast<int>(plot.bottom), top = static_cast<int>(plot.top);
   if (plot.column() >= 5)
@@ -191,10 +191,10 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
   const ImFont* font = ui.fonts.mono;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const Header& header = ui.session.header();
-  const float half = font->FontSize / 2, right = origin.x + static_cast<float>(plot.width);
-  list->AddRectFilled({origin.x - 1, origin.y}, {origin.x, origin.y + static_cast<float>(plot.height)}, c.muted);
-  list->AddRectFilled({origin.x, origin.y + static_cast<float>(plot.height) - 1},
-                      {right, origin.y + static_cast<float>(plot.height)}, c.muted);
+  const float half = font->FontSize / 2, right = origin.x + to_float(plot.width);
+  list->AddRectFilled({origin.x - 1, origin.y}, {origin.x, origin.y + to_float(plot.height)}, c.muted);
+  list->AddRectFilled({origin.x, origin.y + to_float(plot.height) - 1}, {right, origin.y + to_float(plot.height)},
+                      c.muted);
   const auto beside = [&](float y, const std::string& text) {
     list->AddRectFilled({origin.x - 5, origin.y + y}, {origin.x, origin.y + y + 1}, c.muted);
     draw_text(ui, {origin.x - 8 - text_size(ui, font, text).x, origin.y + y - half}, font, c.muted, text);
@@ -208,7 +208,7 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
   }
   beside(plot.band, number(slice.empty));
   // Columns.
-  const float below = origin.y + static_cast<float>(plot.height) + 2;
+  const float below = origin.y + to_float(plot.height) + 2;
   const double widest = static_cast<double>(text_size(ui, font, fmt::format("{:.0f}", plot.x_last)).x) + 8;
   const double columns = std::max(1.0, nice_step(widest / plot.column(), 1));
   const std::string title = "x";
@@ -273,8 +273,8 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two) {
 void point(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Slice& slice) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const float inside_x = mouse.x - origin.x, inside_y = mouse.y - origin.y;
-  if (!ImGui::IsWindowHovered() || inside_x < 0 || inside_y < 0 || inside_x >= static_cast<float>(plot.width) ||
-      inside_y >= static_cast<float>(plot.height))
+  if (!ImGui::IsWindowHovered() || inside_x < 0 || inside_y < 0 || inside_x >= to_float(plot.width) ||
+      inside_y >= to_float(plot.height))
     return;
   const double x = std::round(plot.x_first + static_cast<double>(inside_x) / plot.column());
   if (x < 0 || x >= static_cast<double>(slice.stored.size())) return;
@@ -287,7 +287,7 @@ void point(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Slice& slice) {
     if (std::round(sample.x) == x && lines.size() < most)
       lines.push_back(
           fmt::format("{}: {} = {}", polygon_label(ui.session.scene(), sample.polygon), z, exact(sample.z)));
-  lines.push_back(fmt::format("stored: {}", exact(slice.stored[static_cast<std::size_t>(column)])));
+  lines.push_back(fmt::format("stored: {}", exact(slice.stored[column])));
   ui.mouse_help = "The depths at this column. Click a pixel of the frame to keep its scan line here.";
   tooltip(ui, lines);
 }
@@ -343,12 +343,12 @@ void draw_slice(Ui& ui) {
   if (plot.width < 60 || plot.height < 40)
     return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   // Of the height the empty band has a line, and letters above the highest line and below the lowest have room.
-  const float inner = std::min(0.9f * line, static_cast<float>(plot.height) * 0.1f);
+  const float inner = std::min(0.9f * line, to_float(plot.height) * 0.1f);
   const bool empty_above = ui.session.header().comparison.farthest() > 0;
-  plot.top = inner + (empty_above ? line : 0), plot.bottom = static_cast<float>(plot.height) - inner;
+  plot.top = inner + (empty_above ? line : 0), plot.bottom = to_float(plot.height) - inner;
   plot.band = line * 0.6f;
   if (!empty_above) {
-    plot.band = static_cast<float>(plot.height) - line * 0.6f;
+    plot.band = to_float(plot.height) - line * 0.6f;
     plot.bottom -= line;
   }
 
@@ -363,13 +363,12 @@ void draw_slice(Ui& ui) {
   Canvas& canvas = ui.canvases["slice"].made;
   canvas = base.made;
   paint_markers(ui, canvas, markers);
-  ImGui::GetWindowDrawList()->AddImage(
-      Renderer::image(canvas), origin,
-      {origin.x + static_cast<float>(plot.width), origin.y + static_cast<float>(plot.height)});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), origin,
+                                       {origin.x + to_float(plot.width), origin.y + to_float(plot.height)});
 
   write_names(ui, plot, origin, slice, markers);
   draw_axes(ui, plot, origin, room, slice);
-  const float below = origin.y + static_cast<float>(plot.height) + line;
+  const float below = origin.y + to_float(plot.height) + line;
   std::string sentence = slice_sentence(now, slice);
   float key_from = corner.x;  // beside what stands there
   if (parts) {
@@ -527,7 +526,7 @@ void name_markers(Ui& ui, Labels& labels, ImVec2 origin, std::vector<SliceMarker
 
 void write_names(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Slice& slice,
                  const std::vector<SliceMarker>& markers) {
-  Labels labels(ui, {origin, {origin.x + static_cast<float>(plot.width), origin.y + static_cast<float>(plot.height)}});
+  Labels labels(ui, {origin, {origin.x + to_float(plot.width), origin.y + to_float(plot.height)}});
   for (const SliceSpan& span : slice.spans)
     labels.avoid({origin.x + plot.x(span.x_left), origin.y + plot.y(span.z_left)},
                  {origin.x + plot.x(span.x_right), origin.y + plot.y(span.z_right)});

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/words/numbers.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -34,8 +35,8 @@ std::optional<Sign> sign_under(const Ui& ui, const Strip& strip, bool with_stops
       look(mark.step, -1,
            [&] { return fmt::format("Click: to the bookmark {} at step {}.", mark.name, grouped(mark.step)); });
   if (const Lesson* lesson = with_stops ? ui.session.lesson() : nullptr)
-    for (int i = 0; i < static_cast<int>(lesson->stops.size()); ++i) {
-      const Stop& stop = lesson->stops[static_cast<std::size_t>(i)];
+    for (int i = 0; i < size32(lesson->stops); ++i) {
+      const Stop& stop = lesson->stops[i];
       look(stop.position, i, [&] {
         const char* what = stop.question ? "question" : "stop";
         return fmt::format("Click: to {} {}{} at step {}.", what, i + 1,

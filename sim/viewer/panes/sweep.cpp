@@ -12,6 +12,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/file/header.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 
@@ -60,7 +61,7 @@ namespace {
 constexpr std::size_t whole_table = 40;  // rows; of longer tables those are shown whose flag is in
 
 ImU32 color_of(const Scene& scene, std::int32_t polygon, ImU32 otherwise) {
-  const auto at = static_cast<std::size_t>(polygon);
+  const std::size_t at = polygon;
   return polygon >= 0 && at < scene.polygons.size() ? to_im(opaque(scene.polygons[at].color)) : otherwise;
 }
 
@@ -140,7 +141,7 @@ void draw_crossings(Ui& ui, ImDrawList* list, const ScanLineStrip& strip) {
   };
   const auto flip = s.event() ? get_if<FlagFlip>(&s.event()->event) : nullptr;
   for (const ActiveEdge& edge : m.active) {
-    const auto at = static_cast<std::size_t>(edge.edge);
+    const std::size_t at = edge.edge;
     if (at >= m.edge_table.size()) continue;
     const bool now = flip && flip->edge == edge.edge, lit = s.lit_edge() == edge.edge;
     tick(edge.x, edge_label(s.scene(), m.edge_table[at]),
@@ -183,7 +184,7 @@ bool with_line_buffer(const Session& s) { return depth_buffer(s.header()) == Dep
 
 bool is_active(const MethodState& m, std::int32_t polygon) {
   return std::any_of(m.active.begin(), m.active.end(), [&](const ActiveEdge& edge) {
-    const auto at = static_cast<std::size_t>(edge.edge);
+    const std::size_t at = edge.edge;
     return at < m.edge_table.size() && m.edge_table[at].polygon == polygon;
   });
 }
@@ -200,7 +201,7 @@ std::vector<TableRow> polygon_rows(Ui& ui) {
   };
   std::vector<TableRow> rows;
   for (std::size_t k = 0; k < m.pieces.size(); ++k) {
-    const auto piece = static_cast<std::int32_t>(k);
+    const auto piece = index32(k);
     const bool in = line_buffer ? is_active(m, m.pieces[k].polygon) : among(m.sweep.inside, piece),
                is_now = among(now, piece);
     if (m.pieces.size() > whole_table && !in && !is_now) continue;

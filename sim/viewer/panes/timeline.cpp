@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/model/label_spots.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/strip_marks.hpp"
@@ -45,7 +46,7 @@ void scrub(Ui& ui, const char* id, const Strip& strip, bool with_stops) {
 }
 
 ImU32 color_of(const Session& s, std::int32_t polygon) {
-  const auto at = static_cast<std::size_t>(polygon);
+  const std::size_t at = polygon;
   return polygon >= 0 && at < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[at].color))
                                                         : IM_COL32(128, 128, 128, 255);
 }
@@ -167,7 +168,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
   std::optional<std::pair<std::int32_t, std::int32_t>> lit;
   const auto& table = s.state().machine.edge_table;
   if (const auto edge = s.lit_edge(); edge && static_cast<std::size_t>(*edge) < table.size())
-    lit = {table[static_cast<std::size_t>(*edge)].first_row, table[static_cast<std::size_t>(*edge)].end_row};
+    lit = {table[*edge].first_row, table[*edge].end_row};
   float labelled_to = strip.at.x;
   const float needed = text_size(ui, font, "y 000").x + 6;
   for (std::size_t i = 0; i < interval.lines.size(); ++i) {
@@ -185,8 +186,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
   }
   if (!sections.all.empty()) {
     const std::string which = sections.at < 0 ? fmt::format("before the first {}", sections.word)
-                                              : fmt::format("{} {}", sections.word,
-                                                            sections.all[static_cast<std::size_t>(sections.at)].number);
+                                              : fmt::format("{} {}", sections.word, sections.all[sections.at].number);
     words.write_first(c.muted, which);
   } else if (interval.polygon == no_polygon && interval.lines.empty() && interval.complete &&
              !s.trace().polygons().empty())
@@ -245,7 +245,7 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   ScanLineMarks::Interval interval = ui.lines.at(ui.session.trace(), ui.session.position());
   const Sections sections = sections_of(ui);
   if (!sections.all.empty()) {
-    const auto next = static_cast<std::size_t>(sections.at + 1);
+    const std::size_t next = sections.at + 1;
     interval.first = next == 0 ? 0 : sections.all[next - 1].position;
     interval.last = next == sections.all.size() ? ui.session.size() : sections.all[next].position;
   }
@@ -277,7 +277,7 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   const Session& s = ui.session;
   float widest = 0;
   for (const auto& speed : Session::speeds()) widest = std::max(widest, text_size(ui, ui.fonts.text, speed.name).x);
-  draw_transport(ui, s.playing, Session::speeds()[static_cast<std::size_t>(s.speed)].name, widest, size.x);
+  draw_transport(ui, s.playing, Session::speeds()[s.speed].name, widest, size.x);
   ImGui::SameLine(0, ui.em);
   // What the mouse does here, else where this is; only when there is room for all of it.
   const std::string percent =
@@ -354,8 +354,8 @@ void draw_small_transport(Ui& ui, bool playing, ImVec2 size) {
   const float gap = std::round(ui.em * 0.25f), x = ImGui::GetCursorScreenPos().x, y = ImGui::GetCursorScreenPos().y;
   // Where there is no room for five buttons, three.
   const int most = size.x - 4 * gap < 5 * (text_size(ui, ui.fonts.text, "Pause").x + ui.em) ? 1 : 2;
-  const float room = size.x - 2 * gap * static_cast<float>(most);
-  const float width = std::max(1.0f, std::floor(room / static_cast<float>(2 * most + 1)));
+  const float room = size.x - 2 * gap * to_float(most);
+  const float width = std::max(1.0f, std::floor(room / to_float(2 * most + 1)));
   const char* const play = width < 5.2f * ui.em ? "\u25b6\u25b6" : "Play \u25b6\u25b6";
   const std::pair<const char*, const char*> all[] = {{"|\u25c0", "first"},
                                                      {"\u25c0", "previous"},
@@ -364,7 +364,7 @@ void draw_small_transport(Ui& ui, bool playing, ImVec2 size) {
                                                      {"\u25b6|", "last"}};
   for (int k = -most; k <= most; ++k) {
     const auto& [label, id] = all[k + 2];
-    ImGui::SetCursorScreenPos({x + static_cast<float>(k + most) * (width + gap), y});
+    ImGui::SetCursorScreenPos({x + to_float(k + most) * (width + gap), y});
     if (button_of(ui, label, {width, size.y}, k == 0 && playing)) ui.clicked = command_called(id);
     if (ImGui::IsItemHovered()) ui.mouse_help = command_called(id)->title;
     if (k != 0) offer_units(ui, k > 0);

@@ -10,6 +10,7 @@
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -93,11 +94,10 @@ std::vector<TableRow> node_rows(Ui& ui) {
     TableRow row;
     row.cells.emplace_back(name_of(s, one));
     row.cells.push_back(TableCell::result_of(
-        one.parent < 0
-            ? "root"
-            : fmt::format("on the {} side of {}",
-                          m.tree[at(one.parent)].front_child == static_cast<std::int32_t>(node) ? "front" : "back",
-                          name_of(s, m.tree[at(one.parent)]))));
+        one.parent < 0 ? "root"
+                       : fmt::format("on the {} side of {}",
+                                     m.tree[at(one.parent)].front_child == index32(node) ? "front" : "back",
+                                     name_of(s, m.tree[at(one.parent)]))));
     row.cells.push_back(TableCell::result_of(!one.eye ? "" : one.eye->front ? "the eye in front" : "the eye behind"));
     row.about = about_node(s, one);
     rows.push_back(std::move(row));
@@ -116,13 +116,13 @@ void draw_whole(Ui& ui) {
 
   const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float legend = std::round(ui.fonts.small->FontSize * 1.3f);
-  const float wide = room.x / static_cast<float>(places.size()), high = (room.y - legend) / static_cast<float>(rows);
+  const float wide = room.x / to_float(places.size()), high = (room.y - legend) / to_float(rows);
   const ImFont* font = wide > ui.em * 2.4f ? ui.fonts.bold : ui.fonts.small;
   const float half_height = std::round(std::min(high * 0.36f, font->FontSize * 0.72f));
   ImDrawList* list = ImGui::GetWindowDrawList();
   const auto centre = [&](std::size_t node) {
     return ImVec2{std::round(top.x + wide * (places[node].column + 0.5f)),
-                  std::round(top.y + high * (static_cast<float>(places[node].row) + 0.5f))};
+                  std::round(top.y + high * (to_float(places[node].row) + 0.5f))};
   };
 
   for (std::size_t node = 0; node < places.size(); ++node) {
@@ -149,16 +149,14 @@ void draw_whole(Ui& ui) {
     const float half = std::max(half_height * 1.2f, text_size(ui, font, name).x / 2 + 5);
     const ImVec2 middle = centre(node), low{middle.x - half, middle.y - half_height},
                  end{middle.x + half, middle.y + half_height};
-    const bool lit = static_cast<std::int32_t>(node) == now;
+    const bool lit = index32(node) == now;
     list->AddRectFilled(low, end, lit ? c.now_soft : c.pane);
     list->AddRectFilled({low.x, end.y - 4}, end, color_of_node(s, one));
     frame_box(ui, low, end, lit ? c.now : c.text, lit ? 3 : 1);
     draw_text(ui,
               {std::round(middle.x - text_size(ui, font, name).x / 2), std::round(middle.y - font->FontSize * 0.62f)},
               font, c.text, name);
-    if (one.eye)
-      number_at(ui, low, end,
-                answers::made_by<EyeSide>(s.position(), "value", {{"node", static_cast<std::int32_t>(node)}}));
+    if (one.eye) number_at(ui, low, end, answers::made_by<EyeSide>(s.position(), "value", {{"node", index32(node)}}));
     mark_part(ui, changed, about_node(s, one), low, end);
     if (one.eye) draw_eye(list, low, end, one.eye->front, lit ? c.now : c.text);
     std::int32_t drawn = -1;
@@ -222,7 +220,7 @@ void draw_tree(Ui& ui) {
   const bool differ =
       std::any_of(rows.begin(), rows.end(), [](const TableRow& row) { return row.look == TableRow::Look::other; });
   if (m.tree.size() <= largest_drawn && !differ &&
-      ImGui::GetContentRegionAvail().x > ui.em * 1.1f * static_cast<float>(m.tree.size()))
+      ImGui::GetContentRegionAvail().x > ui.em * 1.1f * to_float(m.tree.size()))
     draw_whole(ui);
   else number_table(ui, "path", {"side", "node", "the eye", "value", "nodes +", "nodes \u2212"}, rows);
 }

@@ -427,8 +427,8 @@ ImVec2 matrix_size(const Ui& ui, const Entries& rows, bool small) {
   float width = 2 * foot(ui);
   const std::vector<float> widths = widths_of(ui, rows, small);
   for (const float column : widths) width += column;
-  width += std::round(ui.em * 0.8f) * static_cast<float>(std::max<std::size_t>(widths.size(), 1) - 1);
-  return {width, row_height(ui, small) * static_cast<float>(rows.size())};
+  width += std::round(ui.em * 0.8f) * to_float(std::max<std::size_t>(widths.size(), 1) - 1);
+  return {width, row_height(ui, small) * to_float(rows.size())};
 }
 
 void set_matrix(Ui& ui, ImVec2 at, const Entries& rows, bool small) {
@@ -448,7 +448,7 @@ void set_matrix(Ui& ui, ImVec2 at, const Entries& rows, bool small) {
     float right = at.x + foot(ui);
     for (std::size_t k = 0; k < rows[r].size(); ++k) {
       right += widths[k];
-      const float y = at.y + row_height(ui, small) * static_cast<float>(r) + top;
+      const float y = at.y + row_height(ui, small) * to_float(r) + top;
       set_entry(ui, rows[r][k], small, ImVec2{right - set_entry(ui, rows[r][k], small, {}), y});
       right += std::round(ui.em * 0.8f);
     }

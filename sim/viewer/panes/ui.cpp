@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pseudo_code.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -165,11 +166,11 @@ void flow_code(Ui& ui, const std::string& code) {
       code_lines(ui.fonts.drawable(code), std::max(1, static_cast<int>(width / column)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    const float y = at.y + line * static_cast<float>(k);
+    const float y = at.y + line * to_float(k);
     if (lines[k].continues) draw_text(ui, {at.x, y}, font, ui.colors().muted, "\u21b3");
-    draw_text(ui, {at.x + column * static_cast<float>(lines[k].indent), y}, font, ui.colors().text, lines[k].text);
+    draw_text(ui, {at.x + column * to_float(lines[k].indent), y}, font, ui.colors().text, lines[k].text);
   }
-  ImGui::Dummy({width, line * static_cast<float>(lines.size())});
+  ImGui::Dummy({width, line * to_float(lines.size())});
 }
 
 }  // namespace
@@ -189,7 +190,7 @@ float flow_height(Ui& ui, const std::string& text, const Flow& how) {
 
 void flow_markdown(Ui& ui, const std::string& markdown) {
   for (const TextBlock& block : parse_markdown(markdown)) {
-    const float indent = static_cast<float>(block.depth) * ui.em * 1.2f;
+    const float indent = to_float(block.depth) * ui.em * 1.2f;
     Flow how;
     switch (block.kind) {
       case TextBlock::Kind::heading:

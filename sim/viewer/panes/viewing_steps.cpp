@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "algorithms/viewing/camera.hpp"
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
@@ -40,10 +41,9 @@ std::vector<std::int32_t> vertices_shown(const Session& s) {
   const MethodState& m = s.state().machine;
   const std::int32_t now = vertex_at_work(s.event());
   std::vector<std::int32_t> shown;
-  if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < s.scene().facets.size()) {
-    const Facet& facet = s.scene().facets[static_cast<std::size_t>(m.facet)];
-    for (std::int32_t k = 0; k < facet.corner_count; ++k)
-      shown.push_back(s.scene().corners[static_cast<std::size_t>(facet.first_corner + k)]);
+  if (m.facet >= 0 && m.facet < std::ssize(s.scene().facets)) {
+    const Facet& facet = s.scene().facets[m.facet];
+    for (std::int32_t k = 0; k < facet.corner_count; ++k) shown.push_back(s.scene().corners[facet.first_corner + k]);
     for (const std::int32_t v : m.outline)
       if (std::find(shown.begin(), shown.end(), v) == shown.end()) shown.push_back(v);
   }
@@ -63,7 +63,7 @@ StageLayout lay_out_stages(const Ui& ui, const std::vector<StageRow>& rows, floa
     how.name = text_size(ui, font, "screen ").x;
     for (const double v : values) how.column = std::max(how.column, text_size(ui, font, number(v, how.decimals)).x);
     how.column += ui.em * (across == 1 ? 0.2f : 0.6f);
-    if (how.name + static_cast<float>(across) * how.column + ui.em * 0.4f <= room) break;
+    if (how.name + to_float(across) * how.column + ui.em * 0.4f <= room) break;
   }
   return how;
 }
@@ -74,7 +74,7 @@ namespace {
 void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
-  const auto at = static_cast<std::size_t>(vertex);
+  const std::size_t at = vertex;
   const VertexStages* way = at < s.state().vertices.size() ? &s.state().vertices[at] : nullptr;
   std::vector<StageRow> rows;
   const bool screen = s.scene().camera.kind == Camera::Kind::screen;
@@ -96,7 +96,7 @@ void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
   const auto lines_of = [&](const StageRow& row) { return how.across == 1 && !row.flat ? 3 : how.across == 1 ? 2 : 1; };
   int lines = 0;
   for (const StageRow& row : rows) lines += lines_of(row);
-  const float block = title + height * static_cast<float>(lines);
+  const float block = title + height * to_float(lines);
   if (now) {
     list->AddRectFilled(top, {top.x + ImGui::GetContentRegionAvail().x, top.y + block}, c.now_soft);
     list->AddRectFilled(top, {top.x + std::round(3 * ui.thin), top.y + block}, c.now);
@@ -113,8 +113,8 @@ void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
     draw_text(ui, {x, y}, font, c.muted, row.stage);
     for (int k = 0; k < (row.flat ? 2 : 3); ++k) {
       const std::string text = number((*row.at)[k], how.decimals);
-      const ImVec2 right{x + how.name + how.column * static_cast<float>(how.across == 1 ? 1 : k + 1),
-                         y + (how.across == 1 ? height * static_cast<float>(k) : 0.0f)};
+      const ImVec2 right{x + how.name + how.column * to_float(how.across == 1 ? 1 : k + 1),
+                         y + (how.across == 1 ? height * to_float(k) : 0.0f)};
       const float width = text_size(ui, font, text).x;
       draw_text(ui, {right.x - width, right.y}, font, c.text, text);
       if (!row.field.empty()) {
@@ -125,9 +125,9 @@ void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
       }
       tips.push_back(fmt::format("{} {} = {}", row.stage, "xyz"[k], exact((*row.at)[k])));
     }
-    y += height * static_cast<float>(lines_of(row));
+    y += height * to_float(lines_of(row));
   }
-  ImGui::Dummy({std::max(1.0f, how.name + static_cast<float>(how.across) * how.column + ui.em * 0.4f), block});
+  ImGui::Dummy({std::max(1.0f, how.name + to_float(how.across) * how.column + ui.em * 0.4f), block});
   if (!under_mouse.empty()) tips.push_back(under_mouse);
   if (ImGui::IsItemHovered()) tooltip(ui, tips);
   if (now) follow(ui, top.y, block);
@@ -171,7 +171,7 @@ const Told& told(int step) {
             {"0", "0", "0", "1"}}},
       Told{"T\u2084 reverses the x axis. Then x_v points to the right of the picture, and the axes are left-handed.",
            {{"\u22121", "0", "0", "0"}, {"0", "1", "0", "0"}, {"0", "0", "1", "0"}, {"0", "0", "0", "1"}}}};
-  return all[static_cast<std::size_t>(step - 1)];
+  return all[step - 1];
 }
 
 /// By how many degrees it turns the axes: as far as the matrix turns points, the other way round.
@@ -186,7 +186,7 @@ std::string name_of(char axis, int step) { return fmt::format("{}_{}", axis, "w1
 /// World to the coordinates after so many.
 glm::dmat4 product(const Factors& factors, int count) {
   glm::dmat4 all(1);
-  for (int k = 0; k < count; ++k) all = factors[static_cast<std::size_t>(k)] * all;
+  for (int k = 0; k < count; ++k) all = factors[k] * all;
   return all;
 }
 
@@ -201,8 +201,7 @@ Entries numbers_of(const glm::dmat4& matrix) {
     for (int row = 0; row < 4; ++row) greatest = std::max(greatest, std::abs(matrix[column][row]));
   Entries rows(4, std::vector<std::string>(4));
   for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = entry(matrix[column][row], greatest);
+    for (int row = 0; row < 4; ++row) rows[row][column] = entry(matrix[column][row], greatest);
   return rows;
 }
 
@@ -262,7 +261,7 @@ bool has_viewing_steps(const Scene& scene) { return viewing::view_factors(scene.
 int viewing_step(const Ui& ui) {
   const Session& s = ui.session;
   const int at = s.stop();
-  const int told = s.lesson() && at >= 0 ? s.lesson()->stops[static_cast<std::size_t>(at)].viewing_step : 0;
+  const int told = s.lesson() && at >= 0 ? s.lesson()->stops[at].viewing_step : 0;
   if (ui.chosen_viewing && (ui.chosen_viewing->stop == at || !s.lesson())) return ui.chosen_viewing->step;
   return has_viewing_steps(s.scene()) ? told : 0;
 }
@@ -306,7 +305,7 @@ bool draw_viewing_steps(Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const char* names[] = {"T\u2081", "T\u2082", "T\u2083", "T\u2084"};
   for (int k = 1; k <= 4; ++k) {
-    ImGui::SetCursorScreenPos({at.x + std::round(ui.em * 2.6f) * static_cast<float>(k - 1), at.y});
+    ImGui::SetCursorScreenPos({at.x + std::round(ui.em * 2.6f) * to_float(k - 1), at.y});
     if (button(ui, names[k - 1], k == step)) choose_viewing_step(ui, k == step ? 0 : k);
     if (ImGui::IsItemHovered())
       ui.mouse_help =
@@ -322,7 +321,7 @@ bool draw_viewing_steps(Ui& ui) {
     return false;
   }
   ImGui::SetCursorScreenPos({at.x, at.y + line});
-  const glm::dmat4& t = (*factors)[static_cast<std::size_t>(step - 1)];
+  const glm::dmat4& t = (*factors)[step - 1];
   flow(ui,
        step == 2 || step == 3 ? fmt::format(fmt::runtime(told(step).does), number(turned(t, step), 2, true))
                               : told(step).does,
@@ -332,7 +331,7 @@ bool draw_viewing_steps(Ui& ui) {
   if (step < 4) formulas[0].insert(formulas[0].end(), {{"="}, {"", numbers_of(t)}});
   const std::int32_t vertex = std::max(0, vertex_at_work(s.event()));
   if (static_cast<std::size_t>(vertex) < s.scene().points.size()) {
-    const glm::dvec4 point(s.scene().points[static_cast<std::size_t>(vertex)], 1);
+    const glm::dvec4 point(s.scene().points[vertex], 1);
     formulas.push_back({{fmt::format("vertex {}:", vertex)},
                         {"", names_of(step)},
                         {"= " + name},
