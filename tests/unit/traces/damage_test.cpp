@@ -1,6 +1,7 @@
 // Traces that were cut off, damaged or made to harm: one clear error or fewer events, never anything else.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <random>
@@ -279,4 +280,31 @@ TEST_CASE("damage: random rubbish behind valid checksums is an error, not a cras
                error.find("what a block says of itself") != std::string::npos;
   }
   CHECK(reached == rounds);  // none was refused for anything but its block
+}
+
+TEST_CASE("damage: a block that denies that other polygons than the one at work are named in it is refused") {
+  std::vector<RecordedEvent> events{{step_of(kind_of<PolygonBegin>), PolygonBegin{0, 0}}};
+  for (std::int32_t x = 0; x < 8; ++x)
+    events.push_back({step_of(kind_of<PixelWrite>), PixelWrite{x, 0, x == 5 ? 1 : 0}});
+  const Bytes good = recorded_bytes(events);
+  const auto place_of = [&](const char* tag) {
+    return static_cast<std::size_t>(std::search(good.begin(), good.end(), tag, tag + 4) - good.begin());
+  };
+  const std::size_t block = place_of("EVTS"), index = place_of("INDX");
+  REQUIRE(index < good.size());
+  for (const bool lies : {false, true}) {
+    // Without an index, what a block says of itself stands before its steps: their place, then their number.
+    Bytes chunk = read_chunk(MemoryView(good), chunk_at(MemoryView(good), block).value());
+    ByteReader in(chunk);
+    in.count();
+    const std::size_t count = chunk.size() - in.left() + sizeof(std::uint64_t);
+    CHECK((chunk[count + 3] & 0x80) == 0);
+    if (lies) chunk[count + 3] |= 0x80;
+    const Bytes made = make_chunk(events_tag, chunk);
+    Bytes bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(block));
+    bytes.insert(bytes.end(), made.begin(), made.end());
+    const std::string error = read_all(std::move(bytes));
+    if (lies) CHECK(error.find("what a block says of itself") != std::string::npos);
+    else CHECK(error == "");
+  }
 }
