@@ -126,6 +126,7 @@ std::int32_t owner_of(const formulas::Situation& at, const formulas::Place& plac
     case In::frame:
     case In::ray:
     case In::horizon:
+    case In::active_list:
       return no_polygon;
   }
   return no_polygon;

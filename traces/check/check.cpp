@@ -43,6 +43,7 @@ struct Checker {
   bool any_judged = false, any_fault = false;
   std::uint32_t fields = 0;  ///< bit f: something says what its field f must be
   Wins wins;
+  Rule broken = Rule::count;  ///< the last one that does not hold
   std::int32_t inherited = Inheritance::clean;
   const Situation* at = nullptr;
   Event held{};  ///< what is wrong, for who wants to see it
@@ -50,6 +51,7 @@ struct Checker {
   void begin(std::int64_t position, std::uint8_t id) {
     step = position, line = id;
     any_judged = any_fault = false, fields = 0;
+    broken = Rule::count;
     inherited = Inheritance::clean;
   }
   void read(const Place& place) {
@@ -190,7 +192,7 @@ struct Judge {
     if (holds) return;
     Fault fault;
     fault.kind = kind_of<E>, fault.rule = rule;
-    checker.held = e;
+    checker.held = e, checker.broken = rule;
     checker.fault(1, static_cast<std::size_t>(rule), std::move(fault));
   }
 
@@ -285,25 +287,37 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
     kind.joins_things = formulas::joins_things<E>;
     kind.judged += checker.any_judged;
     for (std::uint32_t left = checker.fields; left != 0; left &= left - 1) ++kind.fields[std::countr_zero(left)];
-    if (checker.inherited != Inheritance::clean && !checker.any_fault) {
-      ++checker.report.inherited;
-      ++checker.report.causes[checker.inherited].inherited;
-    }
     if (!checker.inheritance.empty() || checker.any_fault)
       for_each_place_written(e, at, [&](const Place& place) {
         if (!adds_to_place<E> || checker.inherited != Inheritance::clean) checker.written(place);
       });
+    // What follows from an edge that left too early, or stands where it must not, is no cause of its own.
+    if (checker.broken == Rule::swap_needed || checker.broken == Rule::edge_sorted)
+      checker.written(Place{Place::In::active_list, 0});
+    if constexpr (std::is_same_v<E, EdgeRetire>)
+      if (checker.any_fault) checker.written(Place{Place::In::active_edge, e.edge});
+    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>)
+      checker.cleared(Place::In::active_list);
     try {
       apply_stores(e, state, trace.scene().points.size(), log);
       apply_method_state(e, state.machine, position);
     } catch (const Impossible& why) {
       const bool not_told = why.needs && !trace.has(*why.needs);
-      if (!not_told) {
+      std::int32_t from = Inheritance::clean;
+      if constexpr (std::is_same_v<E, EdgeStep> || std::is_same_v<E, EdgeRetire>)
+        from = checker.inheritance.of(Place{Place::In::active_edge, e.edge});
+      if (from != Inheritance::clean) {
+        checker.inherited = from;
+      } else if (!not_told) {
         Fault fault;
         fault.kind = kind_of<E>, fault.impossible = why.what();
         checker.held = e;
         checker.fault(2, 0, std::move(fault));
       }
+    }
+    if (checker.inherited != Inheritance::clean && !checker.any_fault) {
+      ++checker.report.inherited;
+      ++checker.report.causes[checker.inherited].inherited;
     }
     at.passed(e);
     checker.mark_step();

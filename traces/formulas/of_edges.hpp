@@ -286,10 +286,16 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
       sorted = sorted && (!detail::out_of_order(active, i) || out.equal(active[i].x, active[i + 1].x));
     // Where edges stand is known of a run that says how they move; and in which order, of one that says that, too.
     const bool moves = at.records<EdgeStep>(), swaps = at.records<EdgeSwap>() && detail::list_is_exact(at);
-    if (moves && swaps) out.rule(Rule::list_in_order, sorted);
+    // What was put in a wrong place stays there.
+    const auto of_list = [&](Rule rule, bool holds) {
+      const Place list{Place::In::active_list, 0};
+      if (holds || out.trusts(list)) out.rule(rule, holds);
+      else out.reads(list);
+    };
+    if (moves && swaps) of_list(Rule::list_in_order, sorted);
     if (moves && (sorted || !swaps))
-      out.rule(Rule::span_pairs,
-               left != right && (at.method().keeps_all || detail::pair_of_list(active, *left, *right)));
+      of_list(Rule::span_pairs,
+              left != right && (at.method().keeps_all || detail::pair_of_list(active, *left, *right)));
     const auto is_here = [&](const ActiveEdge& one) {
       const EdgeTableInsert* entry = at.edge(one.edge);
       return moves || (entry && entry->first_row == e.y);

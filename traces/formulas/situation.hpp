@@ -66,6 +66,7 @@ struct Place {
     vertex,        ///< a vertex's stages, by its number
     edge_table,    ///< an entry of the edge table, by its number
     active_edge,   ///< where an active edge has got to, by the edge's number
+    active_list,   ///< the order of the active edges
     plane,         ///< the slopes of the plane of the polygon at work
     span,          ///< a span, by its number among those that no pixel came between
     fragment,      ///< the pixel at work

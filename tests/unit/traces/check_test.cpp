@@ -416,6 +416,8 @@ TEST_CASE("check: of foreign traces the first wrong step is named, and right one
     CAPTURE(file.first);
     const Trace trace = open_jsonl(test::in_checkout("tests/data/foreign/" + file.first + ".jsonl"));
     const CheckReport report = check(trace);
+    // What follows from an edge that stands or leaves where it must not is no cause of its own.
+    if (file.first == "swap" || file.first == "retire_early") CHECK(report.causes.size() == 1);
     const std::string named = report.causes.empty() ? ""
                                                     : fmt::format("{}@{}", name_of(trace, report.causes.front().first),
                                                                   report.causes.front().first.step);
