@@ -39,6 +39,7 @@ Both recorded_by_both(const Trace& a, const Trace& b, Unrecorded unrecorded) {
   }
   // A program of the same method that has no such step says nothing of turns.
   both.turns = a.header().algorithm != b.header().algorithm && says_turns(a) && says_turns(b);
+  both.ahead = formulas::prints_spans_first(a) || formulas::prints_spans_first(b);
   // One list of all polygons' edges is another list than that of each polygon.
   if (a.has(kind_of<TablesBegin>) != b.has(kind_of<TablesBegin>))
     for (const std::uint8_t kind : {kind_of<ScanLineBegin>, kind_of<EdgeEnter>, kind_of<EdgeSwap>}) both[kind] = false;
@@ -51,7 +52,7 @@ class Aligner {
       : both_(recorded_by_both(a, b, unrecorded)),
         a_(a, both_),
         b_(b, both_),
-        in_step_(a_, b_, found_, plain),
+        in_step_(a_, b_, found_, plain || both_.ahead),
         plain_(plain) {
     found_.keeps = keeps, found_.compared = both_, found_.turns = both_.turns;
   }

@@ -40,7 +40,11 @@ struct Parts {
 };
 
 Identity::Identity(const Trace& trace, const Told& told)
-    : points_(trace.scene().points.size()), told_(told), trace_(&trace) {}
+    : points_(trace.scene().points.size()), told_(told), trace_(&trace) {
+  if (!told.ahead) return;
+  ahead_ = formulas::spans_ahead_of(trace, trace.header().conventions);
+  ahead_->of_all = true;
+}
 
 Key Identity::name_of(Thing thing, std::int32_t number) const {
   const Key kind = static_cast<Key>(thing) << 56;
@@ -93,6 +97,13 @@ Key Identity::name_in(const E& e) const {
   return name_of(thing, e.*field_at<E, I>.member);
 }
 
+template <class E>
+std::int32_t Identity::polygon_of(const E& e) const {
+  if constexpr (requires { e.x, e.y; })
+    if (const auto span = ahead_ ? ahead_->span_of(e) : std::nullopt) return ahead_->spans()[*span].polygon;
+  return polygon_;
+}
+
 /// What a step is about, number by number.
 template <class E>
 auto Identity::parts(const E& e) {
@@ -102,7 +113,7 @@ auto Identity::parts(const E& e) {
   if constexpr (std::is_same_v<E, SpanBegin>)
     if (const std::int32_t owner = edges_[e.left_edge].polygon; owner != no_polygon) polygon_ = owner;
   found.add(kind_of<E> + 1u + (static_cast<Key>(pass_) << 8));
-  if constexpr (has(it.within, Within::polygon)) found.add(whole(polygon_));
+  if constexpr (has(it.within, Within::polygon)) found.add(whole(polygon_of(e)));
   if constexpr (has(it.within, Within::scan_line)) found.add(whole(scan_line_));
   if constexpr (has(it.within, Within::area)) found.add(area_);
   if constexpr (has(it.within, Within::ray)) found.add(ray_);
@@ -205,6 +216,11 @@ void Identity::take_note(const E& e, Key key) {
   if constexpr (std::is_same_v<E, LineBegin>) curve_ = name_of(Thing::line, e.line);
   if constexpr (std::is_same_v<E, AreaDecide>) polygon_ = trace_->polygon_of_piece(e.piece);
   if constexpr (std::is_same_v<E, PairBegin>) compares_ = true;
+  if (ahead_) {
+    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) ahead_->begin(e.polygon);
+    if constexpr (std::is_same_v<E, SpanBegin>) ahead_->add(e, polygon_);
+    ahead_->pass(e);
+  }
   if constexpr (std::is_same_v<E, EdgeEnter>) edge_enters(e.edge), ++active_;
   if constexpr (std::is_same_v<E, EdgeRetire>) --active_;
   if constexpr (std::is_same_v<E, SpanBegin>)

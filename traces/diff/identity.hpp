@@ -14,6 +14,7 @@
 
 #include "traces/events/slots.hpp"
 #include "traces/file/trace.hpp"
+#include "traces/formulas/spans_ahead.hpp"
 
 namespace zstep::diff {
 
@@ -94,6 +95,7 @@ class Identity {
   struct Told {
     bool edges = true;   ///< which edges they have; else an edge is not known by its number
     bool draws = false;  ///< which piece they draw
+    bool ahead = false;  ///< or one of them: spans of several polygons before any pixel
   };
   explicit Identity(const Trace& trace, const Told& told);
   explicit Identity(const Trace& trace) : Identity(trace, Told{}) {}
@@ -147,6 +149,9 @@ class Identity {
   void edge_used(std::int32_t edge, std::int32_t row);
   void edge_enters(std::int32_t edge);
   std::int32_t row_of_span(const SpanBegin& e, std::int32_t edge) const;
+  /// The polygon that a step is part of: mostly the one at work.
+  template <class E>
+  std::int32_t polygon_of(const E& e) const;
 
   std::size_t points_;
   std::array<ByNumber<Key>, static_cast<std::size_t>(Thing::count)> names_;  ///< 0: none
@@ -154,6 +159,7 @@ class Identity {
   std::unordered_map<Key, std::int32_t> made_;  ///< how many things were made that look alike
   ByNumber<Edge> edges_;
   std::int32_t polygon_ = no_polygon, scan_line_ = -1;
+  std::optional<formulas::SpansAhead> ahead_;  ///< says of which polygon a pixel is, where not of the one at work
   Pass pass_ = Pass::eye;
   Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0;
   Key drawn_ = 0;            ///< the piece, where both runs say which

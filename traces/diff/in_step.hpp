@@ -22,6 +22,7 @@ namespace zstep::diff {
 /// By kind: whether both runs record it.
 struct Both : std::array<bool, kind_count> {
   bool turns = false;  ///< of two methods, each says in its own way whose turn it is: such steps are read, too
+  bool ahead = false;  ///< one of them prints spans of several polygons before any pixel: each pixel is read by itself
 };
 
 /// function.operator()<E>(), by the number of a kind.
@@ -155,7 +156,7 @@ struct Run {
       : trace(trace_),
         both(both_),
         steps(trace_, both_),
-        identity(trace_, {both_[kind_of<EdgeTableInsert>], both_[kind_of<PieceDraw>]}) {}
+        identity(trace_, {both_[kind_of<EdgeTableInsert>], both_[kind_of<PieceDraw>], both_.ahead}) {}
   /// The next step; none at the end.
   std::optional<Keyed> read();
   /// Passes over a polygon that is begun again, if that comes next.

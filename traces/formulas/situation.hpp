@@ -173,21 +173,7 @@ struct Situation {
       const EdgeTableInsert* left = of_any() ? edge(e.left_edge) : nullptr;
       ahead.add(e, left ? std::optional(left->polygon) : std::nullopt);
     }
-    if constexpr (requires {
-                    e.z;
-                    e.x;
-                    e.y;
-                  })
-      if (opens_pixel<E>() || (is_of_pixel<E> && !ahead.at_work(e.x, e.y))) ahead.take(e.x, e.y, e.z);
-  }
-  template <class E>
-  static constexpr bool is_of_pixel =
-      std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, PixelPaint>;
-  /// Is it the first step of each pixel?
-  template <class E>
-  bool opens_pixel() const {
-    if constexpr (std::is_same_v<E, DepthCompare>) return !records<DepthInterpolate>();
-    return is_of_pixel<E>;
+    ahead.pass(e);
   }
   /// The span that a pixel belongs to, and its place, of those that `passed` keeps. Where none covers it, it is the one
   /// at work, if any.
@@ -205,14 +191,7 @@ struct Situation {
   static bool covers(const SpanBegin& span, std::int32_t x, std::int32_t y) { return SpansAhead::covers(span, x, y); }
   template <class E>
   SpanOfPixel span_of(const E& e) const {
-    std::optional<std::size_t> number;
-    if constexpr (is_of_pixel<E>) {
-      const bool begins = opens_pixel<E>() && !has_passed;
-      if (!begins) number = ahead.at_work(e.x, e.y);
-      if (!number) number = ahead.find(e.x, e.y, e.z);
-    } else {
-      number = ahead.at_work(e.x, e.y);
-    }
+    const auto number = ahead.span_of(e, has_passed);
     if (number) {
       const SpansAhead::Open& open = ahead.spans()[*number];
       const bool several = ahead.spans().size() > 1;

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "traces/events/vocabulary.hpp"
+#include "traces/file/trace.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::formulas {
@@ -23,8 +25,18 @@ class SpansAhead {
     double z_last = 0;
   };
 
-  bool of_all = false;      ///< the run prints spans of several polygons before any pixel
-  bool reciprocal = false;  ///< what is interpolated is the reciprocal of the depth
+  bool of_all = false;        ///< the run prints spans of several polygons before any pixel
+  bool interpolates = false;  ///< it says of each pixel how its depth is interpolated, before all else
+  bool reciprocal = false;    ///< what is interpolated is the reciprocal of the depth
+
+  template <class E>
+  static constexpr bool is_of_pixel =
+      std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, PixelPaint>;
+  /// Is it the first step of each pixel?
+  template <class E>
+  bool opens_pixel() const {
+    return is_of_pixel<E> && !(std::is_same_v<E, DepthCompare> && interpolates);
+  }
 
   const std::vector<Open>& spans() const { return spans_; }
   bool has_pixels() const { return has_pixels_; }
@@ -60,27 +72,34 @@ class SpansAhead {
       if (open.came[x - open.span.first]) return;
       const double its = std::abs(depth_at(open.span, x) - (reciprocal ? 1 / z : z));
       constexpr double clearly = 8;
-      if (!best || clearly * its <= off) best = number, off = its;
+      if (!best || clearly * its < off) best = number, off = its;
     };
     if (last_ && last_->number < spans_.size()) consider(last_->number);
     constexpr std::size_t most = 4096;  // polygons over one pixel, and of them the first
     for (std::size_t i = 0; i < std::min(most, lines_[line].size()); ++i) consider(lines_[line][i]);
     return best ? best : any;
   }
+  /// The same of any step at a pixel, which comes next, or has `passed`.
+  template <class E>
+  std::optional<std::size_t> span_of(const E& e, bool has_passed = false) const {
+    if constexpr (is_of_pixel<E>) {
+      if (has_passed || !opens_pixel<E>())
+        if (const auto number = at_work(e.x, e.y)) return number;
+      return find(e.x, e.y, e.z);
+    } else {
+      return at_work(e.x, e.y);
+    }
+  }
   /// The same of a pixel that is at work: what it began with.
   std::optional<std::size_t> at_work(std::int32_t x, std::int32_t y) const {
     if (last_ && last_->x == x && last_->y == y) return last_->number;
     return std::nullopt;
   }
-  void take(std::int32_t x, std::int32_t y, double z) {
-    has_pixels_ = true;
-    last_.reset();
-    const auto number = find(x, y, z);
-    if (!number) return;
-    Open& open = spans_[*number];
-    open.came[x - open.span.first] = true;
-    open.x_last = x, open.z_last = z;
-    last_ = Last{*number, x, y};
+  /// After a step at a pixel.
+  template <class E>
+  void pass(const E& e) {
+    if constexpr (is_of_pixel<E>)
+      if (opens_pixel<E>() || !at_work(e.x, e.y)) take(e.x, e.y, e.z);
   }
 
   /// Its pixels came, and are not looked at one by one.
@@ -108,6 +127,16 @@ class SpansAhead {
     std::int32_t x = 0, y = 0;
   };
 
+  void take(std::int32_t x, std::int32_t y, double z) {
+    has_pixels_ = true;
+    last_.reset();
+    const auto number = find(x, y, z);
+    if (!number) return;
+    Open& open = spans_[*number];
+    open.came[x - open.span.first] = true;
+    open.x_last = x, open.z_last = z;
+    last_ = Last{*number, x, y};
+  }
   void clear() {
     for (const Open& open : spans_) lines_[std::max(0, open.span.y)].clear();
     spans_.clear(), last_.reset();
@@ -130,5 +159,32 @@ class SpansAhead {
   bool its_own_ = false;  ///< the polygon that began last has spans that came before it did
   std::int32_t turn_ = no_polygon;
 };
+
+/// Does the run print spans of several polygons before any pixel?
+inline bool prints_spans_first(const Trace& trace) {
+  if (!trace.has(kind_of<SpanBegin>) || trace.has(kind_of<TablesBegin>)) return false;
+  const auto first = trace.next<SpanBegin>(0, [](const SpanBegin& span) { return span.first <= span.last; });
+  bool another = false, pixels = false;  // a polygon began after the first span
+  int polygons = 1;
+  if (first)
+    trace.each(*first, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+      const auto& event = recorded.event;
+      another = another || holds<PolygonBegin>(event) || holds<PieceDraw>(event);
+      if (const auto* span = get_if<SpanBegin>(&event); span && another && span->first <= span->last)
+        ++polygons, another = false;
+      pixels = holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event);
+      return !pixels;
+    });
+  return pixels && polygons > 1;
+}
+
+/// Before the first step of a trace.
+inline SpansAhead spans_ahead_of(const Trace& trace, const Conventions& conventions) {
+  SpansAhead ahead;
+  ahead.of_all = prints_spans_first(trace);
+  ahead.interpolates = trace.has(kind_of<DepthInterpolate>);
+  ahead.reciprocal = conventions.depth == Conventions::Depth::corrected;
+  return ahead;
+}
 
 }  // namespace zstep::formulas

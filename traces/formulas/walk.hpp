@@ -13,24 +13,6 @@ namespace zstep::formulas {
 
 namespace detail {
 
-/// Does the run print spans of several polygons before any pixel?
-inline bool prints_spans_first(const Trace& trace) {
-  if (!trace.has(kind_of<SpanBegin>) || trace.has(kind_of<TablesBegin>)) return false;
-  const auto first = trace.next<SpanBegin>(0, [](const SpanBegin& span) { return span.first <= span.last; });
-  bool another = false, pixels = false;  // a polygon began after the first span
-  int polygons = 1;
-  if (first)
-    trace.each(*first, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
-      const auto& event = recorded.event;
-      another = another || holds<PolygonBegin>(event) || holds<PieceDraw>(event);
-      if (const auto* span = get_if<SpanBegin>(&event); span && another && span->first <= span->last)
-        ++polygons, another = false;
-      pixels = holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event);
-      return !pixels;
-    });
-  return pixels && polygons > 1;
-}
-
 /// The spans that the pixels at a position may belong to, where these are several.
 inline void recall_spans(const Trace& trace, Situation& at) {
   const std::int64_t position = at.before.position;
@@ -63,8 +45,7 @@ inline Situation situation_of(const Trace& trace, const State& before, const Hea
   if (trace.scene().light) at.lamp = camera_of(*trace.scene().light);
   for (std::size_t kind = 0; kind < kind_count; ++kind)
     at.kinds_recorded[kind] = trace.has(static_cast<std::uint8_t>(kind));
-  at.ahead.of_all = detail::prints_spans_first(trace);
-  at.ahead.reciprocal = header.conventions.depth == Conventions::Depth::corrected;
+  at.ahead = spans_ahead_of(trace, header.conventions);
   detail::recall_spans(trace, at);
   at.look();
   return at;

@@ -173,13 +173,13 @@ TEST_CASE("check: a pixel lies on its span's own scan line") {
   CHECK(holds<DepthCompare>(exchanged.event(report.causes[0].first.step).event));
 }
 
-/// All pixels of each polygon come after all its spans; `change` may alter them.
-template <class Change>
+/// All pixels of each polygon, or scan line, come after all its spans; `change` may alter them.
+template <class Of = PolygonBegin, class Change>
 Trace pixels_last(const Trace& right, Change&& change) {
   std::vector<RecordedEvent> steps, pixels;
   const auto put = [&] { steps.insert(steps.end(), pixels.begin(), pixels.end()), pixels.clear(); };
   for (RecordedEvent step : steps_of(right)) {
-    if (holds<PolygonBegin>(step.event)) put();
+    if (holds<Of>(step.event)) put();
     const bool is_of_pixel = visit_event(
         [&]<class E>(E& e) {
           if constexpr (requires { e.x, e.y; }) return change(e), true;
@@ -228,6 +228,30 @@ TEST_CASE("check: pixels may come after all spans of their polygon, where each l
     });
     CHECK(causes_of(fewer).find("span_is_filled@") != std::string::npos);
   }
+}
+
+TEST_CASE("check: where one table has all polygons, pixels may come after all spans of their scan line") {
+  const Trace right = golden("scan-line-buffer");
+  REQUIRE(right.has(kind_of<TablesBegin>));
+  const Trace run = pixels_last<ScanLineBegin>(right, [](auto&) {});
+  CHECK(causes_of(run) == "");
+  CHECK(verdict_of(check(run)) == verdict_of(check(right)));
+  CHECK(diff::compare(right, run).causes.empty());
+  int lines = 0;  // that differ in order
+  std::int32_t last = -1;
+  for (std::int64_t step = 1; step <= run.size(); ++step)
+    if (const auto* depth = get_if<DepthInterpolate>(&run.event(step).event)) {
+      if (right.event(step).event.index() == kind_of<DepthInterpolate> || depth->y == last) continue;
+      ++lines, last = depth->y;
+      const Trace wrong = test::changed(run, [&](std::int64_t at, Event& event) {
+        if (at == step) get_if<DepthInterpolate>(&event)->z += 1;
+        return true;
+      });
+      CHECK(causes_of(wrong).find("z@" + std::to_string(step)) == 0);
+      const diff::DiffReport report = diff::compare(right, wrong);
+      CHECK((!report.causes.empty() && report.causes.front().first.b == step));
+    }
+  CHECK(lines > 3);
 }
 
 /// All pixels come after all spans of all polygons, in the order of `before(one, other)` where it says one.
@@ -310,10 +334,13 @@ TEST_CASE("check: of pixels after all spans one with another span's depth or pol
   }
 }
 
-TEST_CASE("error and explain take a pixel's own span where all spans come first, diff where those of its polygon do") {
+TEST_CASE("error, explain and diff take a pixel's own span where all spans come first") {
   const Trace right = test::recorded_by("z-buffer", look_at_scene(load_scene("intersecting").scene, {}));
   const Trace run = all_pixels_last(right, as_they_are), by_line = pixels_last(right, [](auto&) {});
   const oracle::Errors own = oracle::errors_of(right);
+  const Trace in_picture = all_pixels_last(right, by_picture);
+  CHECK(diff::compare(right, in_picture).causes.empty());
+  CHECK(diff::compare(run, in_picture).causes.empty());
   for (const Trace* other : {&run, &by_line}) {
     const oracle::Errors errors = oracle::errors_of(*other);
     CHECK(errors.all.depths == own.all.depths);
@@ -321,7 +348,8 @@ TEST_CASE("error and explain take a pixel's own span where all spans come first,
     CHECK(errors.all.sum_of_squares == own.all.sum_of_squares);
     CHECK(errors.polygons.size() == own.polygons.size());
     CHECK(errors.wrong_pixels == own.wrong_pixels);
-    if (other == &by_line) CHECK(diff::compare(right, *other).causes.empty());
+    CHECK(diff::compare(right, *other).causes.empty());
+    CHECK(diff::compare(*other, right).causes.empty());
     // The same pixel is told in the same words.
     std::vector<std::int64_t> there, here;
     const auto depths = [](const Trace& of) {
@@ -342,6 +370,37 @@ TEST_CASE("error and explain take a pixel's own span where all spans come first,
       CHECK(one.sentence == its.sentence);
       CHECK(one.formulas == its.formulas);
       CHECK(its.doubt.value_or("") == one.doubt.value_or(""));
+    }
+  }
+}
+
+TEST_CASE("diff: of pixels after all spans the one that is wrong is the first cause, whichever polygon's it is") {
+  const Trace right = test::recorded_by("z-buffer", look_at_scene(load_scene("intersecting").scene, {}));
+  for (const bool picture : {false, true}) {
+    CAPTURE(picture);
+    const Trace run = picture ? all_pixels_last(right, by_picture) : all_pixels_last(right, as_they_are);
+    std::vector<std::int64_t> depths, compares;
+    run.each(0, run.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+      if (holds<DepthInterpolate>(recorded.event)) depths.push_back(step);
+      if (holds<DepthCompare>(recorded.event)) compares.push_back(step);
+      return true;
+    });
+    for (std::size_t i = 3; i < depths.size(); i += depths.size() / 5) {
+      const std::int64_t wrong = depths[i], turned = compares[i];
+      CAPTURE(wrong);
+      const diff::DiffReport of_depth = diff::compare(right, test::changed(run, [&](std::int64_t step, Event& event) {
+                                                        if (step == wrong) get_if<DepthInterpolate>(&event)->z *= 1.001;
+                                                        return true;
+                                                      }));
+      REQUIRE(of_depth.causes.size() == 1);
+      CHECK(of_depth.causes.front().first.b == wrong);
+      const diff::DiffReport of_verdict = diff::compare(right, test::changed(run, [&](std::int64_t step, Event& event) {
+                                                          if (step == turned)
+                                                            get_if<DepthCompare>(&event)->nearer ^= true;
+                                                          return true;
+                                                        }));
+      REQUIRE(!of_verdict.causes.empty());
+      CHECK(of_verdict.causes.front().first.b == turned);
     }
   }
 }
