@@ -287,6 +287,9 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
     kind.joins_things = formulas::joins_things<E>;
     kind.judged += checker.any_judged;
     for (std::uint32_t left = checker.fields; left != 0; left &= left - 1) ++kind.fields[std::countr_zero(left)];
+    constexpr bool of_active = std::is_same_v<E, EdgeStep> || std::is_same_v<E, EdgeRetire>;
+    if constexpr (of_active)
+      if (!at.active(e.edge)) checker.read(Place{Place::In::active_edge, e.edge});
     if (!checker.inheritance.empty() || checker.any_fault)
       for_each_place_written(e, at, [&](const Place& place) {
         if (!adds_to_place<E> || checker.inherited != Inheritance::clean) checker.written(place);
@@ -303,12 +306,8 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
       apply_method_state(e, state.machine, position);
     } catch (const Impossible& why) {
       const bool not_told = why.needs && !trace.has(*why.needs);
-      std::int32_t from = Inheritance::clean;
-      if constexpr (std::is_same_v<E, EdgeStep> || std::is_same_v<E, EdgeRetire>)
-        from = checker.inheritance.of(Place{Place::In::active_edge, e.edge});
-      if (from != Inheritance::clean) {
-        checker.inherited = from;
-      } else if (!not_told) {
+      const bool follows = of_active && checker.inherited != Inheritance::clean;
+      if (!not_told && !follows) {
         Fault fault;
         fault.kind = kind_of<E>, fault.impossible = why.what();
         checker.held = e;

@@ -178,6 +178,22 @@ inline bool prints_spans_first(const Trace& trace) {
   return pixels && polygons > 1;
 }
 
+/// The same of a scan line's spans, where one table has the edges of all polygons: as the first lines have them.
+inline bool prints_lines_first(const Trace& trace) {
+  if (!trace.has(kind_of<SpanBegin>) || !trace.has(kind_of<TablesBegin>) || trace.has(kind_of<PieceDraw>)) return false;
+  const auto first = trace.next<SpanBegin>(0, [](const SpanBegin& span) { return span.first <= span.last; });
+  constexpr int enough = 256;
+  int spans = 0, open = 0;  // since the last pixel
+  if (first)
+    trace.each(*first - 1, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+      const auto& event = recorded.event;
+      if (const auto* span = get_if<SpanBegin>(&event); span && span->first <= span->last) ++spans, ++open;
+      if (holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event)) open = 0;
+      return open < 2 && spans < enough;
+    });
+  return open > 1;
+}
+
 /// Before the first step of a trace.
 inline SpansAhead spans_ahead_of(const Trace& trace, const Conventions& conventions) {
   SpansAhead ahead;
