@@ -1,5 +1,5 @@
 // What was interpolated, how, in which numbers, and which pixels it covers: what every trace states about its run
-// (docs/trace-format.md, docs/interpolation.md); and the words that stand for such values.
+// (docs/trace-format.md, docs/interpolation.md).
 #pragma once
 
 #include <array>
@@ -8,14 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include "traces/enumeration.hpp"
+
 namespace zstep {
-
-// The words that stand for the values of an enumeration in traces, on the command line and in lessons.
-
-/// In value order from 0. Specialised, as an array of texts, beside every enumeration that an event or a header
-/// carries.
-template <class Enumeration>
-inline constexpr auto words_of = nullptr;
 
 /// What a run computes in. Its numbers stand in a trace as doubles. fixedN: whole numbers of units, depths from 0 for
 /// the least that there can be to 2ᴺ − 1 for the greatest (formulas/fixed_depths.hpp), positions in 1/65536 of a pixel.
@@ -23,8 +18,8 @@ enum class NumberFormat : std::uint8_t { float64, float32, fixed16, fixed18, fix
 
 /// The bits of a fixed-point depth; 0 where the format is floating point.
 constexpr int bits_of(NumberFormat format) {
-  constexpr std::array<int, 7> bits{0, 0, 16, 18, 20, 24, 32};
-  return bits[static_cast<std::size_t>(format)];
+  constexpr ByEnum<NumberFormat, int, 7> bits{0, 0, 16, 18, 20, 24, 32};
+  return bits[format];
 }
 
 struct Conventions {
@@ -92,11 +87,6 @@ inline constexpr std::array<std::string_view, 2> words_of<Conventions::Positions
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Conventions::Attribute>{"none", "linear", "perspective"};
 
-template <class Enumeration>
-constexpr std::string_view word_of(Enumeration value) {
-  return words_of<Enumeration>[static_cast<std::size_t>(value)];
-}
-
 /// Calls visit(key, member) for each convention that is one of some words. The first three are those that all methods
 /// with edges and spans have; the others the Z-buffer alone.
 template <class Visit>
@@ -118,8 +108,7 @@ struct ConventionChoices {
     for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
       const auto given = words.find(key);
       if (given == words.end()) return;
-      for (std::size_t k = 0; k < words_of<E>.size(); ++k)
-        if (words_of<E>[k] == given->second) conventions.*member = static_cast<E>(k);
+      if (const auto value = value_called<E>(given->second)) conventions.*member = *value;
     });
   }
 };

@@ -49,7 +49,7 @@ namespace {
 
 using Numbers = std::vector<std::int32_t>;  // of pieces, ascending
 
-constexpr std::array bin_steps{step::disjoint, step::intersecting, step::surrounding, step::contained};
+constexpr ByEnum<Bin, Step<AreaBin>> bin_steps{step::disjoint, step::intersecting, step::surrounding, step::contained};
 
 // Is a depth of one piece in front of a depth of another? What is equal to twelve digits is decided by their order.
 bool in_front(double z, std::int32_t piece, double z_other, std::int32_t other) {
@@ -111,7 +111,7 @@ class Subdivision {
     if (judged.by_box) {
       record_(step::boxed, Saved{Coherence::extent, shape.edge_count()});
     }
-    const Step<AreaBin> bin_step = bin_steps[static_cast<std::size_t>(judged.bin)];
+    const Step<AreaBin> bin_step = bin_steps[judged.bin];
     record_(bin_step, AreaBin{piece, judged.crossings, judged.corners_inside, judged.bin, judged.by_box});
     return judged.bin;
   }

@@ -20,8 +20,8 @@ PixelCounts::PixelCounts(const Trace& trace) : trace_(&trace), width_(trace.scen
   const Raster& raster = trace.scene().raster;
   const std::size_t pixels = static_cast<std::size_t>(raster.width) * raster.height;
   for (auto& counts : now_.counts) counts.assign(pixels, 0);
-  now_.counts[static_cast<std::size_t>(Count::first)].assign(pixels, no_polygon);
-  now_.counts[static_cast<std::size_t>(Count::last)].assign(pixels, no_polygon);
+  now_.counts[Count::first].assign(pixels, no_polygon);
+  now_.counts[Count::last].assign(pixels, no_polygon);
   now_.covered_by.assign(pixels, no_polygon);
   rays_ = records<RayBegin>(trace.header());
   comes_back_ = rays_ || records<ColorBlend>(trace.header());
@@ -40,7 +40,7 @@ void PixelCounts::cover(std::size_t pixel, std::int32_t polygon) {
     now_.met.push_back({polygon, now_.last_met[pixel]});
     now_.last_met[pixel] = size32(now_.met) - 1;
   }
-  ++now_.counts[static_cast<std::size_t>(Count::covers)][pixel];
+  ++now_.counts[Count::covers][pixel];
 }
 
 template <class E>
@@ -71,9 +71,7 @@ void PixelCounts::take(const E& event) {
                 }) {
     const std::size_t pixel =
         static_cast<std::size_t>(event.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(event.x);
-    const auto counts = [&](Count count) -> std::int32_t& {
-      return now_.counts[static_cast<std::size_t>(count)][pixel];
-    };
+    const auto counts = [&](Count count) -> std::int32_t& { return now_.counts[count][pixel]; };
     if (event.x < 0 || event.x >= width_ || pixel >= now_.covered_by.size()) return;
     ++counts(Count::work);
     if constexpr (std::is_same_v<E, RayBegin>) {

@@ -40,13 +40,13 @@ class PixelCounts {
   }
 
   /// [height*width]
-  const std::vector<std::int32_t>& of(Count count) const { return now_.counts[static_cast<std::size_t>(count)]; }
+  const std::vector<std::int32_t>& of(Count count) const { return now_.counts[count]; }
 
  private:
   /// Everything at a position, so that it can be gone back to.
   struct Moment {
     std::int64_t position = 0;
-    std::array<std::vector<std::int32_t>, count_kinds> counts;
+    ByEnum<Count, std::vector<std::int32_t>, count_kinds> counts;
     std::vector<std::int32_t> covered_by;  ///< the last polygon that was counted there
     struct Met {
       std::int32_t polygon, before;  ///< before: the one met there before it, by its place in `met`; -1 for none

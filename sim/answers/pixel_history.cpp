@@ -254,7 +254,7 @@ class History {
   }
   void add_rejected(const RejectMark& reject) {
     Visit& visit = add(reject.position, reject.polygon, Outcome::rejected);
-    visit.reason = words_of<Reject>[static_cast<std::size_t>(reject.reason)];
+    visit.reason = word_of(reject.reason);
     std::replace(visit.reason.begin(), visit.reason.end(), '_', '-');
     for (const std::int32_t facet : facets_there_)
       if (const RejectCheck check = check_reject(trace_.scene(), facet, reject.reason, nullptr);

@@ -185,9 +185,8 @@ Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const V
     verdict.other = owner.shows, verdict.gap = z - its;
     verdict.formulas.push_back(difference(q.z, q.name, other, z, its));
   }
-  verdict.chain.push_back({bin.step, q.polygon,
-                           fmt::format("{} is {} in area {}", q.name,
-                                       words_of<Bin>[static_cast<std::size_t>(bin.bin.bin)], leaf.area.area)});
+  verdict.chain.push_back(
+      {bin.step, q.polygon, fmt::format("{} is {} in area {}", q.name, word_of(bin.bin.bin), leaf.area.area)});
   for (const auto& [step, depth] : depths.mine)
     verdict.chain.push_back(
         {step, q.polygon,
@@ -241,9 +240,8 @@ Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
     verdict->step = area.decided;
     verdict->sentence += fmt::format(" It reaches into {}, but not to this pixel's centre.", area_text(area.area));
   }
-  verdict->chain.push_back({bin->step, q.polygon,
-                            fmt::format("{} is {} in area {}", q.name,
-                                        words_of<Bin>[static_cast<std::size_t>(bin->bin.bin)], area.area.area)});
+  verdict->chain.push_back(
+      {bin->step, q.polygon, fmt::format("{} is {} in area {}", q.name, word_of(bin->bin.bin), area.area.area)});
   const AreaThere& leaf = chain.back();
   const auto given = [&]() -> std::string {
     if (owner) return "is given to " + q.label(owner->shows);

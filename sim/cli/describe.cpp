@@ -34,19 +34,19 @@ std::string raster_text(const Raster& raster) {
 
 std::string depth_text(const Camera& camera, Conventions::Depth depth) {
   if (camera.kind == Camera::Kind::screen) return "the points' own z";
-  constexpr std::array texts{"pseudodepth (linear on the picture)",
-                             "view (z_v)",
-                             "corrected (z_v, by way of 1/z_v)",
-                             "reciprocal (1/z_v)",
-                             "reversed (1 at the near plane, 0 at the far one)",
-                             "foley (0 at the near plane, -1 at the far one)"};
-  return texts[static_cast<std::size_t>(depth)];
+  constexpr ByEnum<Conventions::Depth, const char*> texts{"pseudodepth (linear on the picture)",
+                                                          "view (z_v)",
+                                                          "corrected (z_v, by way of 1/z_v)",
+                                                          "reciprocal (1/z_v)",
+                                                          "reversed (1 at the near plane, 0 at the far one)",
+                                                          "foley (0 at the near plane, -1 at the far one)"};
+  return texts[depth];
 }
 
 std::string interpolation_text(Conventions::Interpolation interpolation) {
-  constexpr std::array texts{"direct formula", "increments", "the plane's slopes -A/C and -B/C",
-                             "the plane's slopes -A/C and -B/C, added"};
-  return texts[static_cast<std::size_t>(interpolation)];
+  constexpr ByEnum<Conventions::Interpolation, const char*> texts{
+      "direct formula", "increments", "the plane's slopes -A/C and -B/C", "the plane's slopes -A/C and -B/C, added"};
+  return texts[interpolation];
 }
 
 std::string coverage_text(Conventions::Coverage coverage, const Raster& raster) {

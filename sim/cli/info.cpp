@@ -233,8 +233,8 @@ std::string scenes_text() {
 
 std::string mistakes_text() {
   Table table({left, left, left});
-  for (std::size_t k = 0; k < mistakes::mistake_count; ++k) {
-    const mistakes::MistakeText& text = mistakes::text_of(static_cast<mistakes::Mistake>(k));
+  for (const mistakes::Mistake mistake : values_of<mistakes::Mistake>) {
+    const mistakes::MistakeText& text = mistakes::text_of(mistake);
     table.row({std::string(text.id), std::string(text.name), std::string(text.lesson)});
   }
   return table.text();

@@ -56,7 +56,7 @@ std::vector<std::size_t> cheapest(const std::vector<GrowthLine>& lines, Measure 
 
 }  // namespace
 
-std::string_view word_of(Measure measure) { return words_of_measures[static_cast<std::size_t>(measure)]; }
+std::string_view word_of(Measure measure) { return words_of_measures[measure]; }
 
 double GrowthPoint::by(Measure measure) const {
   return measure == Measure::time    ? seconds

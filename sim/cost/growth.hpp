@@ -65,7 +65,7 @@ inline Threshold threshold_of(std::vector<Sample> samples, const std::function<s
 
 /// What a run is measured by.
 enum class Measure : std::uint8_t { steps, operations, time };
-inline constexpr std::array<std::string_view, 3> words_of_measures{"steps", "operations", "time"};
+inline constexpr ByEnum<Measure, std::string_view, 3> words_of_measures{"steps", "operations", "time"};
 std::string_view word_of(Measure measure);
 
 inline constexpr std::array<int, 6> growth_sizes{25, 100, 250, 1000, 2500, 10000};

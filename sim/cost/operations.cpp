@@ -16,7 +16,7 @@
 namespace zstep::compare {
 namespace {
 
-constexpr std::array<std::string_view, work_count> words{
+constexpr ByEnum<Work, std::string_view, work_count> words{
     "vertices transformed", "planes, boxes, rays", "tests",  "cuts",       "edges and spans",
     "interpolations",       "depth compares",      "writes", "bookkeeping"};
 
@@ -24,17 +24,16 @@ constexpr std::int64_t between_sums = 4096;
 
 }  // namespace
 
-std::string_view word_of(Work work) { return words[static_cast<std::size_t>(work)]; }
+std::string_view word_of(Work work) { return words[work]; }
 Work work_of(std::uint8_t kind) { return description_of_kind(kind).work; }
 
 std::int64_t operations(const WorkCounts& counts) {
-  return std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) -
-         counts[static_cast<std::size_t>(Work::bookkeeping)];
+  return std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) - counts[Work::bookkeeping];
 }
 
 WorkCounts work_in(const Page& page, const std::array<std::int64_t, step_limit>& count) {
   WorkCounts counts{};
-  for (const StepInfo& step : page) counts[static_cast<std::size_t>(work_of(step.kind))] += count[step.id];
+  for (const StepInfo& step : page) counts[work_of(step.kind)] += count[step.id];
   return counts;
 }
 
@@ -44,7 +43,7 @@ WorkDone::WorkDone(const Trace& trace) {
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     if (kinds_.size() % between_sums == 0) sums_.push_back(now);
     kinds_.push_back(work_of(static_cast<std::uint8_t>(recorded.event.index())));
-    ++now[static_cast<std::size_t>(kinds_.back())];
+    ++now[kinds_.back()];
     return true;
   });
   sums_.push_back(now);
@@ -53,9 +52,8 @@ WorkDone::WorkDone(const Trace& trace) {
 WorkCounts WorkDone::at(std::int64_t position) const {
   position = std::clamp<std::int64_t>(position, 0, std::ssize(kinds_));
   const std::int64_t from = position / between_sums * between_sums;
-  WorkCounts counts = sums_[static_cast<std::size_t>(position / between_sums)];
-  for (std::int64_t k = from; k < position; ++k)
-    ++counts[static_cast<std::size_t>(kinds_[static_cast<std::size_t>(k)])];
+  WorkCounts counts = sums_[position / between_sums];
+  for (std::int64_t k = from; k < position; ++k) ++counts[kinds_[k]];
   return counts;
 }
 

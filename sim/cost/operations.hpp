@@ -15,8 +15,8 @@ namespace zstep::compare {
 // common, so that a test of Warnock's and a compare of the Z-buffer stand beside each other.
 
 using Work = WorkKind;
-inline constexpr std::size_t work_count = static_cast<std::size_t>(Work::bookkeeping) + 1;
-using WorkCounts = std::array<std::int64_t, work_count>;
+inline constexpr std::size_t work_count = index_of(Work::bookkeeping) + 1;
+using WorkCounts = ByEnum<Work, std::int64_t, work_count>;
 
 /// What it is called, in the plural: "depth compares".
 std::string_view word_of(Work work);

@@ -9,10 +9,10 @@ namespace zstep::homework {
 using Why = grade::Loss::Why;
 
 std::string_view word_of(Why why) {
-  static constexpr std::array<std::string_view, 13> words{
+  static constexpr ByEnum<Why, std::string_view, 13> words{
       "never",       "missing", "additional", "numbers",   "computation", "order", "unknown_edges",
       "not_reached", "colors",  "depths",     "no_colors", "no_depths",   "beyond"};
-  return words[static_cast<std::size_t>(why)];
+  return words[why];
 }
 
 std::string steps_of(const Homework& homework, const grade::Loss& loss) {

@@ -56,8 +56,8 @@ std::string undeclared_text(const Header& header, bool tie) {
 
 std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
   if (scene.camera.kind == Camera::Kind::screen) return "z";
-  constexpr std::array symbols{"z*", "z_v", "z_v", "1/z_v", "z_r", "z_F"};
-  return symbols[static_cast<std::size_t>(conventions.depth)];
+  constexpr ByEnum<Conventions::Depth, const char*> symbols{"z*", "z_v", "z_v", "1/z_v", "z_r", "z_F"};
+  return symbols[conventions.depth];
 }
 
 std::string_view rounding_word(const Conventions& conventions) {

@@ -93,7 +93,7 @@ void tell(Telling& t, const AreaBin& e) {
   if (!numbers)
     t.contradict(fmt::format(
         "The trace says that {} is {}, but {} of its edges meet the area and {} of the area's corners lie inside it.",
-        who, words_of<Bin>[static_cast<std::size_t>(e.bin)], e.crossings, e.corners_inside));
+        who, word_of(e.bin), e.crossings, e.corners_inside));
   t.formula(fmt::format("edges that meet the area: {}", e.crossings));
   t.formula(fmt::format("corners of the area inside {}: {}", who, e.corners_inside));
 }

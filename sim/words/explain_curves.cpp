@@ -124,8 +124,7 @@ void tell(Telling& t, const HorizonTest& e) {
   const Horizon rule = above ? Horizon::above : below ? Horizon::below : Horizon::hidden;
   if (rule != e.verdict)
     t.contradict(fmt::format("On column {} the trace says {}, but by these numbers the curve is {}.", e.x,
-                             words_of<Horizon>[static_cast<std::size_t>(e.verdict)],
-                             words_of<Horizon>[static_cast<std::size_t>(rule)]));
+                             word_of(e.verdict), word_of(rule)));
 }
 
 void tell(Telling& t, const HorizonCross& e) {

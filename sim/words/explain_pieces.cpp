@@ -131,13 +131,13 @@ void tell(Telling& t, const VertexSide& e) {
 }
 
 void tell(Telling& t, const Saved& e) {
-  std::string thanks_to(words_of<Coherence>[static_cast<std::size_t>(e.coherence)]);
+  std::string thanks_to(word_of(e.coherence));
   std::replace(thanks_to.begin(), thanks_to.end(), '_', ' ');
   if (e.coherence == Coherence::extent) thanks_to = "extents";
   else if (e.coherence == Coherence::order) thanks_to = "the order of drawing";
   else thanks_to += " coherence";
   t.say(fmt::format("{} {} not needed, thanks to {}; {} so far.", e.tests, e.tests == 1 ? "test was" : "tests were",
-                    thanks_to, grouped(t.machine.saved[static_cast<std::size_t>(e.coherence)])));
+                    thanks_to, grouped(t.machine.saved[e.coherence])));
 }
 
 // The BSP tree (001, 002, 003): roots, nodes, the eye's side of each plane, subtrees passed over.
@@ -267,8 +267,7 @@ void tell(Telling& t, const PairBegin& e) {
 }
 
 void tell(Telling& t, const ExtentTest& e) {
-  const std::string axis(words_of<Axis>[static_cast<std::size_t>(e.axis)]), one = t.piece(e.piece),
-                                                                            other = t.piece(e.other);
+  const std::string axis(word_of(e.axis)), one = t.piece(e.piece), other = t.piece(e.other);
   if (e.overlap)
     t.say(fmt::format("The {} extents of {} and {} overlap: this test cannot say that {} may be drawn first.", axis,
                       one, other, one));

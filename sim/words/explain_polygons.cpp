@@ -116,7 +116,7 @@ namespace {
 
 constexpr int plane_count = 6;
 
-std::string plane_name(ClipPlane plane) { return std::string(words_of<ClipPlane>[static_cast<std::size_t>(plane)]); }
+std::string plane_name(ClipPlane plane) { return std::string(word_of(plane)); }
 
 std::string planes_in(std::int32_t bits) {
   std::string text;

@@ -76,11 +76,9 @@ TEST_CASE("golden: every reason to reject a polygon or skip an edge, and every p
     for (std::int64_t position = 1; position <= trace.size(); ++position) {
       const Event& event = trace.event(position).event;
       if (const auto* reject = get_if<PolygonReject>(&event))
-        seen.insert("reject " + std::string(words_of<Reject>[static_cast<std::size_t>(reject->reason)]));
-      if (const auto* skip = get_if<EdgeTableSkip>(&event))
-        seen.insert("skip " + std::string(words_of<EdgeSkip>[static_cast<std::size_t>(skip->why)]));
-      if (const auto* cross = get_if<ClipCross>(&event))
-        seen.insert("cross " + std::string(words_of<ClipPlane>[static_cast<std::size_t>(cross->plane)]));
+        seen.insert("reject " + std::string(word_of(reject->reason)));
+      if (const auto* skip = get_if<EdgeTableSkip>(&event)) seen.insert("skip " + std::string(word_of(skip->why)));
+      if (const auto* cross = get_if<ClipCross>(&event)) seen.insert("cross " + std::string(word_of(cross->plane)));
       if (const auto* compare = get_if<DepthCompare>(&event)) seen.insert(compare->nearer ? "nearer" : "not nearer");
       if (const auto* span = get_if<SpanBegin>(&event)) seen.insert(span->first > span->last ? "empty span" : "span");
     }

@@ -348,8 +348,8 @@ std::vector<Otherwise> all_others() {
       {"ties", "last", [](Header& h) { h.comparison.ties = Ties::last; }},
   };
   for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
-    for (std::size_t k = 0; k < words_of<E>.size(); ++k)
-      others.push_back({key, words_of<E>[k], [=](Header& h) { h.conventions.*member = static_cast<E>(k); }});
+    for (const E value : values_of<E>)
+      others.push_back({key, word_of(value), [=](Header& h) { h.conventions.*member = value; }});
   });
   // Which numbers a program computes in shows in their digits, and is found out from them.
   // And where attributes are recorded, "none" is no answer.

@@ -13,7 +13,7 @@ struct NamedRule {
   RuleText text;
 };
 
-constexpr std::array<NamedRule, static_cast<std::size_t>(Rule::count)> named_rules{{
+constexpr ByEnum<Rule, NamedRule> named_rules{{{
     {Rule::edge_in_bucket,
      {"edge_in_bucket", "An edge enters the active edge list at its first scan line.",
       "The edge enters the active edge list at a scan line that is not its first."}},
@@ -163,15 +163,15 @@ constexpr std::array<NamedRule, static_cast<std::size_t>(Rule::count)> named_rul
     {Rule::span_is_filled,
      {"span_is_filled", "Each pixel from the first to the last of a span has its turn.",
       "The span before is over, and a pixel of it is missing."}},
-}};
+}}};
 
 }  // namespace
 
-RuleText rule_text(Rule rule) { return named_rules[static_cast<std::size_t>(rule)].text; }
+RuleText rule_text(Rule rule) { return named_rules[rule].text; }
 
 static_assert([] {
   for (std::size_t i = 0; i < named_rules.size(); ++i)
-    if (static_cast<std::size_t>(named_rules[i].rule) != i) return false;
+    if (index_of(named_rules[i].rule) != i) return false;
   return true;
 }());
 

@@ -96,12 +96,12 @@ inline void Foreteller::note(const SideTest& event) {
 /// What the scene tells needs not be remembered.
 inline void Foreteller::learn_extent(std::int32_t piece, Axis axis, Range range, Range guessed) {
   if (bits_of(range.low) == bits_of(guessed.low) && bits_of(range.high) == bits_of(guessed.high)) return;
-  extents_.take(piece)[static_cast<std::size_t>(axis)] = range;
+  extents_.take(piece)[axis] = range;
 }
 
 inline Foreteller::Range Foreteller::extent_of(std::int32_t piece, Axis axis) const {
   const auto* told = extents_.find(piece);
-  if (told != nullptr && (*told)[static_cast<std::size_t>(axis)]) return *(*told)[static_cast<std::size_t>(axis)];
+  if (told != nullptr && (*told)[axis]) return *(*told)[axis];
   const auto i = static_cast<glm::length_t>(axis);
   if (const PieceExtent* whole = facts_->extent_of_piece(piece)) return {whole->low[i], whole->high[i]};
   return {};
@@ -109,10 +109,10 @@ inline Foreteller::Range Foreteller::extent_of(std::int32_t piece, Axis axis) co
 
 template <>
 inline void Foreteller::note(const Extent& event) {
-  const std::array<Range, 3> told{
+  const ByEnum<Axis, Range> told{
       Range{event.x_min, event.x_max}, {event.y_min, event.y_max}, {event.z_min, event.z_max}};
   for (const Axis axis : {Axis::x, Axis::y, Axis::z})
-    learn_extent(event.piece, axis, told[static_cast<std::size_t>(axis)], extent_of(event.piece, axis));
+    learn_extent(event.piece, axis, told[axis], extent_of(event.piece, axis));
 }
 
 inline std::int32_t Foreteller::after(std::int32_t piece) const {

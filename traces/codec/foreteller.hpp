@@ -377,9 +377,9 @@ class Foreteller {
     std::int32_t vertex;
     glm::dvec3 point;
   };
-  std::vector<Cut> cuts_;                                 ///< vertices that cutting made, in the space where it cut
-  ByPiece<std::array<std::optional<Range>, 3>> extents_;  ///< by axis, where they are not those of the scene
-  std::array<Range, 2> extents_guessed_{};                ///< of the extent test at work
+  std::vector<Cut> cuts_;                                ///< vertices that cutting made, in the space where it cut
+  ByPiece<ByEnum<Axis, std::optional<Range>>> extents_;  ///< where they are not those of the scene
+  std::array<Range, 2> extents_guessed_{};               ///< of the extent test at work
   ByPiece<std::int32_t> followers_;
   PairBegin pair_{-1, -1};    ///< the last one
   Axis next_axis_ = Axis::x;  ///< on which a pair is tested next

@@ -51,14 +51,14 @@ Key Identity::name_of(Thing thing, std::int32_t number) const {
   if (number < 0) return kind ^ spread(whole(number));
   // The scene's vertices have one number for all.
   if (thing == Thing::vertex && static_cast<std::size_t>(number) < points_) return kind ^ whole(number);
-  const Key name = names_[static_cast<std::size_t>(thing)][number];
+  const Key name = names_[thing][number];
   return name != 0 ? name : kind ^ spread(whole(number) + (Key{1} << 40));
 }
 
 std::optional<std::int32_t> Identity::number_of(Thing thing, Key name) const {
   const Key kind = static_cast<Key>(thing) << 56;
   if (thing == Thing::vertex && (name ^ kind) < points_) return static_cast<std::int32_t>(name ^ kind);
-  const auto& numbers = numbers_[static_cast<std::size_t>(thing)];
+  const auto& numbers = numbers_[thing];
   const auto found = numbers.find(name);
   if (found == numbers.end()) return std::nullopt;
   return found->second;
@@ -192,8 +192,8 @@ void Identity::take_note(const E& e, Key key) {
     constexpr Thing made = field_at<E, I>.thing;
     const std::int32_t number = e.*field_at<E, I>.member;
     const Key name = mix(key, whole(made_[key]++));
-    names_[static_cast<std::size_t>(made)].edit(number) = name;
-    numbers_[static_cast<std::size_t>(made)][name] = number;
+    names_[made].edit(number) = name;
+    numbers_[made][name] = number;
     if constexpr (made == Thing::edge) edges_.edit(number) = Edge{0, 0, false, e.polygon, e.end_row, -1};
   }
   if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>)

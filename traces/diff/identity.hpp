@@ -154,8 +154,8 @@ class Identity {
   std::int32_t polygon_of(const E& e) const;
 
   std::size_t points_;
-  std::array<ByNumber<Key>, static_cast<std::size_t>(Thing::count)> names_;  ///< 0: none
-  std::array<std::unordered_map<Key, std::int32_t>, static_cast<std::size_t>(Thing::count)> numbers_;
+  ByEnum<Thing, ByNumber<Key>> names_;  ///< 0: none
+  ByEnum<Thing, std::unordered_map<Key, std::int32_t>> numbers_;
   std::unordered_map<Key, std::int32_t> made_;  ///< how many things were made that look alike
   ByNumber<Edge> edges_;
   std::int32_t polygon_ = no_polygon, scan_line_ = -1;

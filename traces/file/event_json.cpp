@@ -108,9 +108,9 @@ bool take(value& from, Value& into) {
   } else if constexpr (std::is_enum_v<Value>) {
     std::string_view word;
     if (from.get_string().get(word) != simdjson::SUCCESS) return false;
-    for (std::size_t k = 0; k < words_of<Value>.size(); ++k)
-      if (words_of<Value>[k] == word) return into = static_cast<Value>(k), true;
-    return false;
+    const auto value = value_called<Value>(word);
+    if (value) into = *value;
+    return value.has_value();
   } else {
     std::int64_t whole = 0;
     if (from.get_int64().get(whole) != simdjson::SUCCESS || whole < std::numeric_limits<std::int32_t>::min() ||

@@ -42,6 +42,9 @@ enum class Convention : std::uint8_t {
   ties
 };
 
+/// Where it stands in Header::undeclared.
+constexpr std::uint8_t bit_of(Convention convention) { return static_cast<std::uint8_t>(1u << index_of(convention)); }
+
 struct Header {
   std::string writer;     ///< who wrote it: "zstep 0.2.0", or a student's program
   std::string algorithm;  ///< the method's id: "z-buffer"
@@ -50,9 +53,9 @@ struct Header {
   Page page;  ///< the step table, in the order in which the pseudo-code is read
   Comparison comparison;
   std::optional<double> initial_depth;  ///< in the depth buffer before the first step, where the header declares it
-  std::uint8_t undeclared = 0;          ///< bit k: the k-th Convention
+  std::uint8_t undeclared = 0;          ///< bits of Conventions
 
-  bool declares(Convention which) const { return (undeclared >> static_cast<unsigned>(which) & 1u) == 0; }
+  bool declares(Convention which) const { return (undeclared & bit_of(which)) == 0; }
   double empty_depth() const { return initial_depth.value_or(comparison.farthest()); }
   bool operator==(const Header&) const = default;
 };

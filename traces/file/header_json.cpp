@@ -28,11 +28,9 @@ constexpr auto number_words = [] {
 }();
 
 /// In the order in which a header has them.
-constexpr std::array<std::string_view, 8> convention_keys{"depth",         "interpolation", "coverage", "cull",
-                                                          "number_format", "pixel_centre",  "nearer",   "ties"};
-constexpr std::string_view key_of(Convention convention) {
-  return convention_keys[static_cast<std::size_t>(convention)];
-}
+constexpr ByEnum<Convention, std::string_view, 8> convention_keys{"depth",         "interpolation", "coverage", "cull",
+                                                                  "number_format", "pixel_centre",  "nearer",   "ties"};
+constexpr std::string_view key_of(Convention convention) { return convention_keys[convention]; }
 
 ordered_json conventions_to_json(const Header& header) {
   const Conventions& c = header.conventions;
@@ -80,7 +78,7 @@ void read_conventions(const json& in, Header& header) {
       if constexpr (!std::is_same_v<E, NumberFormat>) c.*member = word_or(in, key, words_of<E>, c.*member);
       else if (const auto number = word_or(in, key, number_words, std::size_t{0}); number < words_of<E>.size())
         c.*member = static_cast<E>(number);
-      else header.undeclared |= static_cast<std::uint8_t>(1u << static_cast<unsigned>(Convention::number_format));
+      else header.undeclared |= bit_of(Convention::number_format);
     });
   });
   parts.read([&] { c.cull = truth_or(in, "cull", c.cull); });

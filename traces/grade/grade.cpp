@@ -461,7 +461,7 @@ GivenRun given_run(const Header& reference, const Scene& scene, std::vector<std:
             const NumberFormat format = declared.conventions.number_format;
             const bool accepted = bits_of(format) == 0 || is_free(fmt::format("number_format {}", word_of(format)));
             if (is_free("number_format") && !(accepted && declared.declares(Convention::number_format)))
-              header.undeclared |= 1u << static_cast<unsigned>(Convention::number_format);
+              header.undeclared |= bit_of(Convention::number_format);
             header.page = declared.page;
             header.writer = declared.writer;
             for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {

@@ -1,14 +1,12 @@
 #include "traces/mistakes/mistake.hpp"
 
-#include <array>
-
 namespace zstep::mistakes {
 
 namespace {
 
 // In the order of the enum, as a test checks.
 // clang-format off
-constexpr std::array<MistakeText, mistake_count> texts{{
+constexpr ByEnum<Mistake, MistakeText> texts{{{
     {"depth_axis_reversed",
      "z_v has the wrong sign.",
      "Does z_v grow away from the eye in your program, or towards it?",
@@ -285,16 +283,16 @@ constexpr std::array<MistakeText, mistake_count> texts{{
      "What is seen below the lower horizon is drawn in the ink of what is seen above.",
      "Which ink has the part of a curve that is below all that was drawn before?",
      "floating-horizon", "Where it fails: one horizon"},
-}};
+}}};
 // clang-format on
 
 }  // namespace
 
-const MistakeText& text_of(Mistake mistake) { return texts[static_cast<std::size_t>(mistake)]; }
+const MistakeText& text_of(Mistake mistake) { return texts[mistake]; }
 
 std::optional<Mistake> mistake_called(std::string_view id) {
-  for (std::size_t k = 0; k < mistake_count; ++k)
-    if (texts[k].id == id) return static_cast<Mistake>(k);
+  for (const Mistake mistake : values_of<Mistake>)
+    if (text_of(mistake).id == id) return mistake;
   return std::nullopt;
 }
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "traces/enumeration.hpp"
+
 namespace zstep::mistakes {
 
 enum class Mistake : std::uint8_t {
@@ -92,7 +94,7 @@ enum class Mistake : std::uint8_t {
   one_ink,
   count
 };
-inline constexpr std::size_t mistake_count = static_cast<std::size_t>(Mistake::count);
+inline constexpr std::size_t mistake_count = value_count<Mistake>;
 
 struct MistakeText {
   std::string_view id;        ///< "slope_inverted"

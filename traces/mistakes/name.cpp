@@ -139,34 +139,34 @@ bool is_of_buffer(Mistake mistake) { return compare_reversed <= mistake && mista
 
 }  // namespace
 
-std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precision, std::span<const Fault> faults) {
+ByEnum<Mistake, Fit> fits_of(const Trace& run, const Precision& precision, std::span<const Fault> faults) {
   Supposed supposed(precision, faults);
   suppose_all(run, supposed);
-  std::array<Fit, mistake_count> fits;
-  for (std::size_t k = 0; k < mistake_count; ++k) fits[k] = supposed.fit(static_cast<Mistake>(k));
+  ByEnum<Mistake, Fit> fits;
+  for (const Mistake mistake : values_of<Mistake>) fits[mistake] = supposed.fit(mistake);
   return fits;
 }
 
 std::vector<Mistake> mistakes_of(const Trace& run, std::int64_t first, std::int64_t next, bool depth_is_wrong,
                                  const Precision& precision) {
   const std::vector<Fault> faults = faults_of(run, precision);
-  const std::array<Fit, mistake_count> fits = fits_of(run, precision, faults);
+  const ByEnum<Mistake, Fit> fits = fits_of(run, precision, faults);
   const bool wrong_at_first = !faults.empty() && faults.front().step == first;
   // The one that shows first; of several, the one that explains the most, and then the one that shows at once.
   const auto explains = [](const Fit& one) { return std::tuple(-one.first, one.as_made, -one.against_before); };
   std::vector<Mistake> best;
-  for (std::size_t k = 0; k < mistake_count; ++k) {
-    const Fit& fit = fits[k];
+  for (const Mistake mistake : values_of<Mistake>) {
+    const Fit& fit = fits[mistake];
     if (!fit.holds() || (next > first && fit.first > next)) continue;
     if (wrong_at_first && fit.first >= first && !fit.explains_first) continue;
-    if (depth_is_wrong && fit.first >= first && is_of_buffer(static_cast<Mistake>(k))) continue;
-    const Fit* found = best.empty() ? nullptr : &fits[static_cast<std::size_t>(best.front())];
+    if (depth_is_wrong && fit.first >= first && is_of_buffer(mistake)) continue;
+    const Fit* found = best.empty() ? nullptr : &fits[best.front()];
     if (found && explains(fit) < explains(*found)) continue;
     // With other numbers both are made; with the same ones it is one of them.
     const bool alike = found && explains(fit) == explains(*found);
     if (alike && fit.numbers != found->numbers) continue;
     if (!alike) best.clear();
-    best.push_back(static_cast<Mistake>(k));
+    best.push_back(mistake);
   }
   return best;
 }

@@ -20,7 +20,7 @@ namespace zstep::mistakes {
 std::optional<Mistake> turned_of(const Trace& reference, const Trace& run, const Precision& precision);
 
 /// How each mistake fits the run; `faults` is what is wrong in it. Goes through it once.
-std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precision, std::span<const Fault> faults);
+ByEnum<Mistake, Fit> fits_of(const Trace& run, const Precision& precision, std::span<const Fault> faults);
 
 /// The mistake that a run goes wrong by, where one of the catalogue makes the run's own numbers from there on; several,
 /// where these make the same numbers and nothing tells which of them it is. `first` is the step at which it first goes

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <bitset>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -85,16 +84,16 @@ class Supposed {
       std::uint32_t explained = 0;
       for (const Made& other : made_)
         if (other.mistake == one.mistake) explained |= other.fields;
-      Fit& fit = fits_[static_cast<std::size_t>(one.mistake)];
-      if (against_.test(static_cast<std::size_t>(one.mistake))) continue;
+      Fit& fit = fits_[one.mistake];
+      if (against_[one.mistake]) continue;
       if (!explains(explained)) {
-        against_.set(static_cast<std::size_t>(one.mistake));
+        against_[one.mistake] = true;
         count(fit, false);
         continue;
       }
       count(fit, true);
       fit.explains_first = fit.explains_first || step_ == first_wrong_;
-      fit.numbers += std::bit_cast<std::uint64_t>(one.number) ^ static_cast<std::uint64_t>(step_);
+      fit.numbers += std::bit_cast<std::uint64_t>(one.number) ^ step_;
     }
     if (with_pairs_) settle_beside();
     for (const auto& [pair, as_made, fields] : made_by_pairs_) {
@@ -105,7 +104,7 @@ class Supposed {
         if (other == pair && also_made) explained |= other_fields;
       count(pairs_[pair], as_made && explains(explained));
     }
-    made_.clear(), against_.reset(), made_by_pairs_.clear(), follows_.clear();
+    made_.clear(), against_.fill(false), made_by_pairs_.clear(), follows_.clear();
   }
   std::optional<SideTest> side;                        ///< the last one, until the next test
   bool won_empty = false, lost_empty = false;          ///< a pixel where nothing was drawn yet
@@ -116,7 +115,7 @@ class Supposed {
   std::set<std::int32_t> cut_off;      ///< pieces that are not in the list yet
   std::int32_t edges_of = no_polygon;  ///< the polygon whose edge came last, until a scan line begins
   std::set<std::int32_t> spanning;     ///< pieces that were found on both sides of a plane, and not cut yet
-  const Fit& fit(Mistake mistake) const { return fits_[static_cast<std::size_t>(mistake)]; }
+  const Fit& fit(Mistake mistake) const { return fits_[mistake]; }
 
   bool equal(double recorded, const Rounded& formula) const {
     if (!std::isfinite(recorded)) return false;  // what is no number is not made by any formula
@@ -128,8 +127,8 @@ class Supposed {
   void says(Mistake mistake, bool as_made, bool as_right, std::string_view fields = {}, double number = 0) {
     if (as_made && as_right) return;
     if (as_made) return made_.push_back({mistake, fields_called(fields), number});
-    against_.set(static_cast<std::size_t>(mistake)), ever_against_.set(static_cast<std::size_t>(mistake));
-    count(fits_[static_cast<std::size_t>(mistake)], false);
+    against_[mistake] = ever_against_[mistake] = true;
+    count(fits_[mistake], false);
   }
   static constexpr std::string_view whole_step = "*";
   /// A field that is wrong as it was computed from another one of the step: who explains that one explains both.
@@ -141,13 +140,13 @@ class Supposed {
     if (in_plane_ == 0) in_plane_ = step_;
   }
   void shows_since_in_plane(Mistake mistake) {
-    Fit& fit = fits_[static_cast<std::size_t>(mistake)];
+    Fit& fit = fits_[mistake];
     if (in_plane_ != 0 && fit.first == 0) fit.first = in_plane_;
   }
   /// The mistake is not made: it would have shown from the beginning.
   void rules_out(Mistake mistake) {
-    ++fits_[static_cast<std::size_t>(mistake)].against_after;
-    ever_against_.set(static_cast<std::size_t>(mistake));
+    ++fits_[mistake].against_after;
+    ever_against_[mistake] = true;
   }
   void number(Mistake mistake, std::string_view field, double recorded, std::initializer_list<Rounded> made,
               const Rounded& right) {
@@ -180,8 +179,7 @@ class Supposed {
     std::map<Pair, Fit> found = beside_;
     std::erase_if(found, [&](const auto& one) {
       const auto is_whole = [&](Mistake mistake) {
-        const auto k = static_cast<std::size_t>(mistake);
-        return !ever_against_.test(k) && unexplained_[k] == one.second.as_made;
+        return !ever_against_[mistake] && unexplained_[mistake] == one.second.as_made;
       };
       return !is_whole(one.first.first) || !is_whole(one.first.second);
     });
@@ -195,7 +193,7 @@ class Supposed {
   /// A sum that a variable with few digits keeps, or two such variables.
   void sum_in_float32(std::string_view field, double recorded, double one, double other, const Rounded& right) {
     const float kept = static_cast<float>(one + other), both = static_cast<float>(one) + static_cast<float>(other);
-    shows(Mistake::adds_in_float32, field, recorded, {static_cast<double>(kept), static_cast<double>(both)}, right);
+    shows(Mistake::adds_in_float32, field, recorded, {kept, both}, right);
   }
   void whole(Mistake mistake, std::string_view field, std::int32_t recorded, std::initializer_list<std::int32_t> made,
              std::initializer_list<std::int32_t> right) {
@@ -241,7 +239,7 @@ class Supposed {
     for (const Made& one : made_) explained[one.mistake] |= one.fields;
     std::erase_if(explained, [&](const auto& one) { return explains(one.second); });
     for (auto one = explained.begin(); one != explained.end(); ++one) {
-      ++unexplained_[static_cast<std::size_t>(one->first)];
+      ++unexplained_[one->first];
       for (auto other = std::next(one); other != explained.end(); ++other)
         if (explains(one->second | other->second)) count(beside_[{one->first, other->first}], true);
     }
@@ -262,16 +260,15 @@ class Supposed {
   std::uint8_t kind_ = 0;
   std::uint32_t wrong_ = 0;   ///< fields of this step
   std::vector<Made> made_{};  ///< said of this step
-  std::bitset<mistake_count> against_{};
+  ByEnum<Mistake, bool> against_{};
   std::vector<MadeByPair> made_by_pairs_{};
   std::vector<std::pair<std::uint32_t, std::uint32_t>> follows_{};
   std::map<Pair, Fit> pairs_{}, beside_{};
-  std::bitset<mistake_count> ever_against_{};  ///< a step is not as it would have been
-  std::array<std::int64_t, mistake_count>
-      unexplained_{};  ///< steps that are as it would have been, and wrong beyond it
+  ByEnum<Mistake, bool> ever_against_{};         ///< a step is not as it would have been
+  ByEnum<Mistake, std::int64_t> unexplained_{};  ///< steps that are as it would have been, and wrong beyond it
   std::int64_t step_ = 0;
   std::int64_t in_plane_ = 0;  ///< the first step that may be a mistake with what lies in one plane
-  std::array<Fit, mistake_count> fits_{};
+  ByEnum<Mistake, Fit> fits_{};
 };
 
 }  // namespace zstep::mistakes

@@ -46,7 +46,7 @@ class DecisionJudge {
 }  // namespace
 
 const PredicateText& text_of(Predicate which) {
-  static constexpr std::array<PredicateText, static_cast<std::size_t>(Predicate::count)> texts{{
+  static constexpr ByEnum<Predicate, PredicateText> texts{{{
       {"side of a facet that the eye sees", "all with culling"},
       {"vertex inside a clipping plane", "all with clipping"},
       {"first and last pixel of a span", "all with spans"},
@@ -65,8 +65,8 @@ const PredicateText& text_of(Predicate which) {
       {"ray meets a box", "ray-casting"},
       {"curve against the horizons", "floating-horizon"},
       {"line hidden by a face", "hidden-line"},
-  }};
-  return texts[static_cast<std::size_t>(which)];
+  }}};
+  return texts[which];
 }
 
 std::int64_t Decisions::wrong() const {

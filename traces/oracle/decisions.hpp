@@ -2,7 +2,6 @@
 // that the vertices give in fractions (docs/exactness.md).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -48,9 +47,9 @@ struct Decided {
   double worst = 0;
 };
 struct Decisions {
-  std::array<Decided, static_cast<std::size_t>(Predicate::count)> of;
-  Decided& operator[](Predicate which) { return of[static_cast<std::size_t>(which)]; }
-  const Decided& operator[](Predicate which) const { return of[static_cast<std::size_t>(which)]; }
+  ByEnum<Predicate, Decided> of;
+  Decided& operator[](Predicate which) { return of[which]; }
+  const Decided& operator[](Predicate which) const { return of[which]; }
   std::int64_t wrong() const;
   void add(const Decisions& other);
 };

@@ -198,7 +198,7 @@ inline void apply_method_state(const PieceDraw& event, MethodState& machine) {
   machine.drawn.push_back(event.piece);
 }
 inline void apply_method_state(const Saved& event, MethodState& machine) {
-  machine.saved[static_cast<std::size_t>(event.coherence)] += event.tests;
+  machine.saved[event.coherence] += event.tests;
 }
 
 // --- Orders

@@ -216,11 +216,11 @@ struct MethodState {
   SharedChunks<CellHold> cells;  ///< what the grid's cells hold
   RayWork rays;
   HorizonWork horizon;
-  SharedChunks<LineRow> lines;                                   ///< by number
-  std::int32_t line = -1;                                        ///< at work
-  std::optional<LineAgainst> against;                            ///< the face that line was last held against
-  std::optional<ShadowCompare> shadow;                           ///< the last one
-  std::array<std::int64_t, words_of<Coherence>.size()> saved{};  ///< tests, by coherence
+  SharedChunks<LineRow> lines;              ///< by number
+  std::int32_t line = -1;                   ///< at work
+  std::optional<LineAgainst> against;       ///< the face that line was last held against
+  std::optional<ShadowCompare> shadow;      ///< the last one
+  ByEnum<Coherence, std::int64_t> saved{};  ///< tests, by coherence
 
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,

@@ -111,8 +111,8 @@ std::size_t least_size(const PlyElement& element, PlyHeader::Encoding encoding) 
 }  // namespace
 
 std::size_t ply_size(PlyProperty::Type type) {
-  constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
+  constexpr ByEnum<PlyProperty::Type, std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
+  return sizes[type];
 }
 
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {

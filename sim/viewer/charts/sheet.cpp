@@ -87,10 +87,9 @@ void Sheet::text(float x, float y, const std::string& text, ImU32 color, Side si
   const float left = side == Side::middle ? x - wide / 2 : x - wide;
   ImGui::GetBackgroundDrawList()->AddText(font, font->FontSize, ImVec2(std::round(left), std::round(y)), color,
                                           fonts_.drawable(text).c_str());
-  const char* const anchors[] = {"start", "middle", "end"};
+  constexpr ByEnum<Side, const char*, 3> anchors{"start", "middle", "end"};
   svg_ += fmt::format("<text x=\"{:g}\" y=\"{:g}\" fill=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y + font->Ascent,
-                      hex(color), anchors[static_cast<std::size_t>(side)], bold ? " font-weight=\"bold\"" : "",
-                      markup(text));
+                      hex(color), anchors[side], bold ? " font-weight=\"bold\"" : "", markup(text));
 }
 
 void Sheet::line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {

@@ -68,8 +68,8 @@ void paint_areas(Canvas& canvas, const RasterMap& map, const Moment& now, const 
 
 /// "1" to "4" after the lecture's list; a pixel decided by itself is "px".
 const char* sign_of(AreaCase what) {
-  constexpr std::array signs{"1", "2", "3", "4", "px", ""};
-  return signs[static_cast<std::size_t>(what)];
+  constexpr ByEnum<AreaCase, const char*> signs{"1", "2", "3", "4", "px", ""};
+  return signs[what];
 }
 
 void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin) {
@@ -126,7 +126,7 @@ std::vector<TableRow> bin_rows(Ui& ui) {
   std::vector<TableRow> rows;
   for (const Bin bin : {Bin::disjoint, Bin::intersecting, Bin::surrounding, Bin::contained}) {
     TableRow row;
-    row.about = words_of<Bin>[static_cast<std::size_t>(bin)];
+    row.about = word_of(bin);
     row.cells.push_back(TableCell::result_of(names_in(ui.session, bin)));
     rows.push_back(std::move(row));
   }
@@ -158,11 +158,10 @@ void draw_bin(Ui& ui, Bin bin, const ChangedParts& changed) {
     list->AddRectFilled(at, {right, at.y + height}, c.now_soft);
     list->AddRectFilled(at, {at.x + 3, at.y + height}, c.now);
   }
-  mark_part(ui, changed, std::string(words_of<Bin>[static_cast<std::size_t>(bin)]), at, {right, at.y + height - 1});
+  mark_part(ui, changed, std::string(word_of(bin)), at, {right, at.y + height - 1});
   const float y = at.y + std::round((height - ui.em) / 2) - 1;
   const float side = std::round(ui.em * 0.55f);
-  draw_text(ui, {at.x + ui.em * 0.4f, y}, ui.fonts.text, c.muted,
-            std::string(words_of<Bin>[static_cast<std::size_t>(bin)]));
+  draw_text(ui, {at.x + ui.em * 0.4f, y}, ui.fonts.text, c.muted, std::string(word_of(bin)));
   float x = at.x + ui.em * 0.8f + text_size(ui, ui.fonts.text, "surrounding ").x;
   std::size_t all = 0, shown = 0;
   for (const AreaBin& row : m.bins) all += row.bin == bin;

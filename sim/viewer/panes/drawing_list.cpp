@@ -35,8 +35,7 @@ TestLine line_of(std::int64_t at, const Event& event, bool wants_behind) {
         {{"piece", extents->piece}, {"other", extents->other}, {"axis", static_cast<std::int32_t>(extents->axis)}});
   } else if (const auto* sides = get_if<SideTest>(&event)) {
     line.numbers = range(sides->least, sides->greatest);
-    line.outcome =
-        sides->side == Side::front ? "before" : std::string(words_of<Side>[static_cast<std::size_t>(sides->side)]);
+    line.outcome = sides->side == Side::front ? "before" : std::string(word_of(sides->side));
     line.passed = sides->side == (wants_behind ? Side::behind : Side::front);
     if (sides->side == Side::crossing) line.outcome = "both sides";
     if (sides->side == Side::on) line.outcome = "in it";

@@ -153,7 +153,7 @@ void draw_table(Ui& ui) {
   if (!row) return say_empty(ui, "An edge's intervals stand here once it is at work.");
   flow(ui,
        fmt::format("Edge {}: {}\u2013{}, {}", m.line, row->entry.vertex_0, row->entry.vertex_1,
-                   words_of<LineKind>[static_cast<std::size_t>(row->entry.kind)]),
+                   word_of(row->entry.kind)),
        {.font = ui.fonts.bold});
   const std::vector<TableRow> rows = rows_of_both(ui, interval_rows);
   if (!rows.empty()) {

@@ -274,9 +274,7 @@ bool just(const Session& s) {
 /// What the ray at work is about: where it was cast, and what for.
 std::string ray_at_work(const RayWork& rays) {
   for (const RayRow& ray : rays.tree)
-    if (ray.entry.ray == rays.ray)
-      return fmt::format("{},{} {} ", ray.entry.x, ray.entry.y,
-                         words_of<RayRole>[static_cast<std::size_t>(ray.entry.role)]);
+    if (ray.entry.ray == rays.ray) return fmt::format("{},{} {} ", ray.entry.x, ray.entry.y, word_of(ray.entry.role));
   return "";
 }
 
@@ -368,14 +366,14 @@ int depth_in(const RayWork& rays, const RayRow& row) {
 std::vector<TableRow> ray_tree_rows(Ui& ui) {
   const Session& s = ui.session;
   const RayWork& rays = s.state().machine.rays;
-  constexpr const char* roles[] = {"eye", "mirrored", "through", "to the light"};
-  constexpr const char* brief_roles[] = {"eye", "mirror", "through", "light"};
+  constexpr ByEnum<RayRole, const char*> roles{"eye", "mirrored", "through", "to the light"};
+  constexpr ByEnum<RayRole, const char*> brief_roles{"eye", "mirror", "through", "light"};
   std::vector<TableRow> rows;
   for (const RayRow& ray : rays.tree) {
     TableRow row;
     std::string branch;
     for (int i = depth_in(rays, ray); i > 0; --i) branch += i == 1 ? "\u2514 " : "  ";
-    const auto role = static_cast<std::size_t>(ray.entry.role);
+    const RayRole role = ray.entry.role;
     row.cells = {branch + roles[role]};
     row.cells.back().brief = branch + brief_roles[role];
     row.about = fmt::format("{},{} {}", ray.entry.x, ray.entry.y, row.cells[0].text);

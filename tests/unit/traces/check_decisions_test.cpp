@@ -91,8 +91,7 @@ TEST_CASE("check: a polygon before a camera is dropped for a reason that its ver
         return test::trace_of(zstep::test::head("z-buffer", right.scene(), conventions) +
                               R"({"step":"polygon","polygon":)" + std::to_string(polygon) + R"(,"facet":)" +
                               std::to_string(polygon) + "}\n" + R"({"step":"reject","polygon":)" +
-                              std::to_string(polygon) + R"(,"reason":")" +
-                              std::string(words_of<Reject>[static_cast<std::size_t>(reason)]) + "\"}\n");
+                              std::to_string(polygon) + R"(,"reason":")" + std::string(word_of(reason)) + "\"}\n");
       };
       if (right.scene().facets.size() != right.scene().polygons.size()) continue;
       CHECK(breaks(dropped(Reject::back_facing), Rule::reject_is_right) == !is_back);
