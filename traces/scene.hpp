@@ -85,6 +85,15 @@ class Rare {
   std::unique_ptr<T> value_;  ///< null: T{}
 };
 
+// Pixels by row, row 0 first: where they stand in one list, whatever is kept of them.
+
+constexpr std::size_t pixel_count(std::int32_t width, std::int32_t height) {
+  return static_cast<std::size_t>(width) * height;
+}
+constexpr std::size_t pixel_at(std::int32_t x, std::int32_t y, std::int32_t width) {
+  return static_cast<std::size_t>(y) * width + x;
+}
+
 /// sRGB, 0…255.
 struct Color {
   std::uint8_t red = 0, green = 0, blue = 0;
@@ -228,10 +237,10 @@ struct Picture {
   Picture(std::int32_t width_, std::int32_t height_)
       : width(width_),
         height(height_),
-        polygon(static_cast<std::size_t>(width_) * height_, no_polygon),
+        polygon(pixel_count(width_, height_), no_polygon),
         depth(polygon.size(), no_depth) {}
 
-  std::size_t at(std::int32_t x, std::int32_t y) const { return static_cast<std::size_t>(y) * width + x; }
+  std::size_t at(std::int32_t x, std::int32_t y) const { return pixel_at(x, y, width); }
   bool operator==(const Picture&) const = default;
   void use_ink() { ink.assign(polygon.size(), no_ink); }
 };

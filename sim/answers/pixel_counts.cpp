@@ -18,7 +18,7 @@ constexpr std::int64_t near_by = 1 << 15;              // events before where on
 
 PixelCounts::PixelCounts(const Trace& trace) : trace_(&trace), width_(trace.scene().raster.width) {
   const Raster& raster = trace.scene().raster;
-  const std::size_t pixels = static_cast<std::size_t>(raster.width) * raster.height;
+  const std::size_t pixels = pixel_count(raster.width, raster.height);
   for (auto& counts : now_.counts) counts.assign(pixels, 0);
   now_.counts[Count::first].assign(pixels, no_polygon);
   now_.counts[Count::last].assign(pixels, no_polygon);
@@ -61,16 +61,13 @@ void PixelCounts::take(const E& event) {
   if (now_.light) return;
   if constexpr (std::is_same_v<E, RayHit>) {
     if (event.inside && now_.ray_x >= 0)
-      cover(static_cast<std::size_t>(now_.ray_y) * static_cast<std::size_t>(width_) +
-                static_cast<std::size_t>(now_.ray_x),
-            polygon_of_facet(trace_->scene(), event.facet));
+      cover(pixel_at(now_.ray_x, now_.ray_y, width_), polygon_of_facet(trace_->scene(), event.facet));
   }
   if constexpr (requires {
                   event.x;
                   event.y;
                 }) {
-    const std::size_t pixel =
-        static_cast<std::size_t>(event.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(event.x);
+    const std::size_t pixel = pixel_at(event.x, event.y, width_);
     const auto counts = [&](Count count) -> std::int32_t& { return now_.counts[count][pixel]; };
     if (event.x < 0 || event.x >= width_ || pixel >= now_.covered_by.size()) return;
     ++counts(Count::work);

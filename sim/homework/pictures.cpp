@@ -94,7 +94,7 @@ class Printed {
   }
 
  private:
-  std::size_t pixel_count() const { return static_cast<std::size_t>(scene_.raster.width) * scene_.raster.height; }
+  std::size_t pixel_count() const { return zstep::pixel_count(scene_.raster.width, scene_.raster.height); }
   /// Two numbers of eight bytes a pixel, and room for what else stands in a file.
   std::uintmax_t most_bytes() const { return 16 * pixel_count() + (std::uintmax_t{1} << 20); }
   std::string size_text() const { return fmt::format("{}x{} pixels", scene_.raster.width, scene_.raster.height); }

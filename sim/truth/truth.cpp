@@ -20,7 +20,7 @@ void rows_between(Real low, Real high, std::int32_t count, std::int32_t& first, 
 }  // namespace
 
 Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted)
-    : width_(scene.raster.width), height_(scene.raster.height), place_(static_cast<std::size_t>(width_) * height_, -1) {
+    : width_(scene.raster.width), height_(scene.raster.height), place_(pixel_count(width_, height_), -1) {
   std::int32_t places = 0;
   for (std::size_t pixel = 0; pixel < place_.size(); ++pixel) {
     if (wanted.empty() || wanted[pixel] != 0) place_[pixel] = places++;
@@ -40,7 +40,7 @@ Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted
     candidate.facet = index32(k), candidate.polygon = scene.facets[k].polygon;
     for (std::int32_t y = top; y <= bottom; ++y) {
       for (std::int32_t x = left; x <= right; ++x) {
-        const std::int32_t slot = place_[static_cast<std::size_t>(y) * width_ + x];
+        const std::int32_t slot = place_[pixel_at(x, y, width_)];
         if (slot < 0) continue;
         const Vec2 centre(x, y);
         locate(seen, centre, candidate);
@@ -56,7 +56,7 @@ Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted
 }
 
 std::span<const Candidate> Truth::at(std::int32_t x, std::int32_t y) const {
-  const std::int32_t slot = place_.at(static_cast<std::size_t>(y) * width_ + x);
+  const std::int32_t slot = place_.at(pixel_at(x, y, width_));
   return candidates_.at(slot);
 }
 

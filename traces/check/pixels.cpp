@@ -23,7 +23,7 @@ struct PixelTold {
 ColorWrites::ColorWrites(const Trace& trace) {
   if (!trace.has(kind_of<DepthCompare>) || !trace.has(kind_of<PixelWrite>)) return;
   const Raster& raster = trace.scene().raster;
-  std::vector<PixelTold> pixels(static_cast<std::size_t>(raster.width) * raster.height);
+  std::vector<PixelTold> pixels(pixel_count(raster.width, raster.height));
   struct Win {
     std::int64_t step = 0;
     std::uint32_t turn = 0;

@@ -94,7 +94,7 @@ class DepthJudge {
     found_.format = precision.format, found_.format_text = precision.text;
     found_.unit = depth_unit(trace.scene(), conventions);
     const Raster& raster = trace.scene().raster;
-    const std::size_t pixels = static_cast<std::size_t>(raster.width) * raster.height;
+    const std::size_t pixels = pixel_count(raster.width, raster.height);
     stored_.resize(pixels), fighting_.resize(pixels);
     if (trace.header().declares(Convention::nearer)) nearest_.resize(pixels * open_.size());
     found_.of_pixel.assign(pixels, std::numeric_limits<double>::quiet_NaN());
@@ -337,7 +337,7 @@ class DepthJudge {
   }
   void decided_wrong(std::int64_t position, std::int32_t x, std::int32_t y, const Known& z, const Known& stored) {
     ++found_.all.decided_wrong;
-    const std::size_t pixel = static_cast<std::size_t>(y) * trace_.scene().raster.width + static_cast<std::size_t>(x);
+    const std::size_t pixel = pixel_at(x, y, trace_.scene().raster.width);
     fighting_[pixel] = true;
     found_.turned.resize(fighting_.size());
     for (const Known* of : {&z, &stored})

@@ -112,7 +112,7 @@ void PictureChange::apply_to(Picture& picture) const {
 namespace {
 
 void begin(Picture& picture, std::int32_t width, std::int32_t height, double depth) {
-  const auto size = static_cast<std::size_t>(width) * height;
+  const std::size_t size = pixel_count(width, height);
   picture.width = width, picture.height = height;
   picture.polygon.assign(size, no_polygon);
   picture.depth.assign(size, depth);
@@ -125,7 +125,7 @@ bool forgets_depths(const Trace& trace) {
   if (!records<DepthWrite>(header) || !trace.has(kind_of<PixelWrite>)) return false;
   const Raster& raster = trace.scene().raster;
   double empty = header.empty_depth();
-  std::vector<double> written(static_cast<std::size_t>(raster.width) * raster.height, empty);
+  std::vector<double> written(pixel_count(raster.width, raster.height), empty);
   bool right_if_forgotten = true, right_if_written = true;
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     if (const auto* clear = get_if<BuffersClear>(&recorded.event)) {
@@ -134,7 +134,7 @@ bool forgets_depths(const Trace& trace) {
     }
     const auto* compare = get_if<DepthCompare>(&recorded.event);
     if (!compare) return true;
-    const auto pixel = static_cast<std::size_t>(compare->y) * raster.width + static_cast<std::size_t>(compare->x);
+    const std::size_t pixel = pixel_at(compare->x, compare->y, raster.width);
     const auto fits = [&](double stored) {
       const bool open = compare->z == stored && !header.declares(Convention::ties);
       return open || compare->nearer == header.comparison.wins(compare->z, stored);

@@ -49,8 +49,8 @@ class Canvas {
   int width() const { return width_; }
   int height() const { return height_; }
   bool empty() const { return pixels_.empty(); }
-  Pixel32* row(int y) { return pixels_.data() + static_cast<std::size_t>(y) * width_; }
-  const Pixel32* row(int y) const { return pixels_.data() + static_cast<std::size_t>(y) * width_; }
+  Pixel32* row(int y) { return pixels_.data() + pixel_at(0, y, width_); }
+  const Pixel32* row(int y) const { return pixels_.data() + pixel_at(0, y, width_); }
 
   /// Clipped to the canvas; right and bottom are exclusive.
   void rectangle(int left, int top, int right, int bottom, Pixel32 color);

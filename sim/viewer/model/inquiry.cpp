@@ -72,11 +72,8 @@ void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
           columns_ = names;
           places.emplace(names);
           if (!places->x || !places->y) return;
-          heat_ =
-              HeatMap{"rows", std::vector<double>(static_cast<std::size_t>(raster.width) * raster.height, std::nan("")),
-                      0,      0,
-                      "",     false,
-                      -1};
+          heat_ = HeatMap{
+              "rows", std::vector<double>(pixel_count(raster.width, raster.height), std::nan("")), 0, 0, "", false, -1};
         },
         [&](std::span<const query::Value> row) {
           ++count;
@@ -87,8 +84,7 @@ void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
             if (painted) heat_->name = columns_[*painted];
           }
           if (heat_ && pixel) {
-            double& value =
-                heat_->values[static_cast<std::size_t>(pixel->y) * raster.width + static_cast<std::size_t>(pixel->x)];
+            double& value = heat_->values[pixel_at(pixel->x, pixel->y, raster.width)];
             if (!painted) value = std::isnan(value) ? 1 : value + 1;
             else value = number_of(row[*painted]).value_or(std::nan(""));
           }
