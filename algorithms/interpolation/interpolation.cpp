@@ -12,6 +12,7 @@
 #include "traces/formulas/attributes.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::interpolation {
@@ -188,7 +189,7 @@ class Drawing {
 
     const Color& color = scene_.polygons[polygon_].color;
     const double kept = formulas::stripe_shade(a);
-    const auto shaded = [&](std::uint8_t channel) { return static_cast<std::uint8_t>(std::lround(channel * kept)); };
+    const auto shaded = [&](std::uint8_t channel) { return nearest_byte(channel * kept); };
     const Color ink{shaded(color.red), shaded(color.green), shaded(color.blue)};
     picture_.ink[pixel] = ink_of(ink);
     record_(step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});

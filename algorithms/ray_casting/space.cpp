@@ -9,6 +9,7 @@
 #include <numeric>
 #include <span>
 
+#include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 #include "traces/scene.hpp"
 
@@ -80,8 +81,7 @@ std::array<std::int32_t, 3> cells_for(const Box& box, std::size_t facets) {
   while (along_longest < most_cells && along_longest * along_longest * along_longest < 3 * facets) ++along_longest;
   std::array<std::int32_t, 3> cells{};
   for (int axis = 0; axis < 3; ++axis) {
-    cells[axis] = std::max(
-        1, static_cast<std::int32_t>(std::ceil(size[axis] / longest * static_cast<double>(along_longest) - 1e-6)));
+    cells[axis] = std::max(1, ceil_int(size[axis] / longest * static_cast<double>(along_longest) - 1e-6));
   }
   return cells;
 }

@@ -6,6 +6,7 @@
 
 #include "algorithms/ray_casting/ray_casting.hpp"
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::ray_tracing {
@@ -22,7 +23,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 glm::dvec3 light_of(Color color) { return glm::dvec3(color.red, color.green, color.blue) / 255.0; }
 
 Color color_of(glm::dvec3 light) {
-  const auto part = [](double value) { return static_cast<std::uint8_t>(std::lround(255 * value)); };
+  const auto part = [](double value) { return nearest_byte(255 * value); };
   return {part(light.x), part(light.y), part(light.z)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::scan_line {
@@ -13,8 +14,6 @@ constexpr double line_of(double y) { return lines_in_a_row * (y + 0.5) - 0.5; }
 constexpr double y_of(std::int32_t line) { return (line + 0.5) / lines_in_a_row - 0.5; }
 
 constexpr double nothing = 1e-9;  // a share that is only rounding
-
-std::uint8_t shade(double value) { return static_cast<std::uint8_t>(std::lround(value)); }
 
 }  // namespace
 
@@ -29,7 +28,7 @@ Coverage::Coverage(const pieces::Pieces& polygons, const Raster& raster)
 }
 
 void Coverage::add(std::int32_t polygon, double x_left, double x_right) {
-  const auto first = static_cast<std::int32_t>(std::floor(x_left + 0.5));
+  const auto first = floor_int(x_left + 0.5);
   for (std::int32_t x = std::max(0, first); x < width_ && x - 0.5 < x_right; ++x) {
     const double area = (std::min(x_right, x + 0.5) - std::max(x_left, x - 0.5)) / lines_in_a_row;
     std::vector<Share>& shares = shares_[x];
@@ -66,7 +65,7 @@ void Coverage::mix_row(const Scene& scene, std::int32_t y, Picture& picture, R& 
       const Color color = covered ? scene.polygons[share.polygon].color : scene.background;
       mixture += share.area * glm::dvec3(color.red, color.green, color.blue);
     }
-    const Color color{shade(mixture.x), shade(mixture.y), shade(mixture.z)};
+    const Color color{nearest_byte(mixture.x), nearest_byte(mixture.y), nearest_byte(mixture.z)};
     record(step::mix, ColorWrite{x, y, color.red, color.green, color.blue});
     picture.ink[pixel] = ink_of(color);
   }

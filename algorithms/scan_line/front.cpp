@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "traces/formulas/outlines.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 #include "traces/scene.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 std::int32_t first_pixel(double x, std::int32_t width) {
   if (!(x > 0)) return 0;
   if (x >= width) return width;
-  return static_cast<std::int32_t>(std::ceil(x));
+  return ceil_int(x);
 }
 
 // A depth, and how much of it may be rounding: a plane seen nearly edge-on gives large numbers that cancel.

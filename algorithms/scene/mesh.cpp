@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::scene {
@@ -69,9 +70,7 @@ Color shaded(Color base, glm::dvec3 normal) {
   const double facing = length > 0 ? glm::dot(normal, light) / length : 0;
   const double half = (1 + facing) / 2;
   const double brightness = 0.30 + 0.85 * half * half;
-  const auto channel = [&](std::uint8_t value) {
-    return static_cast<std::uint8_t>(std::lround(std::fmin(255, value * brightness)));
-  };
+  const auto channel = [&](std::uint8_t value) { return nearest_byte(std::fmin(255, value * brightness)); };
   return {channel(base.red), channel(base.green), channel(base.blue)};
 }
 

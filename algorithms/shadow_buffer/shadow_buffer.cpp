@@ -6,6 +6,7 @@
 #include "algorithms/viewing/camera.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "traces/formulas/viewing.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::shadow_buffer {
@@ -71,7 +72,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
       if (at.lit) continue;
 
       const Color color = scene.polygons[picture.polygon[pixel]].color;
-      const auto dark = [](std::uint8_t shade) { return static_cast<std::uint8_t>(std::lround(shade * in_shadow)); };
+      const auto dark = [](std::uint8_t shade) { return nearest_byte(shade * in_shadow); };
       const Color shaded{dark(color.red), dark(color.green), dark(color.blue)};
       picture.ink[pixel] = ink_of(shaded);
       record(step::darken, ColorWrite{x, y, shaded.red, shaded.green, shaded.blue});

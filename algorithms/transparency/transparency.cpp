@@ -8,6 +8,7 @@
 #include "algorithms/scan_conversion/spans.hpp"
 #include "algorithms/viewing/clip.hpp"
 #include "traces/formulas/of_light.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 #include "traces/scene.hpp"
 
@@ -15,7 +16,7 @@ namespace zstep::transparency {
 
 Color blended(Color over, double opacity, Color under) {
   const auto mix = [&](std::uint8_t top, std::uint8_t bottom) {
-    return static_cast<std::uint8_t>(std::lround(formulas::laid_over<double>(opacity, top, bottom)));
+    return nearest_byte(formulas::laid_over<double>(opacity, top, bottom));
   };
   return {mix(over.red, under.red), mix(over.green, under.green), mix(over.blue, under.blue)};
 }

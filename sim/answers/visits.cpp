@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "traces/codec/scene_geometry.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/replay/key_frames.hpp"
 #include "traces/scene.hpp"
 
@@ -33,13 +34,11 @@ std::vector<bool> begun_polygons(const Trace& trace) {
 FacetsNear::FacetsNear(const Trace& trace) : begun_(begun_polygons(trace)) {
   const Scene& scene = trace.scene();
   const codec::SceneGeometry facts(scene, trace.header());
-  squares_across_ = static_cast<std::int32_t>(std::ceil(scene.raster.width / side));
-  const auto squares_down = static_cast<std::int32_t>(std::ceil(scene.raster.height / side));
+  squares_across_ = ceil_int(scene.raster.width / side);
+  const auto squares_down = ceil_int(scene.raster.height / side);
   const double nearest = scene.camera.near;
 
-  const auto square = [](double at, std::int32_t count) {
-    return static_cast<std::int32_t>(std::floor(std::clamp(at / side, -1.0, count + 1.0)));
-  };
+  const auto square = [](double at, std::int32_t count) { return floor_int(std::clamp(at / side, -1.0, count + 1.0)); };
   std::vector<Squares> of_facet(scene.facets.size());
   for (std::size_t i = 0; i < scene.facets.size(); ++i) {
     double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;

@@ -7,6 +7,7 @@
 #include "sim/answers/why_not_parts.hpp"
 #include "sim/words/rejects.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -221,8 +222,8 @@ Verdict lines_anywhere(Asked& q) {
   }
   // A pixel on it: the first that was drawn, or for one that was not the middle of the edge.
   const std::int64_t begin = begin_of(q, *picked).value_or(0);
-  Trace::Pixel pixel{static_cast<std::int32_t>(std::lround((picked->from.x + picked->to.x) / 2)),
-                     static_cast<std::int32_t>(std::lround((picked->from.y + picked->to.y) / 2))};
+  Trace::Pixel pixel{nearest_int((picked->from.x + picked->to.x) / 2),
+                     nearest_int((picked->from.y + picked->to.y) / 2)};
   const auto draw = next_of<ColorWrite, LineBegin>(q.trace, begin, q.trace.size() + 1);
   if (const auto color = draw ? event_at<ColorWrite>(q.trace, *draw) : std::nullopt) pixel = {color->x, color->y};
   pixel.x = std::clamp(pixel.x, 0, q.scene.raster.width - 1),

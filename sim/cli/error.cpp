@@ -26,6 +26,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/oracle/attribute_errors.hpp"
 #include "traces/oracle/errors.hpp"
 #include "traces/text.hpp"
@@ -291,7 +292,7 @@ Image picture_of(const std::vector<double>& errors, const Raster& raster) {
     double dark = 0;
     if (std::isnan(rows[i])) dark = (x + y) % 4 == 0 ? 0.25 : 0;
     else if (rows[i] != 0) dark = std::clamp(0.5 + portable::log10(std::abs(rows[i])) / 6, 0.1, 1.0);
-    const auto light = static_cast<std::uint8_t>(std::lround(255 * (1 - dark)));
+    const auto light = nearest_byte(255 * (1 - dark));
     image.rgb.insert(image.rgb.end(), {light, light, light});
   }
   return image;

@@ -9,6 +9,7 @@
 #include "sim/pages/page.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep {
 
@@ -38,7 +39,7 @@ Image map_of(const std::vector<float>& differences, std::int32_t width, std::int
   image.rgb.reserve(differences.size() * 3);
   const auto same = [](float value) { return value; };
   for (const float apart : top_row_first<float>(differences, width, height, y_up, same)) {
-    const auto light = static_cast<std::uint8_t>(std::lround(255 * (1 - std::clamp(apart, 0.0f, 1.0f))));
+    const auto light = nearest_byte(255 * (1 - std::clamp(apart, 0.0f, 1.0f)));
     image.rgb.insert(image.rgb.end(), {light, light, light});
   }
   return image;
@@ -62,7 +63,7 @@ Image depths_of(const Picture& picture, bool y_up, const DepthRange& range) {
       int light = enlarge >= 4 && column % enlarge == row % enlarge ? stroke : white;
       if (has_depth(z)) {
         const double share = range.most > range.least ? (z - range.least) / (range.most - range.least) : 0;
-        light = darkest + static_cast<int>(std::lround(share * (lightest - darkest)));
+        light = darkest + nearest_int(share * (lightest - darkest));
       }
       const auto grey = static_cast<std::uint8_t>(light);
       image.rgb.insert(image.rgb.end(), {grey, grey, grey});

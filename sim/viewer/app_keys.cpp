@@ -12,6 +12,7 @@
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
@@ -189,7 +190,7 @@ void App::act_by_fingers() {
   const auto point = [&](ImVec2 at) {
     SDL_Event event{};
     event.type = SDL_MOUSEMOTION;
-    event.motion.x = static_cast<int>(std::floor(at.x)), event.motion.y = static_cast<int>(std::floor(at.y));
+    event.motion.x = floor_int(at.x), event.motion.y = floor_int(at.y);
     handle(event);
     finger_at_ = at;
   };
@@ -197,8 +198,7 @@ void App::act_by_fingers() {
     SDL_Event event{};
     event.type = down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
     event.button.button = which;
-    event.button.x = static_cast<int>(std::floor(finger_at_.x)),
-    event.button.y = static_cast<int>(std::floor(finger_at_.y));
+    event.button.x = floor_int(finger_at_.x), event.button.y = floor_int(finger_at_.y);
     handle(event);
   };
   const auto next_is = [&](Kind kind) { return !acts_.empty() && acts_.front().kind == kind; };

@@ -13,6 +13,7 @@
 #include "sim/viewer/description.hpp"
 #include "sim/viewer/settings.hpp"
 #include "traces/error.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
@@ -148,7 +149,7 @@ void Loop::run(std::string_view id) {
 void Loop::tell_typing() {
   std::optional<system::TypedLine> line;
   if (const auto at = stage_.app().typed_line()) {
-    const auto point = [&](float pixels) { return static_cast<int>(std::lround(pixels / window_.pixels_per_point())); };
+    const auto point = [&](float pixels) { return nearest_int(pixels / window_.pixels_per_point()); };
     line = {point(at->x), point(at->y), point(at->z), point(at->w)};
   }
   if (line != std::exchange(told_line_, line)) system::typing_at(line);

@@ -10,6 +10,7 @@
 
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
@@ -18,7 +19,7 @@ namespace {
 constexpr float smallest_type = 13;
 
 std::string minutes_text(double minutes) {
-  const auto seconds = static_cast<int>(std::lround(minutes * 60));
+  const auto seconds = nearest_int(minutes * 60);
   return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
 }
 

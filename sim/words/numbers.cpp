@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep {
 
@@ -73,7 +74,7 @@ std::string number(double value, int at_most_decimals, bool shorten) {
 std::string factor(double value) {
   const double magnitude = std::abs(value);
   if (!(magnitude >= 1e-4 && magnitude < 0.1)) return number(value);
-  return number(value, usual_decimals - 1 - static_cast<int>(std::floor(portable::log10(magnitude))), true);
+  return number(value, usual_decimals - 1 - floor_int(portable::log10(magnitude)), true);
 }
 
 int decimals_needed(std::span<const double> values, int at_most) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "traces/file/header.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::formulas {
 
@@ -82,7 +83,7 @@ inline std::int32_t limited_column(double whole, std::int32_t width) {
 inline std::int32_t row_from(double y, std::int32_t height) {
   if (!(y > 0)) return 0;
   if (y >= height) return height;
-  return static_cast<std::int32_t>(std::ceil(y));
+  return ceil_int(y);
 }
 
 }  // namespace zstep::formulas

@@ -14,6 +14,7 @@
 #include "traces/formulas/of_light.hpp"
 #include "traces/formulas/of_rays.hpp"
 #include "traces/formulas/viewing.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::formulas {
 
@@ -147,7 +148,7 @@ namespace detail {
 inline std::int32_t shade_of(std::int32_t recorded, double value) {
   if (std::abs(recorded - value) < 1) return recorded;
   constexpr double most = 1e6;  // a program may bring back any light
-  return std::isnan(value) ? -1 : static_cast<std::int32_t>(std::lround(std::clamp(value, -most, most)));
+  return std::isnan(value) ? -1 : nearest_int(std::clamp(value, -most, most));
 }
 
 }  // namespace detail

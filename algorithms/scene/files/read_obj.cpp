@@ -10,6 +10,7 @@
 #include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "traces/error.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::scene {
 
@@ -33,9 +34,7 @@ bool one_of(const std::array<std::string_view, N>& words, std::string_view word)
   return false;
 }
 
-std::uint8_t channel(double value) {
-  return static_cast<std::uint8_t>(std::lround(255 * std::fmin(1, std::fmax(0, value))));
-}
+std::uint8_t channel(double value) { return nearest_byte(255 * std::fmin(1, std::fmax(0, value))); }
 
 void read_materials(Tokens file, Looks& looks) {
   std::string current;

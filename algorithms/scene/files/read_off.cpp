@@ -10,6 +10,7 @@
 #include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "traces/error.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::scene {
 
@@ -58,7 +59,7 @@ std::optional<Color> face_color(Tokens& file) {
     const double value = whole ? values[i] : 255 * values[i];
     if (!(value >= 0 && value <= 255))
       file.fail("a colour's number is out of range", "use whole numbers of 0 to 255, or fractions of 0 to 1");
-    *channels[i] = static_cast<std::uint8_t>(std::lround(value));
+    *channels[i] = nearest_byte(value);
   }
   return color;
 }
@@ -104,7 +105,7 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name, std::si
       const double value = file.take<float>();
       if (!(value >= 0 && value <= 1))
         throw InputError(where(), "a colour's number is out of range", "use fractions of 0 to 1");
-      channels[k] = static_cast<std::uint8_t>(std::lround(255 * value));
+      channels[k] = nearest_byte(255 * value);
     }
     if (components >= 3) color = Color{channels[0], channels[1], channels[2]};
     soup.close_outline(0, color, where);

@@ -16,6 +16,7 @@
 #include "traces/error.hpp"
 #include "algorithms/scene/files/bytes.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::scene {
 
@@ -382,8 +383,7 @@ class PlyReader {
       if (!(color[i] >= 0 && color[i] < 255.5))
         throw InputError(values_.where(), "a face's colour is out of range",
                          "use whole numbers of 0 to 255, or fractions of 0 to 1");
-    return {static_cast<std::uint8_t>(std::lround(color.x)), static_cast<std::uint8_t>(std::lround(color.y)),
-            static_cast<std::uint8_t>(std::lround(color.z))};
+    return {nearest_byte(color.x), nearest_byte(color.y), nearest_byte(color.z)};
   }
 
   const PlyHeader& header_;

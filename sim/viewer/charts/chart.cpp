@@ -15,6 +15,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep {
@@ -196,7 +197,7 @@ class ChartAxis {
     axis.decades_.emplace(range.least, range.most, from, to);
     const LogAxis& decades = *axis.decades_;
     const int count = decades.last_decade() - decades.first_decade() + 1;
-    const int stride = std::max(1, static_cast<int>(std::ceil(static_cast<float>(count) * each / std::abs(to - from))));
+    const int stride = std::max(1, ceil_int(static_cast<float>(count) * each / std::abs(to - from)));
     for (int n = decades.first_decade(); n <= decades.last_decade(); n += stride)
       axis.ticks_.push_back({portable::pow(10.0, n), viewer::decade_text(n)});
     return axis;
@@ -225,7 +226,7 @@ class ChartAxis {
   ChartAxis& with_round_ticks(float each) {
     const int most = std::max(1, static_cast<int>(std::abs(to_ - from_) / each));
     const double step = viewer::nice_step(range_.most - range_.least, most);
-    const int decimals = std::clamp(static_cast<int>(std::ceil(-portable::log10(step) - 1e-9)), 0, 8);
+    const int decimals = std::clamp(ceil_int(-portable::log10(step) - 1e-9), 0, 8);
     for (double value = std::ceil(range_.least / step - 1e-9) * step; value <= range_.most + step * 1e-9;
          value += step) {
       const double shown = std::abs(value) < step * 1e-6 ? 0 : value;

@@ -7,6 +7,7 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/words/escaped.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 
@@ -99,16 +100,16 @@ void Sheet::line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
 }
 
 void Sheet::rectangle(ImVec2 from, ImVec2 to, ImU32 color) {
-  const auto whole = [](float value) { return static_cast<int>(std::lround(value)); };
-  canvas_.rectangle(whole(from.x), whole(from.y), whole(to.x), whole(to.y), to_pixel(color));
-  svg_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", whole(from.x),
-                      whole(from.y), whole(to.x) - whole(from.x), whole(to.y) - whole(from.y), hex(color));
+  canvas_.rectangle(nearest_int(from.x), nearest_int(from.y), nearest_int(to.x), nearest_int(to.y), to_pixel(color));
+  svg_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", nearest_int(from.x),
+                      nearest_int(from.y), nearest_int(to.x) - nearest_int(from.x),
+                      nearest_int(to.y) - nearest_int(from.y), hex(color));
 }
 
 void Sheet::image(int x, int y, const Image& image) {
   for (int row = 0; row < image.height && y + row < canvas_.height(); ++row)
     for (int column = 0; column < image.width && x + column < canvas_.width(); ++column) {
-      const std::size_t at = (static_cast<std::size_t>(row) * image.width + column) * 3;
+      const std::size_t at = pixel_at(column, row, image.width) * 3;
       canvas_.row(y + row)[x + column] = opaque({image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]});
     }
 }
@@ -142,8 +143,8 @@ std::string Sheet::svg() const {
 }
 
 LogAxis::LogAxis(double least, double most, float from, float to)
-    : first_(static_cast<int>(std::floor(portable::log10(least) + 1e-9))),
-      last_(std::max(first_ + 1, static_cast<int>(std::ceil(portable::log10(most) - 1e-9)))),
+    : first_(floor_int(portable::log10(least) + 1e-9)),
+      last_(std::max(first_ + 1, ceil_int(portable::log10(most) - 1e-9))),
       from_(from),
       to_(to) {}
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
@@ -15,7 +16,7 @@ namespace {
 /// As many corners as make it round to a third of a pixel.
 std::vector<ImVec2> corners_of_circle(ImVec2 center, float radius) {
   const double flat = portable::acos(1 - std::min(0.3 / std::max(static_cast<double>(radius), 0.3), 1.0));
-  const int count = std::clamp(static_cast<int>(std::ceil(std::numbers::pi / flat)), 12, 512);
+  const int count = std::clamp(ceil_int(std::numbers::pi / flat), 12, 512);
   std::vector<ImVec2> corners;
   for (int k = 0; k < count; ++k) {
     const double angle = 2 * std::numbers::pi * k / count;
@@ -58,7 +59,7 @@ void fill_circle(ImDrawList* list, ImVec2 center, float radius, ImU32 color) {
 void Canvas::resize(int width, int height) {
   width_ = std::max(0, width);
   height_ = std::max(0, height);
-  pixels_.assign(static_cast<std::size_t>(width_) * height_, 0xff000000u);
+  pixels_.assign(pixel_count(width_, height_), 0xff000000u);
 }
 
 void Canvas::fill(Pixel32 color) { std::fill(pixels_.begin(), pixels_.end(), color); }
@@ -111,16 +112,16 @@ void Canvas::line(double x0, double y0, double x1, double y1, double thickness, 
   // Along the longer axis; across it, coverage falls off linearly around the true width.
   const double length = x1 - x0, slope = length > 0 ? (y1 - y0) / length : 0;
   const double half = thickness / 2 * std::sqrt(1 + slope * slope);
-  const int first = static_cast<int>(std::floor(x0)), last = static_cast<int>(std::floor(x1));
+  const int first = floor_int(x0), last = floor_int(x1);
   const int across = steep ? width_ : height_, along = steep ? height_ : width_;
   for (int u = std::max(first, 0); u <= std::min(last, along - 1); ++u) {
     const double middle = y0 + (std::clamp(u + 0.5, x0, x1) - x0) * slope;
-    const int low = static_cast<int>(std::floor(middle - half)), high = static_cast<int>(std::floor(middle + half));
+    const int low = floor_int(middle - half), high = floor_int(middle + half);
     for (int v = std::max(low, 0); v <= std::min(high, across - 1); ++v) {
       const double covered = std::min(v + 1.0, middle + half) - std::max<double>(v, middle - half);
       if (covered <= 0) continue;
       Pixel32& pixel = steep ? row(u)[v] : row(v)[u];
-      pixel = mixed(pixel, color, static_cast<unsigned>(std::lround(std::min(covered, 1.0) * share)));
+      pixel = mixed(pixel, color, nearest_int(std::min(covered, 1.0) * share));
     }
   }
 }
@@ -153,7 +154,7 @@ void Canvas::mark(double x, double y, double radius, int shape, Pixel32 color) {
     for (int px = left; px <= right; ++px) {
       const double covered = std::clamp(inside_mark(shape, px - x, py - y, radius) + 0.5, 0.0, 1.0);
       Pixel32& pixel = row(py)[px];
-      pixel = mixed(pixel, color, static_cast<unsigned>(std::lround(255 * covered)));
+      pixel = mixed(pixel, color, nearest_int(255 * covered));
     }
 }
 

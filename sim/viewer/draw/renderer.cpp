@@ -7,11 +7,12 @@
 
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/draw/theme.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
 
-int whole(float x) { return static_cast<int>(std::lround(std::clamp(x, -1e6f, 1e6f))); }
+int whole(float x) { return nearest_int(std::clamp(x, -1e6f, 1e6f)); }
 unsigned alpha_of(ImU32 color) { return color >> 24; }
 
 /// Corners a, b, c, d in the order ImDrawList gives a rectangle: clockwise from the top left.
@@ -28,7 +29,7 @@ void Renderer::resize(int width, int height) {
 }
 
 std::uint64_t Renderer::fingerprint() const {
-  const auto pixels = static_cast<std::size_t>(picture_.width()) * picture_.height();
+  const std::size_t pixels = pixel_count(picture_.width(), picture_.height());
   return XXH3_64bits(picture_.row(0), pixels * sizeof(Pixel32));
 }
 
@@ -142,7 +143,7 @@ void Renderer::draw(const ImDrawData& data, Pixel32 clear) {
 
 std::vector<std::uint8_t> Renderer::rgb() const {
   std::vector<std::uint8_t> out;
-  out.reserve(static_cast<std::size_t>(width()) * height() * 3);
+  out.reserve(pixel_count(width(), height()) * 3);
   for (int y = 0; y < height(); ++y)
     for (int x = 0; x < width(); ++x)
       for (const int shift : {16, 8, 0}) out.push_back(static_cast<std::uint8_t>(picture_.row(y)[x] >> shift));

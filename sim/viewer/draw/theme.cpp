@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -47,7 +48,7 @@ Pixel32 to_srgb(const Lab& c) {
   const double l = portable::pow(c.L + 0.3963377774 * c.a + 0.2158037573 * c.b, 3);
   const double m = portable::pow(c.L - 0.1055613458 * c.a - 0.0638541728 * c.b, 3);
   const double s = portable::pow(c.L - 0.0894841775 * c.a - 1.2914855480 * c.b, 3);
-  const auto byte = [](double linear) { return static_cast<std::uint8_t>(std::lround(encoded(linear) * 255)); };
+  const auto byte = [](double linear) { return nearest_byte(encoded(linear) * 255); };
   return opaque({byte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
                  byte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
                  byte(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)});

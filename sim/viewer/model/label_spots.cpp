@@ -7,6 +7,7 @@
 
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -20,27 +21,27 @@ struct SeenPart {
 };
 
 SeenPart seen_part_of(const RasterMap& map) {
-  const auto first = [&](double begin) { return std::max(0, static_cast<int>(std::ceil(-begin / map.cell - 0.5))); };
+  const auto first = [&](double begin) { return std::max(0, ceil_int(-begin / map.cell - 0.5)); };
   const auto end = [&](double begin, int box, int count) {
-    return std::min(count, static_cast<int>(std::floor((box - begin) / map.cell + 0.5)));
+    return std::min(count, floor_int((box - begin) / map.cell + 0.5));
   };
   SeenPart seen{first(map.left), end(map.left, map.box_width, map.width), first(map.top),
                 end(map.top, map.box_height, map.height)};
   if (map.y_up) seen = {seen.left, seen.right, map.height - seen.high, map.height - seen.low};
   constexpr double enough = 40'000;
   const double pixels = std::max(0, seen.right - seen.left) * static_cast<double>(std::max(0, seen.high - seen.low));
-  seen.every = pixels <= enough ? 1 : static_cast<int>(std::ceil(std::sqrt(pixels / enough)));
+  seen.every = pixels <= enough ? 1 : ceil_int(std::sqrt(pixels / enough));
   return seen;
 }
 
 /// How many pixels in every direction have the same polygon: 1 at its border. Two passes over the window.
 std::vector<int> depth_inside(const Picture& picture, const SeenPart& seen) {
   const int width = seen.width(), height = seen.height();
-  std::vector<int> inside(static_cast<std::size_t>(width) * height, 0);
+  std::vector<int> inside(pixel_count(width, height), 0);
   const auto polygon = [&](int x, int y) {
     return picture.polygon[picture.at(seen.left + x * seen.every, seen.low + y * seen.every)];
   };
-  const auto at = [&](int x, int y) -> int& { return inside[static_cast<std::size_t>(y) * width + x]; };
+  const auto at = [&](int x, int y) -> int& { return inside[pixel_at(x, y, width)]; };
   const auto beyond = [&](int x, int y, int to_x, int to_y) {
     const bool there = to_x >= 0 && to_y >= 0 && to_x < width && to_y < height;
     return there && polygon(to_x, to_y) == polygon(x, y) ? at(to_x, to_y) : 0;

@@ -11,6 +11,7 @@
 #include "sim/answers/pixel_counts.hpp"
 #include "sim/viewer/model/inquiry.hpp"
 #include "sim/viewer/model/session.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 
@@ -38,9 +39,9 @@ struct RasterMap {
   double px(double x) const { return left + (x + 0.5) * cell; }
   double py(double y) const { return top + ((y_up ? height - 1 - y : y) + 0.5) * cell; }
   /// Pixel bounds of column x and of row y; whole pixels, so that neighbours share a border.
-  int column_begin(int x) const { return static_cast<int>(std::lround(left + x * cell)); }
-  int row_begin(int y) const { return static_cast<int>(std::lround(top + (y_up ? height - 1 - y : y) * cell)); }
-  int row_end(int y) const { return static_cast<int>(std::lround(top + (y_up ? height - y : y + 1) * cell)); }
+  int column_begin(int x) const { return nearest_int(left + x * cell); }
+  int row_begin(int y) const { return nearest_int(top + (y_up ? height - 1 - y : y) * cell); }
+  int row_end(int y) const { return nearest_int(top + (y_up ? height - y : y + 1) * cell); }
   std::optional<Cell> cell_at(double pixel_x, double pixel_y) const;
 };
 
@@ -70,8 +71,7 @@ inline RasterMap::RasterMap(const Raster& raster, const RasterView& view, int bo
 }
 
 inline std::optional<Cell> RasterMap::cell_at(double pixel_x, double pixel_y) const {
-  const int x = static_cast<int>(std::floor((pixel_x - left) / cell)),
-            row = static_cast<int>(std::floor((pixel_y - top) / cell));
+  const int x = floor_int((pixel_x - left) / cell), row = floor_int((pixel_y - top) / cell);
   if (x < 0 || row < 0 || x >= width || row >= height) return std::nullopt;
   return Cell{x, y_up ? height - 1 - row : row};
 }

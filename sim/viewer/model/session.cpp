@@ -14,6 +14,7 @@
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/file/visit.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
@@ -371,7 +372,7 @@ double Session::play(double now) {
     return 3600;
   }
   if (const double left = reading_until_ - now; left > 0) {
-    const int whole = static_cast<int>(std::ceil(left));
+    const int whole = ceil_int(left);
     if (whole != std::exchange(waits_, whole)) {
       message =
           fmt::format("Time to read this stop: playing goes on in {} s. Space goes on at once, Esc pauses.", whole);

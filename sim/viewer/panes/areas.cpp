@@ -11,6 +11,7 @@
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -39,7 +40,7 @@ bool has_pixels(const AreaBegin& a) { return a.first_column < a.end_column && a.
 void paint_areas(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& thin) {
   const MethodState& m = now.state().machine;
   const Picture& picture = now.state().picture;
-  const int line = static_cast<int>(std::lround(thin));
+  const int line = nearest_int(thin);
   std::vector<Pixel32> cells(picture.polygon.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     cells[i] = mixed(opaque(zstep::color_at(picture, now.scene(), i)), to_pixel(c.pane), 110);

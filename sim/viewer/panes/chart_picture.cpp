@@ -4,6 +4,7 @@
 
 #include "sim/viewer/charts/sheet.hpp"
 #include "sim/viewer/draw/canvas.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -28,8 +29,8 @@ class PanePaper : public Paper {
     picture_.canvas.line(from.x, from.y, to.x, to.y, thickness, to_pixel(color));
   }
   void rectangle(ImVec2 from, ImVec2 to, ImU32 color) override {
-    const auto whole = [](float value) { return static_cast<int>(std::lround(value)); };
-    picture_.canvas.rectangle(whole(from.x), whole(from.y), whole(to.x), whole(to.y), to_pixel(color));
+    picture_.canvas.rectangle(nearest_int(from.x), nearest_int(from.y), nearest_int(to.x), nearest_int(to.y),
+                              to_pixel(color));
   }
   void mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled) override {
     const double size = radius;

@@ -12,6 +12,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
@@ -266,7 +267,7 @@ void shade_hidden(const HorizonWork& work, Canvas& canvas, const RasterMap& map,
   const double bottom = map.py(map.height - 0.5);
   for (std::size_t x = 0; x < work.upper.size() && x < work.lower.size(); ++x) {
     if (!std::isfinite(work.upper[x])) continue;
-    const auto row = [&](double y) { return static_cast<int>(std::lround(std::clamp(map.py(y), 0.0, bottom))); };
+    const auto row = [&](double y) { return nearest_int(std::clamp(map.py(y), 0.0, bottom)); };
     const int column = index32(x);
     canvas.rectangle(map.column_begin(column), row(work.upper[x]), map.column_begin(column + 1),
                      one ? static_cast<int>(bottom) : row(work.lower[x]), shade);

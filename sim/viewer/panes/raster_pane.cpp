@@ -11,6 +11,7 @@
 #include "sim/viewer/panes/sweep.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -44,10 +45,9 @@ void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const
                {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)},
                cells.made.counts.empty() ? nullptr : &cells.made.counts);
   draw_geometry(canvas, map, now, lit, c, static_cast<double>(thin));
-  const int line = static_cast<int>(std::lround(thin));
+  const int line = nearest_int(thin);
   const int x0 = map.column_begin(0) - line, x1 = map.column_begin(map.width) + line - 1;
-  const int y0 = static_cast<int>(std::lround(map.top)) - line,
-            y1 = static_cast<int>(std::lround(map.top + map.height * map.cell)) + line - 1;
+  const int y0 = nearest_int(map.top) - line, y1 = nearest_int(map.top + map.height * map.cell) + line - 1;
   canvas.rectangle(x0, y0, x1, y0 + line, to_pixel(c.grid));
   canvas.rectangle(x0, y1 - line, x1, y1, to_pixel(c.grid));
   canvas.rectangle(x0, y0, x0 + line, y1, to_pixel(c.grid));
@@ -93,7 +93,7 @@ void frame_cell(const Ui& ui, const RasterMap& map, ImVec2 origin, Cell cell, fl
 /// the pane's colour, so that they stand out from whatever is drawn below.
 /// Of marks on so many small pixels that they cover what they mark, those along the border of what is marked.
 std::vector<PixelMark> border_of(const std::vector<PixelMark>& marks, int width, int height) {
-  std::vector<bool> marked(static_cast<std::size_t>(width) * height);
+  std::vector<bool> marked(pixel_count(width, height));
   for (const PixelMark& mark : marks) marked.at(mark.pixel) = true;
   std::vector<PixelMark> border;
   for (const PixelMark& mark : marks) {

@@ -6,6 +6,7 @@
 
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -15,8 +16,8 @@ Pixel32 hatch_at(int x, int y, const RasterInk& ink) { return (x + y) % 6 == 0 ?
 /// Cells at least a pixel wide: every canvas pixel shows the cell it lies in.
 void paint_large(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32>& cells, const RasterInk& ink) {
   const int left = std::max(0, map.column_begin(0)), right = std::min(canvas.width(), map.column_begin(map.width));
-  const int top = std::max(0, static_cast<int>(std::lround(map.top)));
-  const int bottom = std::min(canvas.height(), static_cast<int>(std::lround(map.top + map.height * map.cell)));
+  const int top = std::max(0, nearest_int(map.top));
+  const int bottom = std::min(canvas.height(), nearest_int(map.top + map.height * map.cell));
   if (left >= right) return;
   std::vector<int> column(right);
   std::vector<bool> line(right);
@@ -27,7 +28,7 @@ void paint_large(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32
       line[px] = grid && px + 1 == map.column_begin(x + 1);
     }
   for (int y = 0; y < map.height; ++y) {
-    const Pixel32* source = cells.data() + static_cast<std::size_t>(y) * map.width;
+    const Pixel32* source = cells.data() + pixel_at(0, y, map.width);
     for (int py = std::max(top, map.row_begin(y)); py < std::min(bottom, map.row_end(y)); ++py) {
       Pixel32* out = canvas.row(py);
       const bool grid_row = grid && py + 1 == map.row_end(y);
@@ -54,7 +55,7 @@ struct Mean {
     unsigned red = 0, green = 0, blue = 0, count = 0;
     for (int row = under.top; row < under.bottom; ++row) {
       const int y = map.y_up ? map.height - 1 - row : row;
-      const Pixel32* source = cells.data() + static_cast<std::size_t>(y) * map.width;
+      const Pixel32* source = cells.data() + pixel_at(0, y, map.width);
       for (int x = under.left; x < under.right; ++x) {
         const Pixel32 cell = source[x] == hatched_cell ? ink.hatch : source[x];
         red += cell >> 16 & 255u;
@@ -79,7 +80,7 @@ struct Greatest {
     double most = -std::numeric_limits<double>::infinity();
     for (int row = under.top; row < under.bottom; ++row) {
       const int y = map.y_up ? map.height - 1 - row : row;
-      const std::size_t first = static_cast<std::size_t>(y) * map.width;
+      const std::size_t first = pixel_at(0, y, map.width);
       for (int x = under.left; x < under.right; ++x)
         if (const std::size_t at = first + static_cast<std::size_t>(x); counts[at] >= most)
           most = counts[at], found = cells[at];
@@ -93,9 +94,7 @@ template <class ColorOf>
 void paint_small(Canvas& canvas, const RasterMap& map, const ColorOf& color) {
   const double step = 1 / map.cell;
   // Each pixel begins where the one before it ends, so no cell is left out, and rounding does not lose the last one.
-  const auto cell_at = [step](int pixel, double begin) {
-    return static_cast<int>(std::floor((pixel - begin) * step + 1e-9));
-  };
+  const auto cell_at = [step](int pixel, double begin) { return floor_int((pixel - begin) * step + 1e-9); };
   for (int py = 0; py < canvas.height(); ++py) {
     Under under;
     under.top = std::max(0, cell_at(py, map.top)), under.bottom = std::min(map.height, cell_at(py + 1, map.top));
@@ -113,7 +112,7 @@ void paint_small(Canvas& canvas, const RasterMap& map, const ColorOf& color) {
 void paint_raster(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32>& cells, const RasterInk& ink,
                   const std::vector<double>* counts) {
   canvas.fill(ink.outside);
-  if (cells.size() < static_cast<std::size_t>(map.width) * map.height) return;
+  if (cells.size() < pixel_count(map.width, map.height)) return;
   if (map.cell >= 1) paint_large(canvas, map, cells, ink);
   else if (counts && counts->size() == cells.size()) paint_small(canvas, map, Greatest{map, cells, ink, *counts});
   else paint_small(canvas, map, Mean{map, cells, ink});
@@ -188,11 +187,7 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
     for (int r = r0; r <= r1; ++r)
       for (int x = x0; x <= x1; ++x) {
         const int y = map.y_up ? map.height - 1 - r : r;
-        widest = std::max<double>(
-            widest,
-            text_size(ui, font,
-                      cell_text(static_cast<std::size_t>(y) * map.width + static_cast<std::size_t>(x), decimals))
-                .x);
+        widest = std::max<double>(widest, text_size(ui, font, cell_text(pixel_at(x, y, map.width), decimals)).x);
       }
     return widest;
   };
@@ -207,7 +202,7 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
     for (int r = r0; r <= r1; ++r)
       for (int x = x0; x <= x1; ++x) {
         const int y = map.y_up ? map.height - 1 - r : r;
-        const std::size_t at = static_cast<std::size_t>(y) * map.width + x;
+        const std::size_t at = pixel_at(x, y, map.width);
         const std::string text = cell_text(at, *decimals);
         if (text.empty()) continue;
         const ImVec2 size = text_size(ui, font, text);

@@ -15,6 +15,7 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
@@ -385,9 +386,7 @@ std::vector<TableRow> ray_tree_rows(Ui& ui) {
       if (ray.entry.role == RayRole::shadow) {
         row.cells.push_back(TableCell::result_of(ray.end->nearest_facet >= 0 ? "dark" : "lit"));
       } else {
-        const auto part = [](double v) {
-          return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0)));
-        };
+        const auto part = [](double v) { return nearest_byte(255 * std::clamp(v, 0.0, 1.0)); };
         const Color color{part(ray.end->red), part(ray.end->green), part(ray.end->blue)};
         row.cells.emplace_back(fmt::format("{} {} {}", color.red, color.green, color.blue), to_im(opaque(color)));
         row.cells.back().result = true;

@@ -13,6 +13,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -102,11 +103,11 @@ void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const s
     if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 5 * thin, to_pixel(c.selected));
   }
   if (m.scan_line) {
-    const int y = static_cast<int>(std::lround(map.py(*m.scan_line)));
+    const int y = nearest_int(map.py(*m.scan_line));
     const int left = std::max(0, static_cast<int>(map.left)),
               right = std::min(canvas.width(), static_cast<int>(map.left + map.width * map.cell));
     for (int x = left; x < right; x += 8)
-      canvas.rectangle(x, y, std::min(x + 5, right), y + static_cast<int>(std::lround(thin)), to_pixel(c.now));
+      canvas.rectangle(x, y, std::min(x + 5, right), y + nearest_int(thin), to_pixel(c.now));
   }
 }
 

@@ -17,6 +17,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/file/header.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -54,15 +55,13 @@ void paint_stored(Canvas& canvas, const SlicePlot& plot, const Slice& slice, boo
   float before = 0;
   for (std::size_t x = 0; x < slice.stored.size(); ++x) {
     const auto column = static_cast<double>(x);
-    const int left = static_cast<int>(std::lround(plot.x(column - 0.5))),
-              right = static_cast<int>(std::lround(plot.x(column + 0.5)));
+    const int left = nearest_int(plot.x(column - 0.5)), right = nearest_int(plot.x(column + 0.5));
     const float y = std::clamp(plot.y_stored(slice.stored[x], slice.empty), -100.0f, to_float(plot.height) + 100);
-    const int above = static_cast<int>(std::lround(y - band_height / 2)),
-              below = static_cast<int>(std::lround(y + band_height / 2));
+    const int above = nearest_int(y - band_height / 2), below = nearest_int(y + band_height / 2);
     const int end = dashed ? left + std::max(1, (right - left) / 2) : right;
     canvas.rectangle(left, above, std::max(end, left + 1), below, color);
     if (x > 0 && std::abs(y - before) > 1 && !dashed)
-      canvas.rectangle(left, static_cast<int>(std::min(y, before)), left + static_cast<int>(std::ceil(line)),
+      canvas.rectangle(left, static_cast<int>(std::min(y, before)), left + ceil_int(line),
                        static_cast<int>(std::max(y, before)), color);
     before = y;
   }
@@ -95,7 +94,7 @@ void paint_slice(Canvas& canvas, const SlicePicture& picture, const Scene& scene
   const int bottom = static_cast<int>(plot.bottom), top = static_cast<int>(plot.top);
   if (plot.column() >= 5)
     for (double x = std::ceil(plot.x_first); x <= plot.x_last; ++x) {
-      const int at = static_cast<int>(std::lround(plot.x(x)));
+      const int at = nearest_int(plot.x(x));
       canvas.rectangle(at, top, at + 1, bottom, to_pixel(c.head));
     }
   for (std::size_t run = picture.runs.size(); run-- > 0;)
@@ -201,7 +200,7 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
   };
   const int most = std::max(1, static_cast<int>((plot.bottom - plot.top) / (font->FontSize * 1.7f)));
   const double step = nice_step(plot.high - plot.low, most);
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-portable::log10(step) - 1e-9)), 0, 8);
+  const int decimals = std::clamp(ceil_int(-portable::log10(step) - 1e-9), 0, 8);
   for (double z = std::ceil(plot.low / step) * step; z <= plot.high; z += step) {
     const double shown = std::abs(z) < step * 1e-6 ? 0 : z;
     beside(plot.y(shown), number(shown, decimals));
