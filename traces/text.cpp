@@ -24,7 +24,7 @@ struct Letter {
 };
 
 Letter letter_at(std::string_view text) {
-  const auto byte = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])); };
+  const auto byte = [&](std::size_t k) { return std::uint32_t{byte_of(text[k])}; };
   const std::uint32_t first = byte(0);
   if (first < 0x80) return {first, 1};
   const std::size_t bytes = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
@@ -55,7 +55,7 @@ std::string escaped(std::string_view text, Form form) {
   text.remove_prefix(out.size());
   while (!text.empty()) {
     const Letter letter = letter_at(text);
-    if (letter.bytes == 0) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+    if (letter.bytes == 0) out += fmt::format("\\x{:02x}", byte_of(text[0]));
     else if (!acts(letter.code) || (form != Form::one_line && (letter.code == '\n' || letter.code == '\t')))
       out += text.substr(0, letter.bytes);
     else if (form == Form::json) out += fmt::format("\\u{:04x}", letter.code);
@@ -125,13 +125,21 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::string bare(std::string_view word) {
   while (!word.empty() && word.front() == '-') word.remove_prefix(1);
-  std::string result(word);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
+  return lower_case(word);
 }
 
 }  // namespace
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = lower_case(c);
+  return result;
+}
+
+std::string with_capital(std::string text) {
+  if (!text.empty()) text[0] = upper_case(text[0]);
+  return text;
+}
 
 std::size_t word_distance(std::string_view word, std::string_view other) {
   return distance(bare(word.substr(0, longest_word)), bare(other.substr(0, longest_word)));
@@ -162,10 +170,8 @@ std::string_view near_word(std::string_view word, std::span<const std::string_vi
 
 std::string near_word_or_list(std::string_view word, std::span<const std::string_view> known, std::string_view all) {
   const std::string_view near = near_word(word, known);
-  std::string list = fmt::format("{} {}", all, fmt::join(known, ", "));
-  if (near.empty()) return list;
-  list[0] = static_cast<char>(list[0] - 'a' + 'A');
-  return fmt::format("did you mean \"{}\"? {}", near, list);
+  const std::string list = fmt::format("{} {}", all, fmt::join(known, ", "));
+  return near.empty() ? list : fmt::format("did you mean \"{}\"? {}", near, with_capital(list));
 }
 
 }  // namespace zstep

@@ -1,13 +1,31 @@
-// Text from outside: as it may be shown in a terminal, a window, a file's name; and the known word that a mistyped one
-// was meant to be.
+// Text from outside: its characters; how it may be shown in a terminal, a window, a file's name; and the known word
+// that a mistyped one was meant to be.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace zstep {
+
+// One byte of a text. Letters and digits are those of ASCII, whatever the locale.
+
+constexpr std::uint8_t byte_of(char c) { return static_cast<std::uint8_t>(c); }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || is_capital(c); }
+constexpr char lower_case(char c) { return is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c; }
+constexpr char upper_case(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+/// Is it part of a character that is none of ASCII?
+constexpr bool is_beyond_ascii(char c) { return byte_of(c) >= 0x80; }
+/// And not its first byte in UTF-8?
+constexpr bool continues_character(char c) { return (byte_of(c) & 0xc0u) == 0x80u; }
+
+std::string lower_case(std::string_view text);
+/// With its first letter as a capital.
+std::string with_capital(std::string text);
 
 /// The same text with every character escaped that would not show itself but do something: controls (\n, \t, \x1b,
 /// \u0085), marks that turn the direction of writing (\u202e), and bytes that are no UTF-8 (\xff). What stays is one

@@ -24,10 +24,7 @@ namespace {
 using namespace scene;
 
 bool has_extension(const std::filesystem::path& path, std::string_view extension) {
-  std::string own = path.extension().string();
-  std::transform(own.begin(), own.end(), own.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return own == extension;
+  return lower_case(path.extension().string()) == extension;
 }
 
 SceneFile load_mesh(const std::filesystem::path& path) {

@@ -10,6 +10,7 @@
 
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::classroom {
 namespace {
@@ -19,15 +20,14 @@ using Kind = Expression::Kind;
 /// Every operator and operand is a node of a tree that is walked by recursion, so there is an end to it.
 constexpr int most_nodes = 1000;
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool begins_name(char c) { return is_letter(c) || c == '_'; }
 
 /// What of an expression fits on the line of an error; not cut within a character.
 std::string shortened(std::string_view text) {
   constexpr std::size_t most = 200;
   if (text.size() <= most) return std::string(text);
   std::size_t end = most;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
+  while (end > 0 && continues_character(text[end])) --end;
   return std::string(text.substr(0, end)) + "…";
 }
 
@@ -59,7 +59,7 @@ struct Parser {
   std::string_view peek_word() {
     skip_space();
     std::size_t size = 0;
-    while (size < left.size() && (is_letter(left[size]) || (size > 0 && is_digit(left[size])))) ++size;
+    while (size < left.size() && (begins_name(left[size]) || (size > 0 && is_digit(left[size])))) ++size;
     return left.substr(0, size);
   }
   /// `and` is a word in any case where it is typed.
@@ -294,7 +294,7 @@ std::string_view trim(std::string_view text) {
 
 std::string_view leading_step_name(std::string_view text) {
   std::size_t size = 0;
-  while (size < text.size() && (is_letter(text[size]) || (size > 0 && (is_digit(text[size]) || text[size] == '.'))))
+  while (size < text.size() && (begins_name(text[size]) || (size > 0 && (is_digit(text[size]) || text[size] == '.'))))
     ++size;
   return text.substr(0, size);
 }

@@ -9,6 +9,7 @@
 #include "sim/classroom/markdown.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::classroom {
 namespace {
@@ -105,8 +106,8 @@ constexpr std::string_view ascii_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJ
 /// Whether what stands before a digit makes it a part of a name, as in V01, T_1 and θ2: a letter, Latin or Greek, or _.
 bool ends_name(std::string_view before) {
   if (before.empty()) return false;
-  const auto byte = [&](std::size_t from_end) { return static_cast<unsigned char>(before[before.size() - from_end]); };
-  if (before.size() > 1 && (byte(1) >> 6) == 2)  // À … Ͽ but × and ÷
+  const auto byte = [&](std::size_t from_end) { return byte_of(before[before.size() - from_end]); };
+  if (before.size() > 1 && continues_character(before.back()))  // À … Ͽ but × and ÷
     return byte(2) >= 0xC3 && byte(2) <= 0xCF && !(byte(2) == 0xC3 && (byte(1) == 0x97 || byte(1) == 0xB7));
   return ascii_letters.find(before.back()) != ascii_letters.npos;
 }

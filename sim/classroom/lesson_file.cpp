@@ -180,12 +180,11 @@ constexpr std::size_t largest_file = 1 << 20;
 
 bool is_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::uint8_t byte = byte_of(text[i]);
     const std::size_t more = byte < 0x80 ? 0 : (byte >> 5) == 6 ? 1 : (byte >> 4) == 14 ? 2 : (byte >> 3) == 30 ? 3 : 9;
     if (byte == 0 || more == 9 || i + more >= text.size() + (more == 0)) return false;
-    for (std::size_t k = 1; k <= more; ++k) {
-      if ((static_cast<unsigned char>(text[i + k]) >> 6) != 2) return false;
-    }
+    for (std::size_t k = 1; k <= more; ++k)
+      if (!continues_character(text[i + k])) return false;
     i += more + 1;
   }
   return true;

@@ -115,7 +115,7 @@ struct Builder {
 
 void append_utf8(std::string& out, unsigned long code) {
   if (code == 0 || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) code = 0xFFFD;
-  const auto byte = [&](unsigned long value) { out += static_cast<char>(static_cast<unsigned char>(value)); };
+  const auto byte = [&](unsigned long value) { out += static_cast<char>(value); };
   if (code < 0x80) {
     byte(code);
   } else if (code < 0x800) {

@@ -15,8 +15,7 @@ namespace {
 
 /// Characters, not bytes: the continuation bytes of UTF-8 take no room.
 std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return text.size() - std::count_if(text.begin(), text.end(), continues_character);
 }
 
 }  // namespace

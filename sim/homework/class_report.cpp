@@ -225,7 +225,7 @@ std::string beginning(const std::string& text) {
   constexpr std::size_t most = 100;
   std::size_t end = std::min(text.find('\n'), text.size());
   if (end > most)
-    for (end = most; (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80;) --end;
+    for (end = most; continues_character(text[end]);) --end;
   return text.substr(0, end) + (end < text.size() ? "…" : "");
 }
 

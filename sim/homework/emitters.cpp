@@ -2,11 +2,11 @@
 #include "sim/homework/emitters.hpp"
 
 #include <array>
-#include <cctype>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "traces/conventions.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::homework {
 
@@ -91,14 +91,11 @@ std::string listed(std::span<const FieldOfKind> parameters, Text&& text, std::st
 std::string name_of(const FieldOfKind& one) { return std::string(one.name); }
 
 std::string in_c(const StepFields& f) {
-  constexpr std::array<std::string_view, 4> types{"int", "double", "int", "const char*"};
-  const std::string parameters = listed(f.fields, [&](const FieldOfKind& one) {
-    return fmt::format("{} {}", types[static_cast<std::size_t>(one.type)], one.name);
-  });
+  constexpr ByEnum<FieldOfKind::Type, std::string_view, 4> types{"int", "double", "int", "const char*"};
+  const std::string parameters =
+      listed(f.fields, [&](const FieldOfKind& one) { return fmt::format("{} {}", types[one.type], one.name); });
   const std::string fields = listed(
-      f.fields,
-      [](const FieldOfKind& one) { return fmt::format("{}:{}", one.name, "irbw"[static_cast<std::size_t>(one.type)]); },
-      " ");
+      f.fields, [](const FieldOfKind& one) { return fmt::format("{}:{}", one.name, "irbw"[index_of(one.type)]); }, " ");
   const std::string head =
                         fmt::format("static inline void emit_{}({})", f.step, parameters.empty() ? "void" : parameters),
                     body = fmt::format("emit_step(\"{}\", \"{}\"{}{});", f.step, fields, f.fields.empty() ? "" : ", ",
@@ -119,15 +116,12 @@ std::string in_javascript(const StepFields& f) {
 }
 
 std::string in_java(const StepFields& f) {
-  constexpr std::array<std::string_view, 4> types{"int", "double", "boolean", "String"};
+  constexpr ByEnum<FieldOfKind::Type, std::string_view, 4> types{"int", "double", "boolean", "String"};
   std::string name;
   for (std::size_t i = 0; i < f.step.size(); ++i)
-    if (f.step[i] != '_')
-      name += i > 0 && f.step[i - 1] == '_' ? static_cast<char>(std::toupper(static_cast<unsigned char>(f.step[i])))
-                                            : f.step[i];
-  const std::string parameters = listed(f.fields, [&](const FieldOfKind& one) {
-    return fmt::format("{} {}", types[static_cast<std::size_t>(one.type)], one.name);
-  });
+    if (f.step[i] != '_') name += i > 0 && f.step[i - 1] == '_' ? upper_case(f.step[i]) : f.step[i];
+  const std::string parameters =
+      listed(f.fields, [&](const FieldOfKind& one) { return fmt::format("{} {}", types[one.type], one.name); });
   return fmt::format("  static void {}({}) {{\n    step(\"{}\"{}{}); }}\n", name, parameters, f.step,
                      f.fields.empty() ? "" : ", ",
                      listed(f.fields, [](const FieldOfKind& one) { return fmt::format("\"{0}\", {0}", one.name); }));

@@ -1,7 +1,6 @@
 #include "sim/homework/handout.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <optional>
 #include <regex>
@@ -52,8 +51,7 @@ bool ends_block(const std::string& line) {
 std::string step_of_call(const std::string& call) {
   std::string step;
   for (const char c : call)
-    if (std::isupper(static_cast<unsigned char>(c)))
-      step += {'_', static_cast<char>(std::tolower(static_cast<unsigned char>(c)))};
+    if (is_capital(c)) step += {'_', lower_case(c)};
     else step += c;
   return step;
 }

@@ -51,7 +51,7 @@ std::uint64_t keyed_number(const Key& key, std::string_view text) {
   for (std::size_t begin = 0; begin <= text.size(); begin += 8) {
     std::uint64_t word = begin + 8 > text.size() ? std::uint64_t{text.size() & 255} << 56 : 0;
     for (std::size_t i = begin; i < std::min(begin + 8, text.size()); ++i)
-      word |= std::uint64_t{static_cast<unsigned char>(text[i])} << (8 * (i - begin));
+      word |= std::uint64_t{byte_of(text[i])} << (8 * (i - begin));
     d ^= word;
     mix(2);
     a ^= word;
@@ -66,9 +66,8 @@ std::optional<Key> key_of(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   std::string text = small_file(path);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
-  const bool digits =
-      std::all_of(text.begin(), text.end(), [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; });
+  while (!text.empty() && std::isspace(byte_of(text.back()))) text.pop_back();
+  const bool digits = std::all_of(text.begin(), text.end(), [](char c) { return std::isxdigit(byte_of(c)) != 0; });
   if (text.size() != 32 || !digits)
     throw InputError(path.string() + ":1", "is no key",
                      "a key is 32 hexadecimal digits; zstep homework seed makes one");
@@ -220,7 +219,7 @@ Difficulty difficulty_of(const Trace& run) {
   Difficulty found;
   found.steps = run.size();
   const Raster& raster = run.scene().raster;
-  std::vector<bool> drawn(static_cast<std::size_t>(raster.width) * raster.height);
+  std::vector<bool> drawn(pixel_count(raster.width, raster.height));
   bool wins = false, loses = false;
   const auto end_span = [&] {
     found.crossing += wins && loses;
@@ -229,7 +228,7 @@ Difficulty difficulty_of(const Trace& run) {
   run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     const Event& event = recorded.event;
     found.kinds.insert(static_cast<std::uint8_t>(event.index()));
-    const auto at = [&](const auto& e) { return static_cast<std::size_t>(e.y) * raster.width + e.x; };
+    const auto at = [&](const auto& e) { return pixel_at(e.x, e.y, raster.width); };
     if (holds<SpanBegin>(event)) end_span();
     if (const auto* compare = get_if<DepthCompare>(&event)) {
       found.losing += !compare->nearer;

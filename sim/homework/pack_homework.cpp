@@ -16,6 +16,7 @@
 #include "sim/pages/page.hpp"
 #include "sim/words/escaped.hpp"
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 #ifdef __linux__
 #include <link.h>
@@ -271,8 +272,7 @@ std::string github_workflow(const Homework& homework) {
         "          max-score: {3}\n",
         in_yaml(task.name), id, in_yaml(command), points[k]);
     std::string upper = id;
-    std::transform(upper.begin(), upper.end(), upper.begin(),
-                   [](char c) { return static_cast<char>(std::toupper(c)); });
+    for (char& c : upper) c = upper_case(c);
     results += fmt::format("          {}_RESULTS: \"${{{{steps.{}.outputs.result}}}}\"\n", upper, id);
     runners += (runners.empty() ? "" : ",") + id;
   }

@@ -10,6 +10,7 @@
 #include "sim/classroom/expression.hpp"
 #include "sim/image/file.hpp"
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::places {
 namespace {
@@ -21,7 +22,7 @@ constexpr const char* mend_bookmarks = "write lines like `219 the first tie`, or
 /// Are these whole characters of UTF-8, none of them a control character?
 bool is_text(std::string_view name) {
   for (std::size_t i = 0; i < name.size();) {
-    const auto first = static_cast<unsigned char>(name[i]);
+    const std::uint8_t first = byte_of(name[i]);
     if (first < 0x20 || first == 0x7f) return false;
     const std::size_t more = first < 0x80                    ? 0
                              : first >= 0xc2 && first < 0xe0 ? 1
@@ -30,7 +31,7 @@ bool is_text(std::string_view name) {
                                                              : 9;
     if (more == 9 || i + more >= name.size()) return false;
     for (std::size_t k = 1; k <= more; ++k)
-      if ((static_cast<unsigned char>(name[i + k]) & 0xc0u) != 0x80u) return false;
+      if (!continues_character(name[i + k])) return false;
     i += more + 1;
   }
   return true;

@@ -8,6 +8,7 @@
 
 #include "sim/classroom/evaluate.hpp"
 #include "sim/classroom/expression.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::places {
 
@@ -83,7 +84,7 @@ bool Condition::holds(std::int64_t step, const RecordedEvent& event) const {
 
 std::vector<double> polygons_called(const Scene& scene, const std::string& name) {
   std::vector<double> found;
-  const auto same_letter = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  const auto same_letter = [](char a, char b) { return lower_case(a) == lower_case(b); };
   const auto find = [&](auto&& same) {
     for (std::size_t i = 0; i < scene.polygons.size(); ++i)
       if (same(*scene.polygons[i].name)) found.push_back(static_cast<double>(i));

@@ -1,6 +1,5 @@
 // From a text to something that can be asked of every step: names become fields of the kinds that have them.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/scene.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::places {
 
@@ -84,8 +84,7 @@ class Condition::Binder {
     if (text == depth || text.starts_with(depth + "_")) text.replace(0, depth.size(), "z");
     if (text.ends_with("_L")) text.replace(text.size() - 1, 1, "left");
     if (text.ends_with("_R")) text.replace(text.size() - 1, 1, "right");
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    text = lower_case(text);
     return text == "line" || text == "scan_line" || text == "scanline" ? "y" : text;
   }
   /// The field that a name means in a step of this kind.
@@ -137,7 +136,7 @@ class Condition::Binder {
 
   static bool is_called(std::string_view text, std::string_view name) {
     return std::equal(text.begin(), text.end(), name.begin(), name.end(),
-                      [](unsigned char a, char b) { return std::tolower(a) == b; });
+                      [](char a, char b) { return lower_case(a) == b; });
   }
 
   Bound name(const Expression& expression) {
@@ -202,9 +201,8 @@ class Condition::Binder {
     if (field.kind != Kind::name || name.kind != Kind::name || text.size() < 2 || text.size() > 10 ||
         field_somewhere(text))
       return std::nullopt;
-    if (std::tolower(static_cast<unsigned char>(text[0])) != std::tolower(static_cast<unsigned char>(field.text[0])))
-      return std::nullopt;
-    if (!std::all_of(text.begin() + 1, text.end(), [](char c) { return c >= '0' && c <= '9'; })) return std::nullopt;
+    if (lower_case(text[0]) != lower_case(field.text[0])) return std::nullopt;
+    if (!std::all_of(text.begin() + 1, text.end(), is_digit)) return std::nullopt;
     return static_cast<double>(std::stoll(text.substr(1)));
   }
   Bound word(const Expression& left, const Expression& right) {
@@ -327,7 +325,7 @@ Condition::Condition(const Trace& trace, const std::string& text)
   const std::string_view after = classroom::trim(rest.substr(first.size()));
   const auto is_where = [](std::string_view word) { return word == "where" || word == "WHERE"; };
   const bool further = is_where(after.substr(0, 5)) &&
-                       (after.size() == 5 || !(std::isalnum(static_cast<unsigned char>(after[5])) || after[5] == '_'));
+                       (after.size() == 5 || !(is_letter(after[5]) || is_digit(after[5]) || after[5] == '_'));
   if (!first.empty() && (after.empty() || further)) {
     const bool known = std::any_of(page.begin(), page.end(), [&](const StepInfo& step) {
       return is_step(step, first) || description_of_kind(step.kind).name == first;

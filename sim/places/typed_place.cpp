@@ -1,7 +1,6 @@
 #include "sim/places/typed_place.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -14,24 +13,16 @@
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::places {
 namespace {
 
 using classroom::trim;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
 void replace_all(std::string& text, std::string_view what, std::string_view by) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
     text.replace(at, what.size(), by);
-}
-
-std::string small_letters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 /// With common spaces and a common minus in place of those that the viewer writes.
@@ -96,7 +87,7 @@ class Reader {
   Place read() const {
     if (typed_.empty()) nothing();
     if (const auto mark = here_.marks.find(typed_)) return {*mark, Unit::event};
-    const std::string small = small_letters(typed_);
+    const std::string small = lower_case(typed_);
     const std::string_view all = small;
     if (all == "end") return {size(), Unit::event};
     if (all == "start" || all == "beginning") return {0, Unit::event};
@@ -201,7 +192,7 @@ class Reader {
   std::vector<double> named_polygons() const {
     const Scene& scene = here_.trace.scene();
     if (const auto all = polygons_called(scene, typed_); !all.empty()) return all;
-    const std::string small = small_letters(typed_);
+    const std::string small = lower_case(typed_);
     for (const std::string_view word : {"polygon", "p"}) {
       if (!small.starts_with(word) || small.size() == word.size()) continue;
       const std::string name(trim(std::string_view(typed_).substr(word.size())));
@@ -220,7 +211,7 @@ class Reader {
   [[noreturn]] void nothing() const {
     if (typed_.empty()) fail("nothing was typed", what_to_type);
     std::string asked = typed_;
-    if (const std::string small = small_letters(typed_); small.starts_with("polygon "))
+    if (const std::string small = lower_case(typed_); small.starts_with("polygon "))
       asked = trim(std::string_view(typed_).substr(8));
     std::vector<std::string_view> names;
     for (const Bookmark& mark : here_.marks.all()) names.push_back(mark.name);

@@ -17,6 +17,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/scene.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -34,12 +35,13 @@ std::vector<Changeable> App::found_changeables() const {
   if (!method) return {};
   std::string name = typed.substr(0, typed.find('='));
   while (!name.empty() && name.back() == ' ') name.pop_back();
-  const std::string part = lower(name);
+  const std::string part = lower_case(name);
   std::vector<Changeable> found;
   for (Changeable& one : changeables(*method, session_.scene(), session_.header().conventions))
-    if (lower(one.name).find(part) != std::string::npos) found.push_back(std::move(one));
+    if (lower_case(one.name).find(part) != std::string::npos) found.push_back(std::move(one));
   // What is named whole comes first: vertex 1 before vertex 10.
-  std::stable_partition(found.begin(), found.end(), [&](const Changeable& one) { return lower(one.name) == part; });
+  std::stable_partition(found.begin(), found.end(),
+                        [&](const Changeable& one) { return lower_case(one.name) == part; });
   return found;
 }
 

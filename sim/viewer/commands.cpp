@@ -3,12 +3,12 @@
 #include "sim/viewer/commands.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <sstream>
 
 #include "sim/viewer/command_actions.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 
@@ -232,12 +232,6 @@ const std::vector<Command>& table() {
 
 std::span<const Command> commands() { return table(); }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 std::string chord_name(const Chord& chord) {
   if (chord.character) return chord.character == '-' ? "\u2212" : std::string(1, chord.character);
   std::string name;
@@ -302,12 +296,12 @@ const Command* command_called(std::string_view id) {
 }
 
 TypedWords::TypedWords(const std::string& typed) {
-  std::istringstream words(lower(typed));
+  std::istringstream words(lower_case(typed));
   for (std::string word; words >> word;) words_.push_back(word);
 }
 
 bool TypedWords::all_in(const std::string& text) const {
-  const std::string among = lower(text);
+  const std::string among = lower_case(text);
   return std::all_of(words_.begin(), words_.end(),
                      [&](const std::string& word) { return among.find(word) != std::string::npos; });
 }

@@ -55,7 +55,4 @@ class TypedWords {
 /// Commands whose title holds them, in table order.
 std::vector<const Command*> matching(const std::string& typed);
 
-/// The same with small letters, as what is typed is looked for.
-std::string lower(std::string text);
-
 }  // namespace zstep::viewer

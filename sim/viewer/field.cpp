@@ -6,6 +6,7 @@
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/lists.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -70,7 +71,7 @@ std::vector<std::string> in_text_events(std::string_view text) {
   std::vector<std::string> parts;
   while (!text.empty()) {
     std::size_t end = std::min<std::size_t>(text.size(), SDL_TEXTINPUTEVENT_TEXT_SIZE - 1);
-    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
+    while (end < text.size() && end > 0 && continues_character(text[end])) --end;
     parts.emplace_back(text.substr(0, end));
     text.remove_prefix(end);
   }

@@ -22,6 +22,7 @@
 #include "sim/viewer/model/outside.hpp"
 #include "sim/viewer/model/raster_view.hpp"
 #include "sim/viewer/model/summary.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 
@@ -100,7 +101,7 @@ inline void take(Fingerprint& print, const HeatMap& heat) {
 
 inline void take(Fingerprint& print, const std::string& text) {
   print.take(text.size());
-  for (const char c : text) print.take(static_cast<unsigned char>(c));
+  for (const char c : text) print.take(byte_of(c));
 }
 
 inline void take(Fingerprint& print, const glm::dvec2& point) {

@@ -5,6 +5,7 @@
 
 #include "sim/words/numbers.hpp"
 #include "traces/scene.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 
@@ -57,7 +58,7 @@ std::string fitted(const Ui& ui, const ImFont* font, std::string text, float roo
   if (text_size(ui, font, text).x <= room) return text;
   while (!text.empty() && text_size(ui, font, text + "\u2026").x > room) {
     do text.pop_back();
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0u) == 0x80u);
+    while (!text.empty() && continues_character(text.back()));
   }
   return text + "\u2026";
 }

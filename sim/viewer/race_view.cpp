@@ -20,6 +20,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/scene.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -76,16 +77,17 @@ std::vector<CounterRow> counters_of(const Race& race, const Race::Racer& racer, 
                     race.clock() == Measure::time});
   }
   // Where there is no room for all, those that most is done of; in the same order for every run.
-  std::vector<std::pair<std::int64_t, std::size_t>> kinds;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(Work::bookkeeping); ++k) {
+  std::vector<std::pair<std::int64_t, Work>> kinds;
+  for (std::size_t k = 0; k < index_of(Work::bookkeeping); ++k) {
+    const auto kind = static_cast<Work>(k);
     std::int64_t most = 0;
-    for (const auto& other : race.racers()) most = std::max(most, other->work.all()[k]);
-    if (most > 0) kinds.emplace_back(most, k);
+    for (const auto& other : race.racers()) most = std::max(most, other->work.all()[kind]);
+    if (most > 0) kinds.emplace_back(most, kind);
   }
   std::stable_sort(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   kinds.resize(std::min(kinds.size(), room > rows.size() ? room - rows.size() : 0));
   std::sort(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  for (const auto& [most, k] : kinds) add(compare::word_of(static_cast<Work>(k)), now[k], all[k], false);
+  for (const auto& [most, kind] : kinds) add(compare::word_of(kind), now[kind], all[kind], false);
   return rows;
 }
 
@@ -232,21 +234,20 @@ float App::draw_race_head(ImVec2 at, float width) {
   };
   if (next("Who runs\u2026", overlay_ == Overlay::racers, "Two to four methods, or options of one (C)."))
     open(Overlay::racers);
-  const char* helps[] = {"All have made as many steps (1): what the trace records, bookkeeping included.",
-                         "All have done as many operations: steps that compute, decide or write something (2).",
-                         "All have run as long, by times measured here without a recording (3)."};
-  const char* labels[] = {"By steps", "By operations", "By time"};
+  const ByEnum<Measure, const char*, 3> helps{
+      "All have made as many steps (1): what the trace records, bookkeeping included.",
+      "All have done as many operations: steps that compute, decide or write something (2).",
+      "All have run as long, by times measured here without a recording (3)."};
+  const ByEnum<Measure, const char*, 3> labels{"By steps", "By operations", "By time"};
   for (const Measure clock : {Measure::steps, Measure::operations, Measure::time})
-    if (next(labels[static_cast<std::size_t>(clock)], race().clock() == clock, helps[static_cast<std::size_t>(clock)],
-             clock == Measure::steps ? gap : 0))
-      race_by(clock);
+    if (next(labels[clock], race().clock() == clock, helps[clock], clock == Measure::steps ? gap : 0)) race_by(clock);
   if (next(race_->shows_growth ? "The pictures" : "Costs as N grows", false,
            "How costs grow with the number of polygons, measured here (Tab, 4).", gap))
     race_->shows_growth = !race_->shows_growth;
   const float close = text_size(ui_, ui_.fonts.text, "Close").x + ui_.em * 1.2f;
   to.x = std::max(to.x, at.x + width - close);
   if (next("Close", false, "Back to one run (Esc).")) close_race();
-  const char* counts[] = {
+  const ByEnum<Measure, const char*, 3> counts{
       "A step is one thing that the trace records, bookkeeping included. Some take far longer than others: only the "
       "time (3) says which method is faster.",
       "An operation is a step that computes, decides or writes something. Some take longer than others: only the time "
@@ -256,7 +257,7 @@ float App::draw_race_head(ImVec2 at, float width) {
   if (ui_.least_target > 0) return below;
   ImGui::SetCursorScreenPos({at.x, at.y + below});
   const Flow small{.color = ui_.colors().muted, .font = ui_.fonts.small, .width = width};
-  const char* text = counts[static_cast<std::size_t>(race().clock())];
+  const char* text = counts[race().clock()];
   flow(ui_, text, small);
   return below + flow_height(ui_, text, small) + gap;
 }
@@ -365,10 +366,10 @@ void App::draw_race(ImVec2 at, ImVec2 size) {
 // Who runs in a race: methods and their options, found by name, in or out by Enter or a click.
 
 std::vector<const compare::Entrant*> App::found_entrants() const {
-  const std::string part = lower(typed);
+  const std::string part = lower_case(typed);
   std::vector<const compare::Entrant*> found;
   for (const compare::Entrant& one : race_->race.all())
-    if (lower(one.title + "\n" + one.text).find(part) != std::string::npos) found.push_back(&one);
+    if (lower_case(one.title + "\n" + one.text).find(part) != std::string::npos) found.push_back(&one);
   return found;
 }
 

@@ -22,6 +22,7 @@
 #include "sim/viewer/commands.hpp"
 #include "traces/error.hpp"
 #include "traces/file/files.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -298,7 +299,7 @@ std::vector<Offer> in_folder(const std::string& typed) {
   std::vector<Offer> folders, files;
   if (typed.empty()) return files;
   const fs::path path = path_of(typed), folder = path.parent_path();
-  const std::string begin = lower(path.filename().string());
+  const std::string begin = lower_case(path.filename().string());
   std::error_code error;
   const std::string where = "In " + fs::absolute(folder.empty() ? "." : folder, error).lexically_normal().string();
   std::size_t looked_at = 0;
@@ -306,7 +307,7 @@ std::vector<Offer> in_folder(const std::string& typed) {
        entry.increment(error)) {
     if (++looked_at > most_looked_at) break;
     const std::string name = entry->path().filename().string();
-    if (!lower(name).starts_with(begin) || (name[0] == '.' && !begin.starts_with('.'))) continue;
+    if (!lower_case(name).starts_with(begin) || (name[0] == '.' && !begin.starts_with('.'))) continue;
     std::error_code of_entry;
     const std::string whole = (folder / name).string();
     if (entry->is_directory(of_entry)) {
@@ -346,7 +347,7 @@ std::vector<const Offer*> OwnFiles::find(const std::string& typed) {
   }
   std::vector<const Offer*> found;
   for (const Offer& offer : before_)
-    if (lower(offer.id).find(lower(typed)) != std::string::npos) found.push_back(&offer);
+    if (lower_case(offer.id).find(lower_case(typed)) != std::string::npos) found.push_back(&offer);
   for (const Offer& offer : listed_) found.push_back(&offer);
   return found;
 }

@@ -18,7 +18,9 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -111,7 +113,7 @@ class Painter {
           crossings.push_back(a.x + (y + 0.5 - a.y) / (b.y - a.y) * (b.x - a.x));
       }
       std::sort(crossings.begin(), crossings.end());
-      const auto column = [](double x) { return static_cast<int>(std::ceil(x - 0.5)); };
+      const auto column = [](double x) { return ceil_int(x - 0.5); };
       for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
         canvas_.rectangle(column(crossings[k]), y, column(crossings[k + 1]), y + 1, color);
     }
@@ -252,10 +254,10 @@ const std::vector<Offer>& App::offers() {
 }
 
 std::vector<const Offer*> App::choices() {
-  const std::string part = lower(typed);
+  const std::string part = lower_case(typed);
   std::vector<const Offer*> found;
   for (const Offer& offer : offers())
-    if (lower(offer.id + "\n" + offer.title).find(part) != std::string::npos) found.push_back(&offer);
+    if (lower_case(offer.id + "\n" + offer.title).find(part) != std::string::npos) found.push_back(&offer);
   for (const Offer* file : own_files_.find(typed)) found.push_back(file);
   return found;
 }
@@ -372,17 +374,17 @@ void draw_start(App& app) {
                                (how_to.empty() ? 0 : flow_height(ui, how_to, muted)) + gap);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float heights[] = {std::round(ui.em * 1.5f), std::round(ui.em * 2.1f), std::round(ui.em * 2.7f)};
-  float shares[] = {0.5f, 0.24f, 0.26f};
+  ByEnum<Offer::What, float, 3> shares{0.5f, 0.24f, 0.26f};
   float sum = 0;  // of the columns that have something in them
   for (const Offer::What what : {Offer::What::lesson, Offer::What::method, Offer::What::scene}) {
-    float& share = shares[static_cast<std::size_t>(what)];
+    float& share = shares[what];
     if (std::none_of(all.begin(), all.end(), [&](const Offer* one) { return one->what == what; })) share = 0;
     sum += share;
   }
   float x = at.x;
   const Offer* clicked = nullptr;
   for (const Offer::What what : {Offer::What::lesson, Offer::What::method, Offer::What::scene}) {
-    const auto column = static_cast<std::size_t>(what);
+    const std::size_t column = index_of(what);
     const float width = narrow ? room.x : std::floor((room.x - 2 * gap) * shares[column] / std::max(0.01f, sum));
     if (!narrow && width <= 0) continue;
     const auto in_column = [what](const Offer* one) { return one->what == what; };

@@ -1,29 +1,29 @@
 #include "sim/words/escaped.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "traces/text.hpp"
 
 namespace zstep {
 
 std::string percent_encoded(std::string_view text, std::string_view signs) {
   std::string out;
   for (const char c : text) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       signs.find(c) != std::string_view::npos;
+    const bool plain = is_letter(c) || is_digit(c) || signs.find(c) != std::string_view::npos;
     if (plain) out.push_back(c);
-    else out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    else out += fmt::format("%{:02X}", byte_of(c));
   }
   return out;
 }
 
 std::string shell_word(const std::string& text) {
   const std::string_view harmless = "/._-:+@%";
-  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [&](unsigned char c) {
-    return std::isalnum(c) != 0 || harmless.find(static_cast<char>(c)) != std::string_view::npos;
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [&](char c) {
+    return is_letter(c) || is_digit(c) || harmless.find(c) != std::string_view::npos;
   });
   if (plain) return text;
   std::string out(1, '\'');

@@ -5,6 +5,7 @@
 
 #include "sim/words/explain_parts.hpp"
 #include "traces/formulas/of_edges.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::words {
 
@@ -26,11 +27,6 @@ std::string brief(const Telling& t, std::int32_t edge) {
 
 /// The scan-line method at work: a line is of all polygons.
 bool all_at_once(const Telling& t) { return t.machine.keeps_all && t.machine.piece == -1; }
-
-std::string with_capital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
 
 /// x and depth of the edge before this step: from the last event that set them. Looks back over a scan line or two.
 struct Before {

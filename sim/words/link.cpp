@@ -83,8 +83,7 @@ std::string decoded(std::string_view text) {
       c = static_cast<char>(code);
       at += 2;
     }
-    if (static_cast<unsigned char>(c) < ' ')
-      wrong("it has a sign that is no letter in it", "copy it anew from the window");
+    if (byte_of(c) < ' ') wrong("it has a sign that is no letter in it", "copy it anew from the window");
     out.push_back(c);
   }
   return out;

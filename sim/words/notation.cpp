@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/words/numbers.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::words {
 namespace {
@@ -16,10 +17,8 @@ constexpr int deepest = 32, most_bars = 8;
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> brackets{
     {{"(", ")"}, {"\u230a", "\u230b"}, {"\u2308", "\u2309"}}};
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) & 0x80u) != 0;
-}
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// Greek ones, too.
+bool is_any_letter(char c) { return is_letter(c) || is_beyond_ascii(c); }
 
 /// Signs that are no letters, though their bytes are beyond ASCII.
 constexpr std::array<std::string_view, 16> signs{"\u2212", "\u00b7", "\u00d7", "\u230a", "\u230b", "\u2308",
@@ -72,7 +71,7 @@ class Reader {
     if (auto product = this->product(depth)) return *std::move(product);
     // A sign, or a character that belongs to nothing.
     std::size_t end = at_ + 1;
-    while (end < end_ && (static_cast<unsigned char>(text_[end]) & 0xc0u) == 0x80u) ++end;
+    while (end < end_ && continues_character(text_[end])) ++end;
     const std::size_t from = std::exchange(at_, end);
     return {Kind::text, std::string(text_.substr(from, end - from))};
   }
@@ -124,8 +123,9 @@ class Reader {
   bool is_derivative() const {
     const std::string_view rest = text_.substr(at_, end_ - at_);
     const std::size_t bar = rest.find("/d");
-    return rest.starts_with("d") && (bar == 2 || (bar == 3 && rest[2] == '*')) && is_letter(rest[1]) &&
-           bar + 2 < rest.size() && is_letter(rest[bar + 2]) && (bar + 3 == rest.size() || !is_letter(rest[bar + 3]));
+    return rest.starts_with("d") && (bar == 2 || (bar == 3 && rest[2] == '*')) && is_any_letter(rest[1]) &&
+           bar + 2 < rest.size() && is_any_letter(rest[bar + 2]) &&
+           (bar + 3 == rest.size() || !is_any_letter(rest[bar + 3]));
   }
 
   std::optional<Notation> operand(int depth) {
@@ -176,15 +176,16 @@ class Reader {
   /// "x", "x_L", "z*_L", "V0", "zbuffer[x,y]".
   std::optional<Notation> symbol() {
     const std::size_t begin = at_;
-    while (at_ < end_ && (is_letter(text_[at_]) || (at_ > begin && is_digit(text_[at_]))) && !at_sign()) ++at_;
+    while (at_ < end_ && (is_any_letter(text_[at_]) || (at_ > begin && is_digit(text_[at_]))) && !at_sign()) ++at_;
     if (at_ == begin) return std::nullopt;
     if (at_ - begin == 1 && text_[begin] == 'z') take("*");
     // Behind a single letter it is a prime, behind a word an apostrophe.
     const bool single = at_ - begin == 1 || text_.substr(begin, at_ - begin) == "z*";
-    if (single && sees("'") && !(at_ + 1 < end_ && is_letter(text_[at_ + 1]))) take("'");
+    if (single && sees("'") && !(at_ + 1 < end_ && is_any_letter(text_[at_ + 1]))) take("'");
     Notation found{Kind::symbol, std::string(text_.substr(begin, at_ - begin))};
     if (const std::size_t below = at_; take("_")) {
-      while (at_ < end_ && (is_letter(text_[at_]) || is_digit(text_[at_]) || text_[at_] == '_') && !at_sign()) ++at_;
+      while (at_ < end_ && (is_any_letter(text_[at_]) || is_digit(text_[at_]) || text_[at_] == '_') && !at_sign())
+        ++at_;
       found.below = text_.substr(below + 1, at_ - below - 1);
       if (found.below.empty()) at_ = below;
     }

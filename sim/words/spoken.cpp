@@ -1,10 +1,10 @@
 #include "sim/words/spoken.hpp"
 
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "sim/words/notation.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::words {
 namespace {
@@ -68,14 +68,11 @@ constexpr std::array<std::string_view, 25> greek{
     "alpha", "beta",    "gamma", "delta", "epsilon", "zeta",  "eta", "theta",   "iota", "kappa", "lambda", "mu",   "nu",
     "xi",    "omicron", "pi",    "rho",   "sigma",   "sigma", "tau", "upsilon", "phi",  "chi",   "psi",    "omega"};
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || (static_cast<unsigned char>(c) & 0x80u) != 0;
-}
+bool is_word(char c) { return is_letter(c) || is_digit(c) || is_beyond_ascii(c); }
 
 /// The code point of two or three bytes at `at`, 0 for any other, and how many bytes it takes.
 std::pair<unsigned, std::size_t> code_at(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t k) { return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0u; };
+  const auto byte = [&](std::size_t k) { return at + k < text.size() ? byte_of(text[at + k]) : 0u; };
   if ((byte(0) & 0xe0u) == 0xc0u) return {(byte(0) & 0x1fu) << 6 | (byte(1) & 0x3fu), 2};
   if ((byte(0) & 0xf0u) == 0xe0u) return {(byte(0) & 0x0fu) << 12 | (byte(1) & 0x3fu) << 6 | (byte(2) & 0x3fu), 3};
   return {0, 1};

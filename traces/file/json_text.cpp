@@ -18,11 +18,7 @@ namespace {
 
 constexpr std::string_view spaces = " \t\r\n";
 bool is_space(char c) { return spaces.find(c) != std::string_view::npos; }
-bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
-         c == '+' || c == '-';
-}
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_word(char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '.' || c == '+' || c == '-'; }
 
 /// Goes through a text that is JSON.
 struct Walk {
@@ -142,18 +138,11 @@ std::string_view word_around(std::string_view text, std::size_t& place) {
   return text.substr(place, end - place);
 }
 
-std::string lower(std::string_view word) {
-  std::string result(word);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 constexpr const char* by_dumps = "print json.dumps(event), and not the event itself";
 
 /// A word that is no JSON; nothing where it might be.
 std::optional<Fault> fault_of_word(std::string_view text, std::size_t begin, std::string_view word) {
-  const std::string low = lower(word);
+  const std::string low = lower_case(word);
   const std::string_view bare = std::string_view(low).substr(low.find_first_not_of("+-") == 1 ? 1 : 0);
   const auto fault = [&](std::string what, std::string mend) {
     return Fault{begin, false, std::move(what), std::move(mend)};
@@ -270,9 +259,9 @@ Fault fault_at(std::string_view text, std::size_t place) {
   if ((text[place] == '}' || text[place] == ']') && before(text, place) == ',')
     return {place, false, fmt::format("a comma stands before {}", text[place]), "leave it out"};
   if (text[place] == '/' || text[place] == '#') return {place, false, "JSON has no comments", "leave it out"};
-  if (static_cast<unsigned char>(text[place]) < 0x20)
+  if (byte_of(text[place]) < 0x20)
     return {place, false, "a text holds a control character", "write it as \\n, \\t or \\u001b"};
-  if (static_cast<unsigned char>(text[place]) >= 0x80)
+  if (is_beyond_ascii(text[place]))
     return {place, false, "a character is not UTF-8, or stands outside quotes", "save the file as UTF-8"};
   return {place, false, fmt::format("is not JSON from \"{}\" on", shown(text.substr(place), 24)),
           "write one JSON object a line"};
@@ -301,7 +290,7 @@ LineColumn line_and_column(std::string_view text, std::size_t place, std::int64_
   LineColumn found{line, 1};
   for (const char c : text.substr(0, place)) {
     if (c == '\n') ++found.line, found.column = 1;
-    else if ((static_cast<unsigned char>(c) & 0xc0u) != 0x80u) ++found.column;
+    else if (!continues_character(c)) ++found.column;
   }
   return found;
 }
@@ -309,7 +298,7 @@ LineColumn line_and_column(std::string_view text, std::size_t place, std::int64_
 std::string shown(std::string_view text, std::size_t most) {
   std::size_t end = 0;
   for (std::size_t characters = 0; end < text.size(); ++end)
-    if ((static_cast<unsigned char>(text[end]) & 0xc0u) != 0x80u && characters++ == most) break;
+    if (!continues_character(text[end]) && characters++ == most) break;
   return printable(text.substr(0, end)) + (end < text.size() ? "\u2026" : "");
 }
 

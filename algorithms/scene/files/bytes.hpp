@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::scene {
 
@@ -41,8 +42,8 @@ class BinaryReader {
       throw InputError(where(), "the file ends before the last element", "get the file again: it was cut short");
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < sizeof(T); ++i) {
-      const auto byte = static_cast<unsigned char>(bytes_[at_ + (big_endian_ ? sizeof(T) - 1 - i : i)]);
-      bits |= std::uint64_t{byte} << (8 * i);
+      const char byte = bytes_[at_ + (big_endian_ ? sizeof(T) - 1 - i : i)];
+      bits |= std::uint64_t{byte_of(byte)} << (8 * i);
     }
     at_ += sizeof(T);
     return std::bit_cast<T>(static_cast<Bits>(bits));

@@ -7,13 +7,12 @@
 #include "algorithms/scene/files/bytes.hpp"
 #include "traces/error.hpp"
 #include "traces/file/files.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::scene {
 
 std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string extension = lower_case(path.extension().string());
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".off") return MeshFormat::off;
   if (extension == ".ply") return MeshFormat::ply;

@@ -9,6 +9,7 @@
 #include "algorithms/scene/files/polygon_soup.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::scene {
 
@@ -18,14 +19,14 @@ constexpr std::size_t binary_head = 84, binary_triangle = 50;
 
 std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  for (std::size_t i = 0; i < 4; ++i) value |= std::uint32_t{byte_of(bytes[at + i])} << (8 * i);
   return value;
 }
 double float_at(std::string_view bytes, std::size_t at) {
   const std::uint32_t bits = u32_at(bytes, at);
   float value = 0;
   std::memcpy(&value, &bits, sizeof value);
-  return static_cast<double>(value);
+  return value;
 }
 
 /// Binary files may begin with "solid" too. One whose size fits its count is binary; else text is what holds no zero

@@ -10,18 +10,16 @@
 #include <utility>
 
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::scene {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool same_word(std::string_view token, std::string_view word) {
   if (token.size() != word.size()) return false;
   for (std::size_t i = 0; i < token.size(); ++i)
-    if (lower(token[i]) != word[i]) return false;
+    if (lower_case(token[i]) != word[i]) return false;
   return true;
 }
 
@@ -66,7 +64,7 @@ std::optional<double> parse_number(std::string_view token) {
   }
   if (!any) return std::nullopt;
   if (at < token.size()) {
-    if (lower(token[at]) != 'e') return std::nullopt;
+    if (lower_case(token[at]) != 'e') return std::nullopt;
     ++at;
     const bool down = at < token.size() && token[at] == '-';
     if (at < token.size() && (token[at] == '-' || token[at] == '+')) ++at;

@@ -53,7 +53,7 @@ std::size_t TomlText::offset(const toml::source_position& at) const {
   std::size_t place = lines_[std::min<std::size_t>(at.line, lines_.size()) - 1];
   for (toml::source_index column = 1; column < at.column && place < text_.size(); ++column) do
       ++place;
-    while (place < text_.size() && (static_cast<unsigned char>(text_[place]) & 0xC0) == 0x80);
+    while (place < text_.size() && continues_character(text_[place]));
   return place;
 }
 

@@ -11,6 +11,7 @@
 #include "sim/words/explain.hpp"
 #include "traces/formulas/of_events.hpp"
 #include "traces/formulas/situation.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -20,9 +21,7 @@ constexpr std::size_t longest_text = 1200, most_operands = 18;
 /// A name that is one in the formula of a chain: of letters, digits and _.
 std::string symbol_of(std::string_view name, const formulas::Place& place) {
   if (place.in == formulas::Place::In::depth_buffer || place.in == formulas::Place::In::light_buffer) return "stored";
-  if (std::all_of(name.begin(), name.end(),
-                  [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }))
-    return std::string(name);
+  if (std::all_of(name.begin(), name.end(), detail::in_name)) return std::string(name);
   return std::string(place.field.substr(0, place.field.find("_edge")));
 }
 
@@ -122,7 +121,7 @@ using formulas::Rounded;
 
 namespace {
 
-using detail::begins_name, detail::name_at, detail::operand_of;
+using detail::name_at, detail::operand_of;
 
 Rounded evaluated(const ChainValue& value) {
   return Evaluation<Rounded>(value, [](const Operand& operand) { return Rounded(operand.value); }).run();
@@ -136,7 +135,7 @@ std::string printed(const ChainValue& value, Shown&& shown) {
   const std::string& formula = value.formula;
   std::string text;
   for (std::size_t at = 0; at < formula.size();) {
-    if (begins_name(formula[at])) {
+    if (is_letter(formula[at])) {
       const std::string name = name_at(formula, at);
       const Operand* operand = operand_of(value, name);
       const bool in_front = text.empty() || text.ends_with('(') || text.ends_with("\u230a") || text.ends_with("\u2308");

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <fmt/format.h>
 #include <functional>
@@ -18,6 +17,7 @@
 #include "traces/file/trace.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/oracle/exact_geometry.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::answers {
 
@@ -25,8 +25,7 @@ namespace zstep::answers {
 
 namespace detail {
 
-inline bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-inline bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+inline bool in_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 inline std::string name_at(const std::string& formula, std::size_t from) {
   std::size_t end = from;

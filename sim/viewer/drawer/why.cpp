@@ -1,7 +1,6 @@
 // Why a polygon is not what is seen: which one is typed or picked, then the verdict with its numbers and its steps,
 // each a jump.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/scene.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -98,14 +98,14 @@ std::string App::at_this_step(std::optional<Cell> cell, std::int64_t decides) co
 
 std::vector<std::int32_t> App::why_candidates() const {
   const Scene& scene = session_.scene();
-  const std::string wanted = lower(typed);
+  const std::string wanted = lower_case(typed);
   std::vector<std::int32_t> found;
   // What is meant exactly comes first: "1" is number 1 before it is a part of 10.
   const auto exact = answers::polygon_called(scene, typed);
   if (exact) found.push_back(*exact);
   for (std::size_t k = 0; k < scene.polygons.size() && found.size() < listed; ++k) {
     const auto polygon = index32(k);
-    if (exact != polygon && lower(polygon_label(scene, polygon)).find(wanted) != std::string::npos)
+    if (exact != polygon && lower_case(polygon_label(scene, polygon)).find(wanted) != std::string::npos)
       found.push_back(polygon);
   }
   return found;

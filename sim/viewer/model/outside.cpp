@@ -17,7 +17,9 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -72,8 +74,7 @@ std::string told_of(const Scene& scene, const ScenePart& part) {
   std::vector<std::string> names;
   for (const std::int32_t polygon : polygons_with(scene, part)) names.push_back(polygon_label(scene, polygon));
   if (names.size() > 6) names.resize(6), names.emplace_back("\u2026");
-  std::string text = name_of(scene, part);
-  if (!text.empty()) text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  std::string text = with_capital(name_of(scene, part));
   if (part.vertex && static_cast<std::size_t>(*part.vertex) < scene.points.size()) {
     const glm::dvec3& p = scene.points[*part.vertex];
     text += fmt::format(" at ({}, {}, {})", number(p.x), number(p.y), number(p.z));
@@ -124,7 +125,7 @@ Color shaded(Color color, glm::dvec3 normal) {
   const double length = glm::length(normal);
   const glm::dvec3 light = glm::normalize(glm::dvec3(0.35, -0.5, 0.8));
   const double share = length > 0 ? 0.72 + 0.28 * std::abs(glm::dot(normal / length, light)) : 1;
-  const auto part = [&](std::uint8_t value) { return static_cast<std::uint8_t>(std::lround(value * share)); };
+  const auto part = [&](std::uint8_t value) { return nearest_byte(value * share); };
   return {part(color.red), part(color.green), part(color.blue)};
 }
 

@@ -9,6 +9,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/file/header.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 
@@ -106,7 +107,7 @@ std::vector<Places::Suggestion> Places::suggestions() const {
     const std::string name = polygon_label(session_.scene(), polygon);
     const bool plain =
         places::polygons_called(session_.scene(), name).size() == 1 &&
-        std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+        std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
     add(fmt::format("polygon_begin where polygon != {}", plain ? name : std::to_string(polygon)),
         "another polygon begins");
   }

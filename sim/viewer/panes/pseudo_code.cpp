@@ -14,6 +14,7 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/scene.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -25,7 +26,7 @@ using Glyphs = std::vector<std::string>;
 Glyphs glyphs_of(std::string_view text) {
   Glyphs glyphs;
   for (const char c : text) {
-    if ((static_cast<unsigned char>(c) & 0xc0u) != 0x80u || glyphs.empty()) glyphs.emplace_back();
+    if (!continues_character(c) || glyphs.empty()) glyphs.emplace_back();
     glyphs.back() += c;
   }
   return glyphs;

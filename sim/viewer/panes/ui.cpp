@@ -11,6 +11,7 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pseudo_code.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 
@@ -45,7 +46,7 @@ const ImFont* font_of(const Ui& ui, const TextRun& run, const Flow& how) {
 /// not measured whole.
 std::size_t fitting(const Ui& ui, const ImFont* font, std::string_view text, float limit) {
   const auto border = [&](std::size_t at) {
-    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0u) == 0x80u) ++at;
+    while (at < text.size() && continues_character(text[at])) ++at;
     return std::min(at, text.size());
   };
   const auto fits = [&](std::size_t bytes) {
