@@ -201,8 +201,8 @@ points = [[2, 3], [7, 1], [13, 5], [13, 11], [7, 7], [2, 9]]
 constexpr std::string_view delhi =
     R"(# The worked example of lecture 28 of Kalra's course (Indian Institute of Technology, Delhi): two
 # triangles in a buffer of 8 x 8. The lecture gives the corners of the second; those of the first, all of depth 5, are
-# reconstructed from the depth buffer that it shows. The second lies in the plane z = x + y + 1; where it is 5 as well, the
-# first stays. The lecture's cells are the textbook's inclusive loop, x from the left edge to the right one.
+# reconstructed from the depth buffer that it shows. The second lies in the plane z = x + y + 1; where it is 5 as well,
+# the first stays. The lecture's cells are the textbook's inclusive loop, x from the left edge to the right one.
 name = "delhi"
 coordinates = "screen"
 
