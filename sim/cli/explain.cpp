@@ -36,6 +36,15 @@ struct ExplainOptions {
   bool json = false, exact = false;
 };
 
+Trace::Pixel pixel_named(const Raster& raster, const std::string& column, const std::string& row) {
+  const std::int64_t x = parse_whole("X", column, 0), y = parse_whole("Y", row, 0);
+  if (x >= raster.width || y >= raster.height)
+    throw InputError(fmt::format("{} {}", x, y),
+                     fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height),
+                     "columns and rows count from 0");
+  return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+}
+
 answers::Question question_of(const Trace& trace, const ExplainOptions& options) {
   answers::Question question;
   question.at = options.at.empty() ? trace.size() : step_of(trace, options.at);
@@ -44,13 +53,7 @@ answers::Question question_of(const Trace& trace, const ExplainOptions& options)
                      fmt::format("asks about one pixel or one field, not about '{}'", fmt::join(options.what, " ")),
                      "give X Y, or --at STEP FIELD");
   if (options.what.size() == 2) {
-    const Raster& raster = trace.scene().raster;
-    const std::int64_t x = parse_whole("X", options.what[0], 0), y = parse_whole("Y", options.what[1], 0);
-    if (x >= raster.width || y >= raster.height)
-      throw InputError(fmt::format("{} {}", x, y),
-                       fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height),
-                       "columns and rows count from 0");
-    question.pixel = Trace::Pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+    question.pixel = pixel_named(trace.scene().raster, options.what[0], options.what[1]);
     return question;
   }
   if (options.at.empty())
@@ -275,13 +278,8 @@ struct HistoryOptions {
 int history(const HistoryOptions& options) {
   const Trace trace = open_trace(options.trace);
   const Raster& raster = trace.scene().raster;
-  const std::int64_t x = parse_whole("X", options.x, 0), y = parse_whole("Y", options.y, 0);
-  if (x >= raster.width || y >= raster.height)
-    throw InputError(fmt::format("{} {}", x, y),
-                     fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height),
-                     "columns and rows count from 0");
-  std::vector<answers::Visit> all =
-      answers::pixel_history(trace, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
+  const auto [x, y] = pixel_named(raster, options.x, options.y);
+  std::vector<answers::Visit> all = answers::pixel_history(trace, {x, y});
   if (all.empty()) {
     fmt::print("pixel ({}, {}): no step reaches it{}; it shows the background\n", x, y,
                trace.whole() ? "" : " before the recording was cut off");
@@ -361,12 +359,7 @@ int why_not(const WhyNotOptions& options) {
     if (options.y.empty())
       throw InputError("Y", "is missing: a pixel has a column and a row",
                        "write for example zstep why-not run.ztrace B 15 12");
-    const std::int64_t x = parse_whole("X", options.x, 0), y = parse_whole("Y", options.y, 0);
-    if (x >= raster.width || y >= raster.height)
-      throw InputError(fmt::format("{} {}", x, y),
-                       fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height),
-                       "columns and rows count from 0");
-    verdict = answers::why_not(trace, polygon, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
+    verdict = answers::why_not(trace, polygon, pixel_named(raster, options.x, options.y));
   }
   fmt::print("{}\n", verdict.sentence);
   for (const std::string& formula : verdict.formulas) fmt::print("  {}\n", formula);
