@@ -176,7 +176,7 @@ void App::take_acts(const std::vector<Touch::Act>& acts) { acts_.insert(acts_.en
 double App::wait_for_finger(std::int64_t now) {
   take_acts(touch_.wait(now));
   if (!touch_.due()) return 1e9;
-  return static_cast<double>(std::max<std::int64_t>(1, *touch_.due() - now)) / 1000;
+  return ratio(std::max<std::int64_t>(1, *touch_.due() - now), 1000);
 }
 
 /// Where a finger hits that goes down there; what is written by hand is written where the finger is.

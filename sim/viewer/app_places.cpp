@@ -294,9 +294,7 @@ void App::to_alike(int direction) {
   if (!found) return say("The runs do not part here; . and > go to where they do.");
   against_->go_to(found->place);
   const bool moved = here != std::pair{session_.position(), b.position()};
-  say(moved ? fmt::format("The runs part in {}: {} of {}.", found->what,
-                          grouped(static_cast<std::int64_t>(found->number)),
-                          grouped(static_cast<std::int64_t>(found->all)))
+  say(moved ? fmt::format("The runs part in {}: {} of {}.", found->what, grouped(found->number), grouped(found->all))
             : fmt::format("There is no {} difference in {}.", direction > 0 ? "later" : "earlier", found->what));
 }
 

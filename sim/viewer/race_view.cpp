@@ -200,8 +200,7 @@ void App::race_by(Measure clock) {
 std::vector<std::string> App::race_place() const {
   const Race& race = race_->race;
   const bool time = race.clock() == Measure::time;
-  const std::string at = time ? fmt::format("{:.4g}%", 100 * static_cast<double>(race.at()) /
-                                                           static_cast<double>(std::max<std::int64_t>(1, race.end())))
+  const std::string at = time ? fmt::format("{:.4g}%", ratio(100 * race.at(), std::max<std::int64_t>(1, race.end())))
                               : std::to_string(race.at());
   return {"--race",    fmt::format("{}", fmt::join(race.chosen(), ",")),
           "--race-by", std::string(word_of(race.clock())),

@@ -121,8 +121,8 @@ Whereabouts moment_of(const Session& session) {
   const MethodState& machine = session.state().machine;
   Whereabouts moment{session.selected, session.current_cell(), machine.polygon, machine.scan_line};
   if (step) moment.step = step->name;
-  const auto size = static_cast<double>(std::max<std::int64_t>(1, session.size()));
-  moment.share = static_cast<double>(session.position()) / size;
+  const std::int64_t size = std::max<std::int64_t>(1, session.size());
+  moment.share = ratio(session.position(), size);
   return moment;
 }
 

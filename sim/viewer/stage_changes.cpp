@@ -248,10 +248,10 @@ bool Stage::on_way(double share) { return app().session().on_way && app().sessio
 bool Stage::check_run() {
   if (app().ui().findings) return true;
   const Trace& run = trace();
-  const double size = static_cast<double>(std::max<std::int64_t>(1, run.size()));
+  const std::int64_t size = std::max<std::int64_t>(1, run.size());
   bool ended = on_way(0);
   CheckedRun checked = judge_run(
-      run, [&](std::int64_t done) { return ended = ended || on_way(static_cast<double>(done) / size); }, true);
+      run, [&](std::int64_t done) { return ended = ended || on_way(ratio(done, size)); }, true);
   if (ended) return false;
   if (&run == first_ && opened_) checked.impossible = opened_->impossible;
   app().show_findings(checked_.emplace_back(std::move(checked)));

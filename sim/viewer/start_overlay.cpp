@@ -126,7 +126,7 @@ class Painter {
 
   void dashes(const std::vector<glm::dvec2>& points) {
     constexpr int parts = 7;  // every second is drawn
-    const auto at = [&](int k) { return points[0] + (points[1] - points[0]) * (static_cast<double>(k) / parts); };
+    const auto at = [&](int k) { return points[0] + (points[1] - points[0]) * ratio(k, parts); };
     for (int k = 0; k < parts; k += 2) lines({at(k), at(k + 1)}, theme_.text, 1);
   }
 

@@ -118,7 +118,7 @@ void Sheet::mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled) {
   constexpr double rim = 2.5;
   svg_ += shape_of(at, radius, shape, color);
   if (!filled) svg_ += shape_of(at, radius - static_cast<float>(rim), shape, theme().pane);
-  const auto x = static_cast<double>(at.x), y = static_cast<double>(at.y), size = static_cast<double>(radius);
+  const double x = at.x, y = at.y, size = radius;
   canvas_.mark(x, y, size, shape, to_pixel(color));
   if (!filled) canvas_.mark(x, y, size - rim, shape, to_pixel(theme().pane));
 }

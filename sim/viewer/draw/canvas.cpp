@@ -15,7 +15,7 @@ namespace {
 
 /// As many corners as make it round to a third of a pixel.
 std::vector<ImVec2> corners_of_circle(ImVec2 center, float radius) {
-  const double flat = portable::acos(1 - std::min(0.3 / std::max(static_cast<double>(radius), 0.3), 1.0));
+  const double flat = portable::acos(1 - std::min(0.3 / std::max<double>(radius, 0.3), 1.0));
   const int count = std::clamp(ceil_int(std::numbers::pi / flat), 12, 512);
   std::vector<ImVec2> corners;
   for (int k = 0; k < count; ++k) {

@@ -17,6 +17,11 @@ constexpr float to_float(Whole number) {
   return static_cast<float>(number);
 }
 
+/// The point so far to the right of another and below it.
+inline ImVec2 moved_by(ImVec2 from, double right, double down) {
+  return {from.x + static_cast<float>(right), from.y + static_cast<float>(down)};
+}
+
 // Lines and circles. Dear ImGui's own take 1/√x as the processor estimates it, and cosines of the C library: a picture
 // would be another on another computer.
 

@@ -9,6 +9,7 @@
 
 #include "traces/math/portable_math.hpp"
 #include "traces/math/whole.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -59,7 +60,7 @@ Pixel32 to_srgb(const Lab& c) {
 DepthScale::DepthScale() {
   constexpr Lab near{0.94, -0.03, 0.155}, middle{0.62, -0.005, 0.0}, far{0.27, -0.015, -0.115};
   for (std::size_t i = 0; i < table_.size(); ++i) {
-    const double t = static_cast<double>(i) / 255;
+    const double t = ratio(i, 255);
     const Lab& from = t < 0.5 ? near : middle;
     const Lab& to = t < 0.5 ? middle : far;
     const double u = t < 0.5 ? 2 * t : 2 * t - 1;
@@ -73,12 +74,12 @@ Pixel32 DepthScale::at(double t) const {
 }
 
 ImU32 ink_on(Pixel32 background) {
-  const auto light = [](unsigned byte) {
+  const auto linear = [](unsigned byte) {
     const double c = byte / 255.0;
     return c <= 0.04045 ? c / 12.92 : portable::pow((c + 0.055) / 1.055, 2.4);
   };
-  const double luminance = 0.2126 * light(background >> 16 & 255u) + 0.7152 * light(background >> 8 & 255u) +
-                           0.0722 * light(background & 255u);
+  const double luminance = 0.2126 * linear(background >> 16 & 255u) + 0.7152 * linear(background >> 8 & 255u) +
+                           0.0722 * linear(background & 255u);
   // Where (L + 0.05) / 0.05 = 1.05 / (L + 0.05), and so at least 4.58 on either side (WCAG 2).
   return luminance > std::sqrt(1.05 * 0.05) - 0.05 ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 255, 255, 255);
 }

@@ -8,6 +8,7 @@
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/math/whole.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -87,9 +88,7 @@ void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const
   // Of pixels that lie as far inside, the one nearest to the middle of them.
   each([](Best& one, int depth, int x, int y) {
     if (depth != one.depth) return;
-    const auto ties = static_cast<double>(one.ties);
-    const double distance =
-        portable::length(x - static_cast<double>(one.sum_x) / ties, y - static_cast<double>(one.sum_y) / ties);
+    const double distance = portable::length(x - ratio(one.sum_x, one.ties), y - ratio(one.sum_y, one.ties));
     if (distance < one.distance) one.distance = distance, one.cell = {x, y};
   });
   for (const auto& [polygon, one] : best) spots.push_back({polygon, one.cell, one.pixels * seen.every * seen.every});

@@ -245,7 +245,7 @@ std::vector<glm::dvec3> Room::section(double a, double b, double c, double d) co
 
 Outside::Outside(const Room& room, const Look& look, int width, int height) {
   raster_ = {std::max(1, width), std::max(1, height), false};
-  const double aspect = static_cast<double>(raster_.width) / raster_.height;
+  const double aspect = ratio(raster_.width, raster_.height);
   const Box box = around(room.marks());
   glm::dvec3 target = (box.low + box.high) / 2.0;
   const double radius = std::max(box.size() / 2, 1e-9), distance = 3.5 * radius;

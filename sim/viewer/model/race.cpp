@@ -126,7 +126,7 @@ std::int64_t Race::position(const Racer& racer, std::int64_t at) const {
   if (clock_ == Measure::operations) return racer.work.position_of(at);
   if (clock_ == Measure::steps) return at;
   // How a run's time is shared out among its steps is not measured: evenly.
-  const double share = static_cast<double>(at) / parts_of_time * longest() / *racer.seconds;
+  const double share = ratio(at, parts_of_time) * longest() / *racer.seconds;
   return std::llround(std::floor(std::min(share, 1.0) * static_cast<double>(size)));
 }
 
@@ -142,7 +142,7 @@ void Race::go_to(std::int64_t at) {
 }
 
 std::string Race::clock_text(std::int64_t at) const {
-  if (clock_ == Measure::time) return seconds_text(static_cast<double>(at) / parts_of_time * longest());
+  if (clock_ == Measure::time) return seconds_text(ratio(at, parts_of_time) * longest());
   return fmt::format("{} {}", grouped(at), word_of(clock_));
 }
 

@@ -60,7 +60,7 @@ inline RasterMap::RasterMap(const Raster& raster, const RasterView& view, int bo
       y_up(raster.y_up),
       box_width(std::max(1, box_width_)),
       box_height(std::max(1, box_height_)) {
-  const double fit = std::min(static_cast<double>(box_width) / width, static_cast<double>(box_height) / height);
+  const double fit = std::min(ratio(box_width, width), ratio(box_height, height));
   cell = fit * view.zoom;
   // Whole pixels make an even grid; where they would waste much room, quarters.
   if (cell > 12) cell = std::floor(cell);

@@ -410,7 +410,7 @@ void mark_point(Ui& ui, const RasterMap& map, ImVec2 origin, const ShadowCompare
   const double column = std::round(at.x_light), row = std::round(at.y_light);
   if (!(column >= 0 && column < map.width && row >= 0 && row < map.height)) return;
   const float half = static_cast<float>(std::max(map.cell / 2, 4.0));
-  const ImVec2 centre{origin.x + static_cast<float>(map.px(column)), origin.y + static_cast<float>(map.py(row))};
+  const ImVec2 centre = moved_by(origin, map.px(column), map.py(row));
   frame_box(ui, {centre.x - half - 2, centre.y - half - 2}, {centre.x + half + 2, centre.y + half + 2},
             IM_COL32(255, 255, 255, 255), 2);
   frame_box(ui, {centre.x - half, centre.y - half}, {centre.x + half, centre.y + half}, ui.colors().now, 2);

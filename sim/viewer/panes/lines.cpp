@@ -197,8 +197,8 @@ void mark_lines(Ui& ui, ImVec2 origin, const RasterMap& map) {
   for (const LineRow& line : ui.session.state().machine.lines) {
     const auto ends = ends_of(ui.moment(), map, line.entry);
     if (!ends) continue;
-    const ImVec2 middle{std::round(origin.x + static_cast<float>((ends->x0 + ends->x1) / 2)),
-                        std::round(origin.y + static_cast<float>((ends->y0 + ends->y1) / 2))};
+    const ImVec2 between = moved_by(origin, (ends->x0 + ends->x1) / 2, (ends->y0 + ends->y1) / 2),
+                 middle{std::round(between.x), std::round(between.y)};
     mark_part(ui, changed, about_line(line.entry), {middle.x - half, middle.y - half},
               {middle.x + half, middle.y + half});
   }
@@ -321,9 +321,7 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
   const Theme& c = ui.colors();
   const HorizonWork& work = s.state().machine.horizon;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto place = [&](double x, double y) {
-    return ImVec2{at.x + static_cast<float>(map.px(x)), at.y + static_cast<float>(map.py(y))};
-  };
+  const auto place = [&](double x, double y) { return moved_by(at, map.px(x), map.py(y)); };
   if (work.test) {
     const HorizonTest& now = *work.test;
     const ImVec2 top = place(now.x, -0.5), bottom = place(now.x, map.height - 0.5);

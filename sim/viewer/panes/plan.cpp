@@ -23,7 +23,7 @@ constexpr std::size_t most_planes = 64;    // drawn besides the one at work
 constexpr std::size_t most_names = 40;     // pieces with their names
 constexpr std::size_t most_pieces = 4000;  // drawn at all
 
-std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
+std::size_t at(std::int32_t number) { return number; }
 glm::dvec3 normal_of(const PlaneEquation& plane) { return {plane.plane_a, plane.plane_b, plane.plane_c}; }
 
 /// A view along a plane: two directions of the world as right and up.
@@ -59,16 +59,13 @@ struct Frame {
   void fit(ImVec2 top_, ImVec2 size_) {
     top = top_, size = size_;
     const glm::dvec2 extent = glm::max(high - low, glm::dvec2(1e-9));
-    scale = std::min((static_cast<double>(size.x) * 0.8) / extent.x, (static_cast<double>(size.y) * 0.8) / extent.y);
+    scale = std::min(size.x * 0.8 / extent.x, size.y * 0.8 / extent.y);
   }
   ImVec2 place(glm::dvec2 p) const {
     const glm::dvec2 from_middle = (p - (low + high) / 2.0) * scale;
-    return {top.x + size.x / 2 + static_cast<float>(from_middle.x),
-            top.y + size.y / 2 - static_cast<float>(from_middle.y)};
+    return moved_by({top.x + size.x / 2, top.y + size.y / 2}, from_middle.x, -from_middle.y);
   }
-  double reach() const {
-    return glm::length(glm::dvec2(static_cast<double>(size.x), static_cast<double>(size.y))) / scale;
-  }
+  double reach() const { return glm::length(glm::dvec2(size.x, size.y)) / scale; }
 };
 
 /// A plane that is seen from its edge, as a x + b y + c = 0 in the section.
@@ -147,9 +144,8 @@ ImVec2 label_place(const View& v, const std::vector<glm::dvec2>& points, ImVec2 
   glm::dvec2 normal(-way.y, way.x);
   if (glm::dot(normal, outwards) < -1e-9) normal = -normal;
   const ImVec2 at_piece = v.frame.place(middle);
-  const double off =
-      std::abs(normal.x) * static_cast<double>(size.x) / 2 + std::abs(normal.y) * static_cast<double>(size.y) / 2 + 5;
-  return {at_piece.x + static_cast<float>(normal.x * off), at_piece.y - static_cast<float>(normal.y * off)};
+  const double off = std::abs(normal.x) * size.x / 2 + std::abs(normal.y) * size.y / 2 + 5;
+  return moved_by(at_piece, normal.x * off, -normal.y * off);
 }
 
 void draw_pieces(const View& v) {
@@ -218,7 +214,7 @@ void draw_sides(const View& v) {
   for (const double along : {0.32, -0.32, 0.48, -0.48, 0.16, -0.16, 0.64, -0.64, 0.8, -0.8}) {
     const glm::dvec2 end = (low + high) / 2.0 + way * (glm::length(high - low) * along);
     const auto corner = [&](double sign) {
-      const ImVec2 place = v.frame.place(end + normal * (sign * static_cast<double>(v.ui.em) * 0.8 / v.frame.scale));
+      const ImVec2 place = v.frame.place(end + normal * (sign * v.ui.em * 0.8 / v.frame.scale));
       return ImVec2{std::round(place.x - size.x / 2), std::round(place.y - size.y / 2)};
     };
     if (!v.names->free(corner(1), size) || !v.names->free(corner(-1), size)) continue;

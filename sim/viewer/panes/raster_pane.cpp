@@ -44,7 +44,7 @@ void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const
   paint_raster(canvas, map, cells.made.colors,
                {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)},
                cells.made.counts.empty() ? nullptr : &cells.made.counts);
-  draw_geometry(canvas, map, now, lit, c, static_cast<double>(thin));
+  draw_geometry(canvas, map, now, lit, c, thin);
   const int line = nearest_int(thin);
   const int x0 = map.column_begin(0) - line, x1 = map.column_begin(map.width) + line - 1;
   const int y0 = nearest_int(map.top) - line, y1 = nearest_int(map.top + map.height * map.cell) + line - 1;
@@ -59,8 +59,8 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
   RasterView& view = ui.view;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
     const double before = map.cell;
-    const double zoom = std::clamp(view.zoom * portable::pow(1.25, static_cast<double>(io.MouseWheel)), 1.0,
-                                   most_zoom(ui.session.scene().raster));
+    const double zoom =
+        std::clamp(view.zoom * portable::pow(1.25, io.MouseWheel), 1.0, most_zoom(ui.session.scene().raster));
     // The cell under the mouse stays there.
     const double from_x = (io.MousePos.x - origin.x - map.left) / before - map.width / 2.0;
     const double from_y = (io.MousePos.y - origin.y - map.top) / before - map.height / 2.0;
@@ -188,7 +188,7 @@ void draw_picked(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const auto place = [&](std::int32_t vertex) -> std::optional<ImVec2> {
     const auto spot = on_raster(s.scene(), s.state(), vertex);
     if (!spot) return std::nullopt;
-    return ImVec2{origin.x + static_cast<float>(map.px(spot->x)), origin.y + static_cast<float>(map.py(spot->y))};
+    return moved_by(origin, map.px(spot->x), map.py(spot->y));
   };
   if (part.edge && !s.lit_edge()) {
     const auto from = place(part.edge->first), to = place(part.edge->second);

@@ -150,7 +150,7 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
   for (int y = 0, step = label_step(map.cell, font->FontSize + 2.0); y < map.height; y += step) {
     // A number that would stick out by a little is moved in.
     const float middle = static_cast<float>(map.py(y)), half = font->FontSize / 2;
-    const float place = std::clamp(middle, half, std::max(half, static_cast<float>(map.box_height) - half));
+    const float place = std::clamp(middle, half, std::max(half, to_float(map.box_height) - half));
     if (std::abs(place - middle) > half * 0.6f) continue;
     if (line && std::abs(map.py(y) - map.py(*line)) < font->FontSize) continue;  // the one at work is drawn last
     const std::string text = std::to_string(y);
@@ -160,7 +160,7 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
     // The scan line at work: its number and an arrow, wherever it stands.
     const std::string text = std::to_string(*line);
     const float y = std::clamp(origin.y + static_cast<float>(map.py(*line)) - font->FontSize / 2, origin.y,
-                               origin.y + static_cast<float>(map.box_height) - font->FontSize);
+                               origin.y + to_float(map.box_height) - font->FontSize);
     const float width = text_size(ui, font, text).x;
     draw_text(ui, {edge - 4 - width, y}, font, c.now, text);
     const float tip = edge - 6 - width, middle = y + font->FontSize / 2, size = font->FontSize * 0.3f;
@@ -211,10 +211,8 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
             map.py(y) + size.y / 2 > map.box_height)
           continue;
         const Pixel32 back = cells.colors[at] == hatched_cell ? to_pixel(ui.colors().empty) : cells.colors[at];
-        draw_text(ui,
-                  {origin.x + static_cast<float>(map.px(x)) - size.x / 2,
-                   origin.y + static_cast<float>(map.py(y)) - size.y / 2},
-                  font, ink_on(back), text);
+        const ImVec2 middle = moved_by(origin, map.px(x), map.py(y));
+        draw_text(ui, {middle.x - size.x / 2, middle.y - size.y / 2}, font, ink_on(back), text);
       }
     return true;
   }
@@ -235,15 +233,14 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces taken)
     const std::string label = polygon_label(ui.session.scene(), spot.polygon);
     const ImVec2 size = text_size(ui, font, label);
     // What is seen of it must be as large as its letter.
-    if (static_cast<double>(spot.pixels) * map.cell * map.cell < static_cast<double>(size.x * font->FontSize)) continue;
+    if (static_cast<double>(spot.pixels) * map.cell * map.cell < size.x * font->FontSize) continue;
     const auto within = [&](float x, float y) {  // the part of the window that shows the raster
       return ImVec2{
           std::round(origin.x + std::clamp(x - origin.x, rim, std::max(rim, to_float(map.box_width) - size.x - rim))),
-          std::round(origin.y +
-                     std::clamp(y - origin.y, rim, std::max(rim, static_cast<float>(map.box_height) - size.y - rim)))};
+          std::round(origin.y + std::clamp(y - origin.y, rim, std::max(rim, to_float(map.box_height) - size.y - rim)))};
     };
-    const ImVec2 best = within(origin.x + static_cast<float>(map.px(spot.cell.x)) - size.x / 2,
-                               origin.y + static_cast<float>(map.py(spot.cell.y)) - size.y / 2);
+    const ImVec2 middle = moved_by(origin, map.px(spot.cell.x), map.py(spot.cell.y)),
+                 best = within(middle.x - size.x / 2, middle.y - size.y / 2);
     // Where that place is taken, one near it where the same polygon is seen.
     std::optional<ImVec2> free;
     for (int k = 0; k < 25 && !free; ++k) {

@@ -35,10 +35,10 @@ class Plan {
     if (scene.camera.kind == Camera::Kind::perspective) include(flat(scene.camera.eye));
     if (scene.light) include(flat(scene.light->position));
     const glm::dvec2 span = glm::max(high_ - low_, glm::dvec2(1e-9));
-    scale_ = std::min((static_cast<double>(size.x) - 2 * static_cast<double>(margin)) / span.x,
-                      (static_cast<double>(size.y) - 2 * static_cast<double>(margin)) / span.y);
+    const glm::dvec2 pane(size.x, size.y);
+    scale_ = std::min((pane.x - 2 * margin) / span.x, (pane.y - 2 * margin) / span.y);
     middle_ = 0.5 * (low_ + high_);
-    half_ = {0.5 * static_cast<double>(size.x), 0.5 * static_cast<double>(size.y)};
+    half_ = 0.5 * pane;
   }
 
   glm::dvec2 flat(glm::dvec3 point) const {
@@ -52,7 +52,7 @@ class Plan {
   }
   ImVec2 place(glm::dvec3 point) const {
     const glm::dvec2 p = inside(point);
-    return {at_.x + static_cast<float>(p.x), at_.y + static_cast<float>(p.y)};
+    return moved_by(at_, p.x, p.y);
   }
   /// Far enough for a ray that meets nothing to leave the pane.
   double farthest() const { return 2 * glm::length(high_ - low_) + 1; }

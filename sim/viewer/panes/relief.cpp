@@ -80,7 +80,7 @@ void paint_relief(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Ke
   std::vector<Pixel32> colors;
   for (const Polygon& polygon : room.polygons().polygons) colors.push_back(opaque(polygon.color));
   paint_polygons(picture.canvas, seen, colors, to_pixel(c.pane));
-  RoomPen pen(picture, seen, room, outside, c, static_cast<double>(thin));
+  RoomPen pen(picture, seen, room, outside, c, thin);
   const double left = columns.x(0), right = columns.x(columns.across), back = columns.y(0),
                front = columns.y(columns.along), top = columns.highest, far = columns.height(range.far, range);
   pen.around(std::array<glm::dvec3, 4>{{{left, back, 0}, {left, front, 0}, {right, front, 0}, {right, back, 0}}},
@@ -182,8 +182,7 @@ void draw_relief(Ui& ui, ImVec2 size, const DepthRange& range,
                                     ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("relief", size);
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at,
-                                       {at.x + static_cast<float>(whole.x), at.y + static_cast<float>(whole.y)});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at, moved_by(at, whole.x, whole.y));
   write_words(ui, seen.made, picture, at);
   const Columns columns(s.scene().raster);
   const std::string thinned =

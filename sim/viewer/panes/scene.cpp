@@ -62,8 +62,7 @@ void paint_wireframe(Canvas& canvas, const RasterMap& map, const Scene& scene, c
       const std::int32_t b = scene.corners[facet.first_corner + (k + 1) % facet.corner_count];
       if (!drawn.insert(std::minmax(a, b)).second) continue;
       if (const auto s = lens.segment(scene.points[a], scene.points[b]))
-        canvas.line(map.px(s->first.x), map.py(s->first.y), map.px(s->second.x), map.py(s->second.y),
-                    static_cast<double>(thin), ink);
+        canvas.line(map.px(s->first.x), map.py(s->first.y), map.px(s->second.x), map.py(s->second.y), thin, ink);
     }
 }
 
@@ -114,8 +113,8 @@ void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const s
 void paint_scene(Canvas& canvas, const RasterMap& map, const Kept<Canvas>& wires, const Moment& now,
                  const std::optional<std::int32_t>& lit, const Theme& c, const float& thin) {
   canvas = wires.made;
-  draw_pieces(canvas, map, now, c, static_cast<double>(thin));
-  draw_polygon(canvas, map, now, lit, c, static_cast<double>(thin));
+  draw_pieces(canvas, map, now, c, thin);
+  draw_polygon(canvas, map, now, lit, c, thin);
 }
 
 /// As the run's own eye sees it.

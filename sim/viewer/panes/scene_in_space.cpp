@@ -46,7 +46,7 @@ void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness
   if (!std::isfinite(length)) return;
   const int parts = static_cast<int>(std::clamp(length / 3, 1.0, 2000.0));
   const auto at = [&](int k) {
-    const double t = static_cast<double>(k) / parts;
+    const double t = ratio(k, parts);
     return Outside::Spot{a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.depth + (b.depth - a.depth) * t};
   };
   for (int first = 0; first < parts;) {

@@ -40,9 +40,7 @@ struct Nearest {
   }
 };
 
-ImVec2 on_screen(const Outside::Spot& spot, ImVec2 at) {
-  return {at.x + static_cast<float>(spot.x), at.y + static_cast<float>(spot.y)};
-}
+ImVec2 on_screen(const Outside::Spot& spot, ImVec2 at) { return moved_by(at, spot.x, spot.y); }
 
 void draw_part(const Ui& ui, const Outside& outside, const Room& room, const ScenePart& part, bool picked, ImVec2 at) {
   const Theme& c = ui.colors();
@@ -70,8 +68,8 @@ ScenePart part_under(const Ui& ui, const Outside& outside, const Room& room, con
                      ImVec2 at) {
   const Scene& scene = ui.session.scene();
   if (scene.corners.size() > most_corners_picked) return {};
-  const double x = static_cast<double>(mouse.x - at.x), y = static_cast<double>(mouse.y - at.y);
-  const double reach_of_vertex = static_cast<double>(ui.em) * 0.9, reach_of_edge = static_cast<double>(ui.em) * 0.45;
+  const double x = mouse.x - at.x, y = mouse.y - at.y;
+  const double reach_of_vertex = ui.em * 0.9, reach_of_edge = ui.em * 0.45;
   ScenePart vertex, edge;
   Nearest nearest_vertex, nearest_edge;
   for (const EdgeEnds& ends : edges_of(scene)) {
@@ -165,15 +163,14 @@ void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
     }
     const ImVec2 size = text_size(ui, ui.fonts.bold, letter);
     const float beside = *letter == 'P' ? static_cast<float>(left) - size.x - 6 : static_cast<float>(right) + 6;
-    const ImVec2 at{origin.x + std::clamp(beside, 2.0f, static_cast<float>(map.box_width) - size.x - 2),
+    const ImVec2 at{origin.x + std::clamp(beside, 2.0f, to_float(map.box_width) - size.x - 2),
                     origin.y + std::max(0.0f, static_cast<float>(top))};
     ImGui::GetWindowDrawList()->AddRectFilled({at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}, c.pane);
     draw_text(ui, at, ui.fonts.bold, c.text, letter);
   }
   const auto* overlap = s.event() ? get_if<OverlapTest>(&s.event()->event) : nullptr;
   if (!overlap || !overlap->overlap) return;
-  const ImVec2 at{origin.x + static_cast<float>(map.px(overlap->x_at)),
-                  origin.y + static_cast<float>(map.py(overlap->y_at))};
+  const ImVec2 at = moved_by(origin, map.px(overlap->x_at), map.py(overlap->y_at));
   stroke_line(ImGui::GetWindowDrawList(), {at.x - 6, at.y - 6}, {at.x + 6, at.y + 6}, c.text, 3 * ui.thin);
   stroke_line(ImGui::GetWindowDrawList(), {at.x - 6, at.y + 6}, {at.x + 6, at.y - 6}, c.text, 3 * ui.thin);
 }
@@ -202,7 +199,7 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
     colors.push_back(pale ? mixed(paper, own, 190) : own);
   }
   paint_polygons(picture.canvas, seen, colors, paper);
-  RoomPen pen(picture, seen, room, outside, c, static_cast<double>(thin));
+  RoomPen pen(picture, seen, room, outside, c, thin);
   draw_in_space(pen, now, cell, viewing);
 }
 
@@ -226,7 +223,7 @@ bool pull_vertices(Ui& ui, const Room& room, ImVec2 size, ImVec2 at) {
   for (std::size_t k = 0; k < scene.points.size(); ++k) {
     const auto spot = outside.spot(room.place(scene.points[k]));
     if (!spot || spot->x < 0 || spot->y < 0 || spot->x > size.x || spot->y > size.y) continue;
-    const ImVec2 middle{at.x + static_cast<float>(spot->x), at.y + static_cast<float>(spot->y)};
+    const ImVec2 middle = on_screen(*spot, at);
     const float x = io.MousePos.x - middle.x, y = io.MousePos.y - middle.y, away = x * x + y * y;
     if (away < least) least = away, nearest = index32(k);
     const bool held = ui.taken && ui.taken->vertex == index32(k);
@@ -246,7 +243,7 @@ bool pull_vertices(Ui& ui, const Room& room, ImVec2 size, ImVec2 at) {
   }
   Taken& taken = *ui.taken;
   if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return true;
-  taken.place = outside.pulled(taken.place, static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y));
+  taken.place = outside.pulled(taken.place, io.MouseDelta.x, io.MouseDelta.y);
   const glm::dvec3 point = room.point_at(taken.place);
   for (int axis = 0; axis < 3; ++axis) taken.point[axis] = rounded(point[axis], room.size());
   ui.moved_vertex = taken.point != scene.points[taken.vertex];
@@ -303,8 +300,7 @@ void walk_round(Ui& ui, Look& look, ImVec2 size, const char* help) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemHovered()) {
     ui.mouse_help = help;
-    if (io.MouseWheel != 0)
-      look.zoom = std::clamp(look.zoom * portable::pow(1.25, static_cast<double>(io.MouseWheel)), 0.3, 40.0);
+    if (io.MouseWheel != 0) look.zoom = std::clamp(look.zoom * portable::pow(1.25, io.MouseWheel), 0.3, 40.0);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) look = {};
   }
   const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3);
@@ -346,8 +342,7 @@ void draw_outside(Ui& ui, ImVec2 size) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("outside", size);
   can_be_hit(ui, at, {at.x + size.x, at.y + size.y});
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at,
-                                       {at.x + static_cast<float>(whole.x), at.y + static_cast<float>(whole.y)});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at, moved_by(at, whole.x, whole.y));
   write_words(ui, seen.made, picture, at);
   if (pull_vertices(ui, room.made, size, at)) return;
   walk_round(ui, ui.look, size,

@@ -27,17 +27,13 @@ enum Shape : int { disc = 0, square = 1, diamond = 3 };  // as Canvas::mark has 
 }  // namespace
 
 void take(Fingerprint& print, const SlicePicture& picture) {
-  const auto all = [&](std::initializer_list<double> values) {
-    for (const double value : values) take(print, value);
-  };
+  const auto all = [&](auto... values) { (take(print, values), ...); };
   const SlicePlot& p = picture.plot;
-  all({p.x_first, p.x_last, p.low, p.high, static_cast<double>(p.top), static_cast<double>(p.bottom),
-       static_cast<double>(p.band)});
+  all(p.x_first, p.x_last, p.low, p.high, p.top, p.bottom, p.band);
   for (const Slice& slice : picture.runs) {
-    all({static_cast<double>(slice.work_from), slice.empty, static_cast<double>(slice.spans.size())});
-    for (const SliceSpan& s : slice.spans)
-      all({static_cast<double>(s.step), static_cast<double>(s.polygon), s.x_left, s.z_left, s.x_right, s.z_right});
-    for (const SliceSample& s : slice.samples) all({static_cast<double>(s.polygon), s.x, s.z});
+    all(slice.work_from, slice.empty, slice.spans.size());
+    for (const SliceSpan& s : slice.spans) all(s.step, s.polygon, s.x_left, s.z_left, s.x_right, s.z_right);
+    for (const SliceSample& s : slice.samples) all(s.polygon, s.x, s.z);
     for (const double z : slice.stored) take(print, z);
   }
 }
@@ -128,7 +124,7 @@ namespace {
 void draw_marker(Ui& ui, Canvas& canvas, const SliceMarker& marker) {
   const Theme& c = ui.colors();
   // Of equal depths both are seen: the diamond lies on the square.
-  const double radius = std::max(5.0, 0.36 * static_cast<double>(ui.em)) * (marker.shape == square ? 1.35 : 0.9);
+  const double radius = std::max(5.0, 0.36 * ui.em) * (marker.shape == square ? 1.35 : 0.9);
   canvas.mark(marker.x, marker.y, radius + 1.5, marker.shape, to_pixel(c.pane));
   canvas.mark(marker.x, marker.y, radius, marker.shape, to_pixel(c.now));
   if (marker.wins && !*marker.wins) canvas.mark(marker.x, marker.y, radius - 2.5, marker.shape, to_pixel(c.pane));
@@ -164,7 +160,7 @@ std::vector<SliceMarker> markers_of(Ui& ui, const SlicePlot& plot, const Slice& 
 void paint_markers(Ui& ui, Canvas& canvas, const std::vector<SliceMarker>& markers) {
   const Pixel32 now = to_pixel(ui.colors().now);
   for (std::size_t k = 1; k < markers.size(); ++k)
-    canvas.line(markers[0].x, markers[k - 1].y, markers[0].x, markers[k].y, 1.6 * static_cast<double>(ui.thin), now);
+    canvas.line(markers[0].x, markers[k - 1].y, markers[0].x, markers[k].y, 1.6 * ui.thin, now);
   for (const int shape : {square, diamond})
     for (const SliceMarker& marker : markers)
       if (marker.shape == shape) draw_marker(ui, canvas, marker);
@@ -208,7 +204,7 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
   beside(plot.band, number(slice.empty));
   // Columns.
   const float below = origin.y + to_float(plot.height) + 2;
-  const double widest = static_cast<double>(text_size(ui, font, fmt::format("{:.0f}", plot.x_last)).x) + 8;
+  const double widest = 8.0 + text_size(ui, font, fmt::format("{:.0f}", plot.x_last)).x;
   const double columns = std::max(1.0, nice_step(widest / plot.column(), 1));
   const std::string title = "x";
   const float title_left = right - text_size(ui, font, title).x;

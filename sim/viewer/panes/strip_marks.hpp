@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sim/viewer/panes/ui.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::viewer {
 
@@ -21,7 +22,7 @@ struct Strip {
   bool holds(std::int64_t position) const { return position >= first && position <= last; }
   float x(std::int64_t position) const {
     if (last <= first) return at.x;
-    return at.x + width * static_cast<float>(static_cast<double>(position - first) / static_cast<double>(last - first));
+    return at.x + width * static_cast<float>(ratio(position - first, last - first));
   }
   std::int64_t position(float mouse) const {
     const double share = std::clamp((mouse - at.x) / width, 0.0f, 1.0f);

@@ -166,7 +166,7 @@ void draw_strip(Ui& ui, std::int32_t y) {
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const ScanLineStrip strip{{top.x + 2, top.y + names},
                             {top.x + width - 2, top.y + names + bar},
-                            std::max(1.0, static_cast<double>(s.scene().raster.width))};
+                            std::max<double>(1, s.scene().raster.width)};
   ImDrawList* list = ImGui::GetWindowDrawList();
   draw_cells(s, list, strip, y, c);
   frame_box(ui, strip.at, strip.end, c.rule);

@@ -280,9 +280,7 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   draw_transport(ui, s.playing, Session::speeds()[s.speed].name, widest, size.x);
   ImGui::SameLine(0, ui.em);
   // What the mouse does here, else where this is; only when there is room for all of it.
-  const std::string percent =
-      s.size() ? fmt::format("{:.1f} %", 100.0 * static_cast<double>(s.position()) / static_cast<double>(s.size()))
-               : "0 %";
+  const std::string percent = s.size() ? fmt::format("{:.1f} %", ratio(100 * s.position(), s.size())) : "0 %";
   const float room = origin.x + size.x - ImGui::GetCursorScreenPos().x;
   const float right = text_size(ui, ui.fonts.mono, percent).x;
   const float line = ImGui::GetCursorScreenPos().y + std::round(ui.em * 0.3f);

@@ -19,7 +19,7 @@ constexpr std::size_t largest_drawn = 24;  // nodes
 constexpr std::size_t longest_path = 400;  // rows; of a longer one those next to the node at work
 
 const Event* event_of(const Session& s) { return s.event() ? &s.event()->event : nullptr; }
-std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
+std::size_t at(std::int32_t number) { return number; }
 
 /// Nodes of each subtree. A child is made after its parent, so it has the larger number.
 std::vector<std::int32_t> subtree_sizes(const SharedChunks<TreeNode>& tree) {
