@@ -138,7 +138,7 @@ void cut_anew(Scene& scene, const std::vector<glm::dvec3>& before, const Place& 
     for (std::size_t from = 0; from < pieces.size(); from += size) {
       scene.facets.push_back({facet.polygon, size32(scene.corners), index32(size)});
       const auto first = pieces.begin() + from;
-      scene.corners.insert(scene.corners.end(), first, first + static_cast<std::ptrdiff_t>(size));
+      scene.corners.insert(scene.corners.end(), first, first + size);
     }
   }
 }

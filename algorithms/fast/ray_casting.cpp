@@ -396,7 +396,7 @@ ZSTEP_INLINE Hit first_on(const Tree& tree, const Ray& ray, bool cull) {
     do {
       if (count == 0) return hit;
       --count;
-    } while (static_cast<double>(waiting[count].t) > hit.t);
+    } while (waiting[count].t > hit.t);
     at = waiting[count].child;
   }
 }

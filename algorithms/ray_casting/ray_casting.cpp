@@ -125,9 +125,9 @@ struct Search {
     std::array<std::int32_t, 3> cell{};
     for (int axis = 0; axis < 3; ++axis) {
       const double size = grid.box.high[axis] - grid.box.low[axis];
-      const std::int32_t cells = grid.cells[static_cast<std::size_t>(axis)];
+      const std::int32_t cells = grid.cells[axis];
       const double place = (start[axis] - grid.box.low[axis]) / size * cells;
-      cell[static_cast<std::size_t>(axis)] = std::clamp(static_cast<std::int32_t>(place), 0, cells - 1);
+      cell[axis] = std::clamp(static_cast<std::int32_t>(place), 0, cells - 1);
     }
     double t_enter = passage.t_enter;
     while (t_enter <= nearest.t) {
@@ -136,7 +136,7 @@ struct Search {
       for (int axis = 0; axis < 3; ++axis) {
         const double go = ray.along[axis];
         if (go == 0) continue;
-        const double t = (grid.edge(axis, cell[static_cast<std::size_t>(axis)] + (go > 0)) - ray.from[axis]) / go;
+        const double t = (grid.edge(axis, cell[axis] + (go > 0)) - ray.from[axis]) / go;
         if (t < t_leave) t_leave = t, through = axis;
       }
       record(meeting::step::cell, CellVisit{cell[0], cell[1], cell[2], t_enter, t_leave});

@@ -11,6 +11,7 @@
 #include "algorithms/viewing/camera.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -80,7 +81,7 @@ double distance_for_all(const Scene& scene) {
   if (!(radius > 0)) radius = 1;
   const Camera& camera = scene.camera;
   if (camera.kind == Camera::Kind::orthographic) return 2 * radius;
-  const double aspect = static_cast<double>(scene.raster.width) / scene.raster.height;
+  const double aspect = ratio(scene.raster.width, scene.raster.height);
   const double half = camera.window * std::min(1.0, aspect);  // of the window's shorter side
   return 1.05 * radius * std::sqrt(half * half + camera.d * camera.d) / half;
 }

@@ -153,7 +153,7 @@ std::size_t link_shown_as(const Chain& chain, std::string_view number) {
   if (chain.links.empty()) return 0;
   for (const ChainValue& value : chain.links[0].values)
     for (const Operand& operand : value.operands)
-      if (operand.link > 0 && shown_as(operand.value, number)) return static_cast<std::size_t>(operand.link);
+      if (operand.link > 0 && shown_as(operand.value, number)) return operand.link;
   for (std::size_t i = 1; i < chain.links.size(); ++i)
     if (chain.links[i].parent == 0)
       for (const ChainValue& value : chain.links[i].values)

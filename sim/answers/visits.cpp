@@ -79,7 +79,7 @@ std::vector<std::int32_t> FacetsNear::near(Trace::Pixel pixel) const {
   const auto column = static_cast<std::int32_t>(pixel.x / static_cast<std::int32_t>(side)),
              row = static_cast<std::int32_t>(pixel.y / static_cast<std::int32_t>(side));
   std::vector<std::int32_t> found;
-  const auto at = static_cast<std::size_t>(row * squares_across_ + column);
+  const std::size_t at = row * squares_across_ + column;
   if (pixel.x < 0 || pixel.y < 0 || column >= squares_across_ || at + 1 >= first_.size()) return found;
   std::merge(facets_.begin() + first_[at], facets_.begin() + (first_[at + 1]), anywhere_.begin(), anywhere_.end(),
              std::back_inserter(found));

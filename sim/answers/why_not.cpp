@@ -209,7 +209,7 @@ std::string fate(const Asked& q, const std::vector<Covered>& all) {
   if (lost.empty()) return fmt::format("{}, but the recording was cut off before its turn there", covers);
   return fmt::format(
       "{}; the recording was cut off before its turn at {}, and at the {} it lies behind what was drawn by then, {}",
-      covers, grouped(static_cast<std::int64_t>(pending)), lost.size() == 1 ? "other" : "others", losses(q, lost, ""));
+      covers, grouped(pending), lost.size() == 1 ? "other" : "others", losses(q, lost, ""));
 }
 
 /// The first pixel whose centre the facet surely covers, whatever way it faces.
@@ -287,7 +287,7 @@ Verdict filled(Asked& q, const Picture& picture) {
 }  // namespace
 
 std::string count_text(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", grouped(static_cast<std::int64_t>(count)), count == 1 ? one : many);
+  return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
 }
 
 Verdict with_pixel(const Asked& q, Trace::Pixel pixel, const std::string& whole) {

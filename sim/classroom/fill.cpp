@@ -194,7 +194,7 @@ std::string show(const Quantity& value, const Scene& scene, int decimals) {
     case Quantity::Type::polygon: {
       const auto index = static_cast<std::int64_t>(value.number);
       if (index < 0 || index >= static_cast<std::int64_t>(scene.polygons.size())) return "background";
-      const std::string& name = *scene.polygons[static_cast<std::size_t>(index)].name;
+      const std::string& name = *scene.polygons[index].name;
       return name.empty() ? std::to_string(index) : name;
     }
     case Quantity::Type::number:

@@ -44,7 +44,7 @@ std::optional<std::string> after_key(const Lines& lines, std::string_view key) {
 /// A hint, as many line ends after the block's first line as in the file: so a complaint about it counts its lines
 /// from there. They go when it is filled.
 std::string on_its_line(const Lines& lines, std::int32_t block, const std::string& hint) {
-  return std::string(static_cast<std::size_t>(lines.number() - block), '\n') + hint;
+  return std::string(lines.number() - block, '\n') + hint;
 }
 
 /// Calls `read` at each line up to the one that closes the block.

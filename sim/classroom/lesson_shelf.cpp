@@ -10,6 +10,7 @@
 #include "sim/classroom/lesson.hpp"
 #include "sim/classroom/markdown.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -35,7 +36,7 @@ double reading_minutes(const Lesson& lesson) {
   for (const Stop& stop : lesson.stops) {
     std::istringstream text(plain_text(parse_markdown(stop.text)));
     const auto words = std::distance(std::istream_iterator<std::string>(text), {});
-    minutes += static_cast<double>(words) / 200 + 0.2 + (stop.question || stop.task || stop.marking ? 0.5 : 0);
+    minutes += ratio(words, 200) + 0.2 + (stop.question || stop.task || stop.marking ? 0.5 : 0);
   }
   return minutes;
 }

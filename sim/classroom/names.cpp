@@ -152,8 +152,7 @@ const KnownName names[] = {
     OF_SPAN(x_right, "x where the span ends"),
     OF_SPAN(z_right, "depth where the span ends"),
     OF_SPAN(dz_dx, "what depth gains from pixel to pixel of the span"),
-    {"facing", Type::word,
-     [](const Moment& m) { return Quantity::of_word(words_of<Facing>[static_cast<std::size_t>(facing_at(m).facing)]); },
+    {"facing", Type::word, [](const Moment& m) { return Quantity::of_word(word_of(facing_at(m).facing)); },
      "the verdict of the facing test"},
     OF_FACING(determinant, "the facing test's determinant"),
     OF_FACING(plane_at_eye, "the facet's plane equation at the eye"),
@@ -273,7 +272,7 @@ std::size_t corner(const Moment& moment, double which) {
     throw InputError(moment.where, "there is no polygon at work at this step", "attach the stop to a later step");
   const Facet& at_work = scene.facets[facet];
   const std::size_t place = index(moment, which, static_cast<std::size_t>(at_work.corner_count), "corner");
-  return static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(at_work.first_corner) + place]);
+  return scene.corners[at_work.first_corner + place];
 }
 
 const Extent& extent(const Moment& moment, double number) {

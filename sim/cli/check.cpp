@@ -89,7 +89,7 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
     fmt::print("   zstep view {} --at {}\n", printable(shell_word(options.trace)), cause.first.step);
   }
   if (shown < report.causes.size())
-    fmt::print("… and {} more: --all prints them\n", grouped(static_cast<std::int64_t>(report.causes.size() - shown)));
+    fmt::print("… and {} more: --all prints them\n", grouped(report.causes.size() - shown));
   fmt::print("{}", end);
 }
 

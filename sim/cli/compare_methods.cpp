@@ -24,6 +24,7 @@
 
 #if ZSTEP_HAS_VIEWER
 #include "sim/viewer/charts/chart.hpp"
+#include "traces/scene.hpp"
 #endif
 
 namespace zstep::cli {
@@ -35,7 +36,7 @@ namespace {
 
 std::string bytes_text(std::int64_t bytes) {
   if (bytes < 0) return "?";
-  const double kib = static_cast<double>(bytes) / 1024;
+  const double kib = ratio(bytes, 1024);
   return kib < 1024 ? three_digits(kib) + " KiB" : three_digits(kib / 1024) + " MiB";
 }
 
@@ -87,7 +88,7 @@ Drawing chart_of(const Scene& scene, const std::vector<compare::Compared>& metho
       continue;
     }
     put(0, m.median_seconds() * 1000, seconds_text(m.median_seconds()));
-    put(1, m.heap < 0 ? no_mark : static_cast<double>(m.heap) / 1024, bytes_text(m.heap));
+    put(1, m.heap < 0 ? no_mark : ratio(m.heap, 1024), bytes_text(m.heap));
     put(2, static_cast<double>(m.steps()), grouped(m.steps()));
     const compare::Agreement& a = compared.agreement;
     const std::int64_t differ = a.differing();

@@ -298,7 +298,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
   RunOptions run_options = options.run;
   Scene scene;
   for (std::size_t k = 0; k < points; ++k) {
-    const double share = static_cast<double>(k) / (points - 1);
+    const double share = ratio(k, points - 1);
     const double value = sweep.from * portable::pow(sweep.to / sweep.from, share);
     (sweep.name == "near" ? run_options.view.near : run_options.view.far) = value;
     const Run run = prepare_for_modes(run_options, k == 0);

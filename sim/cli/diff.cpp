@@ -212,8 +212,7 @@ std::string diff_page(const DiffText& text, const diff::DiffReport& report, cons
       if (of->step != 0) page += fmt::format("<p><code>{}</code></p>\n", markup(of->command));
   }
   if (text.causes.size() < report.causes.size())
-    page += fmt::format("<p>… and {} more.</p>\n",
-                        grouped(static_cast<std::int64_t>(report.causes.size() - text.causes.size())));
+    page += fmt::format("<p>… and {} more.</p>\n", grouped(report.causes.size() - text.causes.size()));
   std::string rows;
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
     const diff::KindDifference& row = report.kinds[kind];

@@ -249,8 +249,7 @@ void print_diff(const DiffText& text, const DiffReport& report, const diff::Buff
     fmt::print("   {}\n", cause.b.step != 0 ? cause.b.command : cause.a.command);
   }
   if (text.causes.size() < report.causes.size() && !all)
-    fmt::print("… and {} more: --all prints them\n",
-               grouped(static_cast<std::int64_t>(report.causes.size() - text.causes.size())));
+    fmt::print("… and {} more: --all prints them\n", grouped(report.causes.size() - text.causes.size()));
   if (!text.causes.empty()) fmt::print("\n");
   print_table(report);
 }

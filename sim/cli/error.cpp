@@ -215,8 +215,7 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
     fmt::print("{:<16} {:>10} {:>12} {:>12} {:>14} {:>8}\n", polygon_label(trace.scene(), row.polygon), row.depths,
                digits(row.largest), digits(row.root_mean_square()), in_depth(row.largest_depth), row.decided_wrong);
   if (rows.size() < errors.polygons.size())
-    fmt::print("… and {} more: --all prints them\n",
-               grouped(static_cast<std::int64_t>(errors.polygons.size() - rows.size())));
+    fmt::print("… and {} more: --all prints them\n", grouped(errors.polygons.size() - rows.size()));
 }
 
 /// What is not finite becomes a word.

@@ -49,7 +49,7 @@ std::string head_text(const Trace& trace, const std::string& path) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   std::string size = counted(trace.size(), "step", "steps");
-  if (!error) size += fmt::format(" in {} bytes", grouped(static_cast<std::int64_t>(bytes)));
+  if (!error) size += fmt::format(" in {} bytes", grouped(bytes));
   if (!error && trace.size() > 0) size += fmt::format(" ({:.2f} a step)", ratio(bytes, trace.size()));
   table.row({"trace", path});
   table.row({"written by", header.writer});
@@ -90,8 +90,7 @@ int info(const std::string& path) {
   });
 
   const auto share = [&](std::int64_t count) {
-    return fmt::format(
-        "{:.1f} %", trace.size() == 0 ? 0.0 : 100.0 * static_cast<double>(count) / static_cast<double>(trace.size()));
+    return fmt::format("{:.1f} %", trace.size() == 0 ? 0.0 : ratio(100 * count, trace.size()));
   };
 
   Table steps({left, left, right, right, left});

@@ -29,6 +29,7 @@
 #include "sim/cost/allocation_peak.hpp"
 #include "traces/error.hpp"
 #include "traces/file/files.hpp"
+#include "traces/scene.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {
@@ -121,7 +122,7 @@ Budget& budget() {
   return one;
 }
 
-double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double processor_time() { return ratio(std::clock(), CLOCKS_PER_SEC); }
 
 [[noreturn]] void end_incomplete(const std::string& line) {
   ::flockfile(stdout);  // between two lines, as each is printed in one piece; none follows

@@ -32,8 +32,8 @@ std::string megabytes(const std::string& path) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (error) return "";
-  return bytes < 100000 ? fmt::format(", {} bytes", grouped(static_cast<std::int64_t>(bytes)))
-                        : fmt::format(", {:.1f} MB", static_cast<double>(bytes) / 1e6);
+  return bytes < 100000 ? fmt::format(", {} bytes", grouped(bytes))
+                        : fmt::format(", {:.1f} MB", ratio(bytes, 1'000'000));
 }
 
 int record(const RecordOptions& options) {

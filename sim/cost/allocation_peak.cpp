@@ -36,9 +36,9 @@ std::atomic<bool> limit_met{false};
 
 std::int64_t size_of(void* memory) noexcept {
 #if defined(__APPLE__)
-  return static_cast<std::int64_t>(malloc_size(memory));
+  return malloc_size(memory);
 #else
-  return static_cast<std::int64_t>(malloc_usable_size(memory));
+  return malloc_usable_size(memory);
 #endif
 }
 

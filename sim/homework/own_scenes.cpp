@@ -207,9 +207,8 @@ std::string generated_scene(const Generator& generator, const std::string& name,
                                                              : polygon(dice, x, y, dice.roll(generator.corners));
     text += fmt::format("\n[[polygon]]\nname = \"{}\"\npoints = [", static_cast<char>('A' + i));
     for (std::size_t k = 0; k < corners.size(); ++k)
-      text +=
-          fmt::format("{}[{}, {}, {}]", k == 0 ? "" : ", ", static_cast<double>(corners[k].x) / quarters,
-                      static_cast<double>(corners[k].y) / quarters, static_cast<double>(corners[k].z) / depth_parts);
+      text += fmt::format("{}[{}, {}, {}]", k == 0 ? "" : ", ", ratio(corners[k].x, quarters),
+                          ratio(corners[k].y, quarters), ratio(corners[k].z, depth_parts));
     text += "]\n";
   }
   return text;

@@ -302,7 +302,7 @@ Usage usage_below(pid_t process, std::uint64_t allowed) {
     if (line.process == process) ended = line.of_children;
   }
   closedir(all);
-  static const auto page = static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  static const std::uint64_t page = sysconf(_SC_PAGESIZE);
   static const auto ticks_a_second = static_cast<double>(sysconf(_SC_CLK_TCK));
   usage.seconds = static_cast<double>(ended) / ticks_a_second;
   std::vector<pid_t> open{process};

@@ -95,7 +95,7 @@ class Wins {
  private:
   std::size_t place(const formulas::Situation& at, std::int32_t x, std::int32_t y) {
     if (depths_.empty()) depths_.resize(at.before.picture.depth.size()), blends_ = colors_ = depths_;
-    return static_cast<std::size_t>(at.pixel(x, y));
+    return at.pixel(x, y);
   }
   template <class E, class Out>
   void written(std::vector<std::uint32_t>& won, const E& e, const formulas::Situation& at, Out& out) {

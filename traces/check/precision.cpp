@@ -65,7 +65,7 @@ struct Seen {
     if (!float32) return;
     // Either the float32 itself, or the shortest text that reads back as one.
     const auto narrow = static_cast<float>(value);
-    float32 = static_cast<double>(narrow) == value || digits_of(narrow).all == needed.all;
+    float32 = narrow == value || digits_of(narrow).all == needed.all;
   }
   /// The most digits that any number needs, if so many of them need as many that they must have been cut there: of
   /// numbers that are rounded to k digits nine in ten need all k.
@@ -78,7 +78,7 @@ struct Seen {
   }
 };
 
-bool is_float32(double value) { return static_cast<double>(static_cast<float>(value)) == value; }
+bool is_float32(double value) { return static_cast<float>(value) == value; }
 
 /// How a program may count in fixed point: `steps` units make 1 of what a number is a part of (a range of depths, a
 /// pixel).

@@ -415,7 +415,7 @@ E BlockDecoder::take_one(std::uint8_t step, bool missed) {
       if constexpr (std::is_same_v<Value, double>) {
         value = double_of(undo_difference(take_counted(column), bits_of(value)));
       } else {
-        const auto residual = static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(column.varint())));
+        const std::uint32_t residual = unzigzag(static_cast<std::uint32_t>(column.varint()));
         value = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) + residual);
       }
     }

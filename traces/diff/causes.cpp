@@ -61,20 +61,19 @@ void join_moved(const Trace& a, const Trace& b, DiffReport& report) {
   for (std::size_t i = 0; i < causes.size(); ++i) {
     const Difference first = causes[i].first;
     if (!first.only_a() && !first.only_b()) continue;
-    const auto other =
-        std::find_if(causes.begin() + static_cast<std::ptrdiff_t>(i) + 1, causes.end(), [&](const Cause& cause) {
-          if (cause.first.kind != first.kind || cause.part != causes[i].part) return false;
-          if (first.only_a() ? !cause.first.only_b() : !cause.first.only_a()) return false;
-          const std::int64_t step_a = first.only_a() ? first.a : cause.first.a,
-                             step_b = first.only_a() ? cause.first.b : first.b;
-          const Event of_a = a.event(step_a).event, of_b = b.event(step_b).event;
-          return visit_event(
-              [&]<class E>(const E& e) {
-                const E* its = get_if<E>(&of_b);
-                return its && same_step(a, step_a, e, b, step_b, *its);
-              },
-              of_a);
-        });
+    const auto other = std::find_if(causes.begin() + i + 1, causes.end(), [&](const Cause& cause) {
+      if (cause.first.kind != first.kind || cause.part != causes[i].part) return false;
+      if (first.only_a() ? !cause.first.only_b() : !cause.first.only_a()) return false;
+      const std::int64_t step_a = first.only_a() ? first.a : cause.first.a,
+                         step_b = first.only_a() ? cause.first.b : first.b;
+      const Event of_a = a.event(step_a).event, of_b = b.event(step_b).event;
+      return visit_event(
+          [&]<class E>(const E& e) {
+            const E* its = get_if<E>(&of_b);
+            return its && same_step(a, step_a, e, b, step_b, *its);
+          },
+          of_a);
+    });
     if (other == causes.end()) continue;
     causes[i].elsewhere = first.only_a() ? other->first.b : other->first.a;
     causes[i].again += other->again, causes[i].symptoms += other->symptoms, causes[i].pixels += other->pixels;
@@ -118,7 +117,7 @@ class Roots {
 
  private:
   static constexpr std::int32_t on_the_way = -2;
-  static std::size_t index(std::int32_t d) { return static_cast<std::size_t>(d); }
+  static std::size_t index(std::int32_t d) { return d; }
   std::int32_t from(std::int32_t d) const {
     const Finding &a = in_a_[index(d)], &b = in_b_[index(d)];
     if (a.wrong != b.wrong) return no_difference;  // one of the two computes it wrongly

@@ -75,12 +75,11 @@ class Aligner {
   /// By what the steps are about; true where both runs are in step again.
   bool apart(const std::function<bool(double)>& on_way) {
     in_step_.part();
-    const double all = static_cast<double>(std::max<std::int64_t>(a_.trace.size() + b_.trace.size(), 1));
+    const std::int64_t all = std::max<std::int64_t>(a_.trace.size() + b_.trace.size(), 1);
     bool turn_of_a = true;
     for (std::int64_t round = 1;; ++round) {
       const bool too_many = a_.waiting.size() + b_.waiting.size() > most_waiting;
-      if (too_many ||
-          (round % 16384 == 0 && on_way && on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all)))
+      if (too_many || (round % 16384 == 0 && on_way && on_way(ratio(a_.steps.read() + b_.steps.read(), all))))
         return found_.complete = false;
       // Whose steps come later than their partners catches up first.
       Turn a, b;

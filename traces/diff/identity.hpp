@@ -45,7 +45,7 @@ class ByNumber {
 
  private:
   static constexpr std::size_t few = 4096;
-  static std::size_t index(std::int32_t number) { return static_cast<std::size_t>(number); }
+  static std::size_t index(std::int32_t number) { return number; }
   bool is_dense(std::int32_t number) const { return number >= 0 && index(number) < dense_.size(); }
 
   std::vector<T> dense_;

@@ -213,10 +213,9 @@ void InStep::part() {
 
 bool InStep::go_on(const std::function<bool(double)>& on_way) {
   constexpr std::int64_t now_and_then = 1 << 14;
-  const double all = static_cast<double>(std::max<std::int64_t>(a_.trace.size() + b_.trace.size(), 1));
+  const std::int64_t all = std::max<std::int64_t>(a_.trace.size() + b_.trace.size(), 1);
   for (std::int64_t round = 0;; ++round) {
-    if (round % now_and_then == 0 && on_way && on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all))
-      return false;
+    if (round % now_and_then == 0 && on_way && on_way(ratio(a_.steps.read() + b_.steps.read(), all))) return false;
     if (pass_equal_block()) continue;
     if (!along()) return true;
   }

@@ -72,7 +72,7 @@ class ByteReader {
   ByteReader() = default;
   explicit ByteReader(std::span<const std::uint8_t> bytes) : at_(bytes.data()), end_(bytes.data() + bytes.size()) {}
 
-  std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+  std::size_t left() const { return end_ - at_; }
   bool empty() const { return at_ == end_; }
 
   std::uint8_t u8() {
@@ -90,7 +90,7 @@ class ByteReader {
   std::size_t count(std::size_t bytes_each = 1) {
     const std::uint64_t value = varint();
     if (value > left() / bytes_each) throw MalformedBytes("a count larger than the data");
-    return static_cast<std::size_t>(value);
+    return value;
   }
   std::span<const std::uint8_t> take(std::size_t size) {
     need(size);

@@ -34,7 +34,7 @@ bool truth_from(const json& in, std::string_view name) {
 std::size_t word_from(const json& in, std::string_view name, std::span<const std::string_view> words) {
   if (in.is_string()) {
     const auto found = std::find(words.begin(), words.end(), in.get<std::string>());
-    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    if (found != words.end()) return found - words.begin();
   }
   const std::string_view near = in.is_string() ? near_word(in.get_ref<const std::string&>(), words) : "";
   throw MalformedJson(in, "", fmt::format("\"{}\" can only be one of: {}", name, fmt::join(words, ", ")),

@@ -28,7 +28,7 @@ Color take_color(ByteReader& in) {
 
 /// A zigzag varint of the difference.
 void put_whole(Bytes& out, std::int32_t value, std::uint32_t& last) {
-  const auto now = static_cast<std::uint32_t>(value);
+  const std::uint32_t now = value;
   put_varint(out, zigzag(static_cast<std::int32_t>(now - last)));
   last = now;
 }
@@ -72,7 +72,7 @@ class Runs {
 void take_runs(ByteReader& in, std::size_t count, const auto& put) {
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < count;) {
-    const auto more = static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(in.varint())));
+    const std::uint32_t more = unzigzag(static_cast<std::uint32_t>(in.varint()));
     const std::uint64_t times = in.varint();
     if (times == 0 || times > count - i) throw MalformedBytes("a column with another number of values than it says");
     for (const std::size_t end = i + static_cast<std::size_t>(times); i < end; ++i)
@@ -143,7 +143,7 @@ std::size_t count_of_points(ByteReader& in) {
   const std::uint64_t points = in.varint();
   if (points > static_cast<std::uint64_t>(most_points)) throw MalformedBytes("more of a kind than a scene can have");
   if (points > in.left() / 24) throw MalformedBytes("a count larger than the data");
-  return static_cast<std::size_t>(points);
+  return points;
 }
 
 /// What most scenes do not have stands at the end, and is missing where a scene has none of it: light, surface and fit

@@ -233,7 +233,7 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
         if (std::abs(recorded[k] - shades[k]) < 2) shades[k] = recorded[k];
   } else if (attribute && attribute->x == e.x && attribute->y == e.y) {
     out.reads(Place{Place::In::attribute, 0});
-    const auto polygon = static_cast<std::size_t>(at.before.picture.polygon[at.pixel(e.x, e.y)]);
+    const std::size_t polygon = at.before.picture.polygon[at.pixel(e.x, e.y)];
     if (polygon >= at.scene.polygons.size() || at_stripe_edge(attribute->attribute)) return;
     out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
     shades = detail::channels(at.scene.polygons[polygon].color);

@@ -37,7 +37,7 @@ inline double last_digit(double value, NumberFormat format, double unit) {
   const double size = std::abs(value);
   if (format != NumberFormat::float32) return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
   const auto narrow = static_cast<float>(size);
-  return static_cast<double>(std::nextafter(narrow, std::numeric_limits<float>::infinity()) - narrow);
+  return std::nextafter(narrow, std::numeric_limits<float>::infinity()) - narrow;
 }
 
 /// A number, and how far what it was made of lets it be off, as a multiple of the rounding.

@@ -269,9 +269,7 @@ struct Situation {
     const auto& found = method().fragment;
     return found && found->x == x && found->y == y ? &*found : nullptr;
   }
-  std::int64_t pixel(std::int32_t x, std::int32_t y) const {
-    return static_cast<std::int64_t>(before.picture_of_pass().at(x, y));
-  }
+  std::int64_t pixel(std::int32_t x, std::int32_t y) const { return before.picture_of_pass().at(x, y); }
   double stored(std::int32_t x, std::int32_t y) const { return before.picture_of_pass().depth[pixel(x, y)]; }
   Place depth_place(std::int32_t x, std::int32_t y) const {
     return {method().pass == Pass::light ? Place::In::light_buffer : Place::In::depth_buffer, pixel(x, y)};

@@ -452,7 +452,7 @@ inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   const std::int32_t drawn = at.before.picture.polygon[at.pixel(e.x, e.y)];
   out.says(equal_wins, tie ? e.nearer : right, right, "nearer");
   auto& line = out.one_line;
-  if (line.empty()) line.assign(static_cast<std::size_t>(at.scene.raster.width), at.header.empty_depth());
+  if (line.empty()) line.assign(at.scene.raster.width, at.header.empty_depth());
   double& last = line[e.x];
   const bool wins_on_line = comparison.wins(e.z, last);
   if (wins_on_line) last = e.z;

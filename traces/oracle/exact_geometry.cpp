@@ -49,7 +49,7 @@ std::string decimals_of(const Rational& exact, int count) {
   const std::string sign = exact < 0 ? "\u2212" : "";
   if (exponent < -6 || exponent >= count - 1)
     return sign + digits.substr(0, 1) + "." + digits.substr(1) + "e" + std::to_string(exponent);
-  if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+  if (exponent < 0) return sign + "0." + std::string(-exponent - 1, '0') + digits;
   const std::size_t whole = exponent + 1;
   return sign + digits.substr(0, whole) + "." + digits.substr(whole);
 }

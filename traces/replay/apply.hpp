@@ -53,7 +53,7 @@ inline void must_be_in_table(const MethodState& machine, std::int32_t edge) {
 }
 inline void set_stage(MethodState& machine, std::int32_t edge, EdgeStage stage) {
   must_be_in_table(machine, edge);
-  machine.edge_stages.set(static_cast<std::size_t>(edge), stage);
+  machine.edge_stages.set(edge, stage);
 }
 
 /// `Maker`: the event that makes such.
@@ -217,7 +217,7 @@ inline void apply_method_state(const ListInsert& event, MethodState& machine) {
   if (machine.list.contains(event.piece))
     throw Impossible(fmt::format("piece {} is in the list already", event.piece), kind_of<ListRemove>);
   detail::leave_polygon(machine);
-  machine.list.insert(static_cast<std::size_t>(event.place), ListEntry{event.piece, false});
+  machine.list.insert(event.place, ListEntry{event.piece, false});
 }
 namespace detail {
 inline std::size_t place_in_list(const MethodState& machine, std::int32_t piece) {
@@ -589,7 +589,7 @@ inline void apply_run(const codec::FragmentRun& run, State& state) {
     });
   } else {
     for (std::uint64_t bits = before_last; bits != 0; bits &= bits - 1) {
-      const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
+      const std::uint32_t k = std::countr_zero(bits);
       write(first + k, run.depth(k));
     }
   }

@@ -253,7 +253,7 @@ std::size_t KeyFrames::Frame::bytes_beyond(const Frame& later) const {
 std::size_t KeyFrames::count_before(std::int64_t position) const {
   const auto after = std::upper_bound(frames_.begin(), frames_.end(), position,
                                       [](std::int64_t wanted, const Frame& frame) { return wanted < frame.position; });
-  return static_cast<std::size_t>(after - frames_.begin());
+  return after - frames_.begin();
 }
 
 std::int64_t KeyFrames::before(std::int64_t position) const {

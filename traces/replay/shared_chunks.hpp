@@ -221,7 +221,7 @@ class SharedList {
   };
   static constexpr std::uint32_t nowhere = 0;
 
-  static std::size_t index(std::int32_t number) { return static_cast<std::size_t>(number); }
+  static std::size_t index(std::int32_t number) { return number; }
   std::pair<std::size_t, std::size_t> find(std::size_t place) const {
     std::size_t piece = 0;
     for (; place >= pieces_[piece].items().size(); ++piece) place -= pieces_[piece].items().size();

@@ -9,6 +9,7 @@
 #include "algorithms/scene/files/polygon_soup.hpp"
 #include "algorithms/scene/files/tokens.hpp"
 #include "traces/error.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep::scene {
 
@@ -158,13 +159,12 @@ PolygonSoup teapot(int level) {
   PolygonSoup soup;
   PointMerger merger;
   const auto where = [] { return std::string("teapot"); };
-  std::vector<std::int64_t> index(static_cast<std::size_t>((level + 1) * (level + 1)));
+  std::vector<std::int64_t> index((level + 1) * (level + 1));
   const auto at = [&](int i, int j) -> std::int64_t& { return index[i * (level + 1) + j]; };
   for (const Patch& patch : teapot_patches) {
     for (int i = 0; i <= level; ++i)
       for (int j = 0; j <= level; ++j)
-        at(i, j) =
-            merger.add(soup, point_of(patch, static_cast<double>(i) / level, static_cast<double>(j) / level), 0, where);
+        at(i, j) = merger.add(soup, point_of(patch, ratio(i, level), ratio(j, level)), 0, where);
     for (int i = 0; i < level; ++i)
       for (int j = 0; j < level; ++j) {
         const std::array<std::int64_t, 4> around{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};

@@ -83,7 +83,7 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name, std::si
   for (std::int32_t i = 0; i < points; ++i) {
     glm::dvec3 point;
     for (int axis = 0; axis < 3; ++axis)
-      point[axis] = checked_coordinate(static_cast<double>(file.take<float>()), where(), "a coordinate of a vertex");
+      point[axis] = checked_coordinate(file.take<float>(), where(), "a coordinate of a vertex");
     for (int k = 0; k < kind.extra_numbers; ++k) file.take<float>();
     soup.add_point(point, 0, where);
   }

@@ -233,7 +233,7 @@ class BinaryValues {
       case Type::uint32:
         return file_.take<std::uint32_t>();
       case Type::float32:
-        return static_cast<double>(file_.take<float>());
+        return file_.take<float>();
       case Type::float64:
         return file_.take<double>();
     }

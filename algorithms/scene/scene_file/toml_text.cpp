@@ -336,7 +336,7 @@ std::optional<std::size_t> Keys::choice(std::string_view key, const std::vector<
   const auto found = std::find(words.begin(), words.end(), *word);
   if (found == words.end())
     fail_at(*table_.get(key), file_, fmt::format("{} is {}", key, in_quotes(*word)), suggestion(*word, words));
-  return static_cast<std::size_t>(found - words.begin());
+  return found - words.begin();
 }
 
 void Keys::not_both(std::string_view key, std::string_view other, std::string_view why) {

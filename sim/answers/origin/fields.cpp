@@ -346,7 +346,7 @@ Number Work::edge_end(std::int32_t edge, bool lower, Axis3 axis) {
   const Step step = step_of_edge(trace, machine(), at(), edge);
   if (!step) return on_raster(vertex, axis);
   const EdgeTableInsert entry = *row;
-  const std::string name = fmt::format("{}_{}", "xyz"[static_cast<std::size_t>(axis)], lower ? 1 : 0);
+  const std::string name = fmt::format("{}_{}", "xyz"[index_of(axis)], lower ? 1 : 0);
   return derived(*step, "", what_happens(*this, entry), name, raster_value(vertex, axis), [&](Datum& datum) {
     const Number number = on_raster(vertex, axis);
     datum.same_as(number.name == depth_name() ? "z" : number.name, number);

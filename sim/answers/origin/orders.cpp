@@ -166,7 +166,7 @@ std::int32_t corner_with(const Work& work, const Piece& piece, const PlaneEquati
 bool cuts_in_world(const Work& work) { return formulas::run_cuts_in_world(work.trace.header(), work.scene); }
 
 Number Work::extent(std::int32_t number, std::string_view name) {
-  const auto axis = static_cast<std::size_t>(axis_of(name));
+  const std::size_t axis = index_of(axis_of(name));
   const auto value = extent_value(*this, number, axis, name.ends_with("max"));
   const auto step = find_last<Extent>(trace, step_of_plane(machine(), number).value_or(at()) + 1,
                                       [&](const Extent& e) { return e.piece == number; });
@@ -187,7 +187,7 @@ static void tell(Datum& datum, Work& work, std::int64_t, const Extent& e, std::s
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std::string_view field) {
-  const auto axis = static_cast<std::size_t>(e.axis);
+  const std::size_t axis = index_of(e.axis);
   if (field == "low") return datum.same_as("min", work.extent(e.piece, extent_fields[axis][0]));
   if (field == "high") return datum.same_as("max", work.extent(e.piece, extent_fields[axis][1]));
   if (field == "other_low") return datum.same_as("min", work.extent(e.other, extent_fields[axis][0]));

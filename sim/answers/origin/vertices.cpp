@@ -11,10 +11,8 @@
 namespace zstep::answers {
 namespace {
 
-constexpr std::array<const char*, 3> world_names{"x", "y", "z"}, view_names{"x_v", "y_v", "z_v"},
+constexpr ByEnum<Axis3, const char*, 3> world_names{"x", "y", "z"}, view_names{"x_v", "y_v", "z_v"},
     cut_names{"x_cut", "y_cut", "z_cut"}, scene_names{"x_m", "y_m", "z_m"}, file_names{"x_f", "y_f", "z_f"};
-
-std::size_t place(Axis3 axis) { return static_cast<std::size_t>(axis); }
 
 const VertexStages* way_of(const Work& work, std::int32_t vertex) {
   const std::size_t at = vertex;
@@ -32,7 +30,7 @@ bool is_moved(const Scene& scene, std::int32_t vertex) {
 }
 
 void tell_fit(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
-  const std::string letter = world_names[place(axis)];
+  const std::string letter = world_names[axis];
   const Number before = work.in_scene(vertex, axis);
   datum.is(
       fmt::format("({0} - c_{1})/r", before.name, letter),
@@ -50,7 +48,7 @@ void tell_placement(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
     if (!formula.empty()) formula += " + ";
     const Number coordinate = work.in_file(vertex, from);
     if (entry != 1) {
-      const std::string symbol = fmt::format("m_{}{}", place(axis) + 1, place(from) + 1);
+      const std::string symbol = fmt::format("m_{}{}", index_of(axis) + 1, index_of(from) + 1);
       given.push_back({symbol, entry});
       formula += symbol + "*";
     }
@@ -58,7 +56,7 @@ void tell_placement(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
     given.push_back({coordinate.name, coordinate});
   }
   if (const double offset = component(placement.offset, axis); offset != 0) {
-    given.push_back({fmt::format("t_{}", world_names[place(axis)]), offset});
+    given.push_back({fmt::format("t_{}", world_names[axis]), offset});
     formula += (formula.empty() ? "" : " + ") + given.back().symbol;
   }
   if (formula.empty()) formula = "0";
@@ -76,7 +74,7 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
   if (number >= scene.points.size()) {
     const Step made = steps_of(vertex).made;
     const VertexStages* way = way_of(*this, vertex);
-    return is_split(*this, made) ? field(*made, cut_names[place(axis)]) : Number(way ? component(way->world, axis) : 0);
+    return is_split(*this, made) ? field(*made, cut_names[axis]) : Number(way ? component(way->world, axis) : 0);
   }
   const bool screen = scene.camera.kind == Camera::Kind::screen;
   const std::string what =
@@ -84,8 +82,8 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
                   screen      ? ", on the raster"
                   : scene.fit ? ", fitted: c the centre of the bounding box, r how far the farthest vertex is"
                               : ", in the world");
-  return derived(0, fmt::format("point {}", vertex), what, world_names[place(axis)],
-                 component(scene.points[number], axis), [&](Datum& datum) {
+  return derived(0, fmt::format("point {}", vertex), what, world_names[axis], component(scene.points[number], axis),
+                 [&](Datum& datum) {
                    datum.given();
                    if (scene.fit) return tell_fit(datum, *this, vertex, axis);
                    if (is_moved(scene, vertex)) return tell_placement(datum, *this, vertex, axis);
@@ -100,14 +98,14 @@ Number Work::in_scene(std::int32_t vertex, Axis3 axis) {
   const std::size_t number = vertex;
   const double value = component((*placement_of(scene, vertex))(scene.file_points[number]), axis);
   return derived(0, fmt::format("placed {}", vertex),
-                 fmt::format("vertex {} where the scene places it", vertex_name(vertex)), scene_names[place(axis)],
-                 value, [&](Datum& datum) { datum.given(), tell_placement(datum, *this, vertex, axis); });
+                 fmt::format("vertex {} where the scene places it", vertex_name(vertex)), scene_names[axis], value,
+                 [&](Datum& datum) { datum.given(), tell_placement(datum, *this, vertex, axis); });
 }
 
 Number Work::in_file(std::int32_t vertex, Axis3 axis) {
   const double value = component(scene.file_points[vertex], axis);
   return derived(0, fmt::format("file {}", vertex), fmt::format("vertex {} in its file", vertex_name(vertex)),
-                 file_names[place(axis)], value,
+                 file_names[axis], value,
                  [&](Datum& datum) { datum.given(), datum.at_source(source_of_point(vertex)); });
 }
 
@@ -115,8 +113,8 @@ Number Work::viewed(std::int32_t vertex, Axis3 axis) {
   const VertexSteps& steps = steps_of(vertex);
   const VertexStages* way = way_of(*this, vertex);
   const double value = way ? component(way->view, axis) : 0;
-  if (!steps.viewed && steps.made && !is_split(*this, steps.made)) return field(*steps.made, view_names[place(axis)]);
-  return field(steps.viewed, view_names[place(axis)], value);
+  if (!steps.viewed && steps.made && !is_split(*this, steps.made)) return field(*steps.made, view_names[axis]);
+  return field(steps.viewed, view_names[axis], value);
 }
 
 Number Work::projected(std::int32_t vertex, std::string_view name) {
@@ -140,7 +138,7 @@ Number Work::on_raster(std::int32_t vertex, Axis3 axis) {
     return world(vertex, axis);
   const VertexSteps& steps = steps_of(vertex);
   if (is_split(*this, steps.made) && get<SplitVertex>(trace.event(*steps.made).event).space == Space::raster)
-    return field(*steps.made, cut_names[place(axis)]);
+    return field(*steps.made, cut_names[axis]);
   if (axis == Axis3::z) return projected(vertex, "z");
   const VertexStages* way = way_of(*this, vertex);
   return field(steps.on_raster, axis == Axis3::x ? "x_s" : "y_s",
