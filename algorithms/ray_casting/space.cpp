@@ -2,7 +2,6 @@
 #include "algorithms/ray_casting/space.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>

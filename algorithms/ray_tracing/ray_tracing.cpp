@@ -1,7 +1,6 @@
 
 #include "algorithms/ray_tracing/ray_tracing.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include "algorithms/ray_casting/ray_casting.hpp"

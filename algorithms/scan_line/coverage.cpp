@@ -1,7 +1,5 @@
 #include "algorithms/scan_line/coverage.hpp"
 
-#include <cmath>
-
 #include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 

@@ -1,6 +1,5 @@
 #include "algorithms/scene/load.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "algorithms/transparency/transparency.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include "algorithms/bsp/build.hpp"

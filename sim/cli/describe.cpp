@@ -3,7 +3,6 @@
 #include "sim/cli/describe.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <memory>
 #include <string>

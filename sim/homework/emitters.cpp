@@ -1,7 +1,6 @@
 
 #include "sim/homework/emitters.hpp"
 
-#include <array>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,5 @@
 #include "sim/homework/report_words.hpp"
 
-#include <array>
-
 #include <fmt/format.h>
 
 namespace zstep::homework {

@@ -1,7 +1,6 @@
 // Whose a key is: the overlay's, the drawer's, a field's, or a command's; what fingers do, and what moves meanwhile.
 
 #include <algorithm>
-#include <cmath>
 #include <imgui_internal.h>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "sim/words/explain.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "sim/words/explain_parts.hpp"
 

@@ -1,7 +1,5 @@
 #include "traces/check/rules.hpp"
 
-#include <array>
-
 namespace zstep {
 
 namespace {

@@ -1,7 +1,6 @@
 // Which known mistake did the program make that wrote a run? Among them those that put every pixel elsewhere.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>

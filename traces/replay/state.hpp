@@ -2,7 +2,6 @@
 // and where vertices are.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <tuple>

@@ -1,6 +1,5 @@
 // OFF, as the manual of Geomview has it (The Geometry Center, University of Minnesota, 1992–), ascii and binary.
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 

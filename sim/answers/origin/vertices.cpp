@@ -1,6 +1,5 @@
 // The way of a vertex, backwards: raster, projection plane, view coordinates, the world, the file's line.
 
-#include <array>
 #include <cmath>
 
 #include "sim/answers/origin/orders.hpp"

@@ -3,7 +3,6 @@
 #include "sim/viewer/model/session.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 #include <utility>
 

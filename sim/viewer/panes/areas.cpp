@@ -1,6 +1,5 @@
 // Warnock's areas over the frame, each settled one with the number of its case, and the bins of the area at work.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
