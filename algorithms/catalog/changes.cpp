@@ -273,9 +273,9 @@ bool change_convention(const Method& method, const Change& change, Conventions& 
   for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
     if (dashed(key) != change.name || !has(method, key)) return;
     known = true;
-    for (std::size_t k = 0; k < words_of<E>.size(); ++k)
-      if (dashed(words_of<E>[k]) == change.value) {
-        conventions.*member = static_cast<E>(k);
+    for (const E value : values_of<E>)
+      if (dashed(word_of(value)) == change.value) {
+        conventions.*member = value;
         return;
       }
     std::string words;

@@ -14,8 +14,6 @@ using viewing::Lens;
 using viewing::Vertex;
 using viewing::Vertices;
 
-constexpr int plane_count = 6;
-
 const Vertex& vertex_at(const Vertices& vertices, std::int32_t index) { return vertices[index]; }
 
 // The point at which the edge from a vertex inside to one outside meets the plane. It is always computed from the
@@ -74,7 +72,7 @@ bool reject(std::int32_t polygon, Reject reason, R& record) {
 // Outcodes and the six planes, for an outline in space.
 template <Recorder R>
 bool clip(std::int32_t polygon, const Lens& lens, Vertices& vertices, Outline& outline, R& record) {
-  std::int32_t outside_some = 0, outside_all = (1 << plane_count) - 1;
+  std::int32_t outside_some = 0, outside_all = (1 << value_count<ClipPlane>)-1;
   for (const std::int32_t corner : outline) {
     outside_some |= vertex_at(vertices, corner).outside;
     outside_all &= vertex_at(vertices, corner).outside;
@@ -84,9 +82,9 @@ bool clip(std::int32_t polygon, const Lens& lens, Vertices& vertices, Outline& o
   if (outside_some == 0) return true;
 
   const std::size_t known = vertices.size();
-  for (int plane = 0; plane < plane_count; ++plane) {
-    const bool crossed = (outside_some >> plane & 1) != 0;
-    if (crossed) outline = clip_against(lens, static_cast<ClipPlane>(plane), outline, vertices, record);
+  for (const ClipPlane plane : values_of<ClipPlane>) {
+    const bool crossed = (outside_some >> index_of(plane) & 1) != 0;
+    if (crossed) outline = clip_against(lens, plane, outline, vertices, record);
   }
   if (outline.size() < 3) return reject(polygon, Reject::outside, record);
 

@@ -28,9 +28,9 @@ namespace {
 
 std::int32_t outcode(const Lens& lens, glm::dvec3 view) {
   std::int32_t outside = 0;
-  for (int plane = 0; plane < 6; ++plane) {
-    const bool inside = distance_inside(lens, view, static_cast<ClipPlane>(plane)) >= 0;
-    outside |= static_cast<std::int32_t>(!inside) << plane;
+  for (const ClipPlane plane : values_of<ClipPlane>) {
+    const bool inside = distance_inside(lens, view, plane) >= 0;
+    outside |= static_cast<std::int32_t>(!inside) << index_of(plane);
   }
   return outside;
 }

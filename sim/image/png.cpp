@@ -8,7 +8,6 @@
 
 #include "sim/image/file.hpp"
 #include "traces/error.hpp"
-#include "traces/scene.hpp"
 
 namespace zstep {
 namespace {
@@ -23,7 +22,7 @@ struct PngImage : png_image {
   PngImage& operator=(const PngImage&) = delete;
 };
 
-std::size_t bytes_of(int width, int height) { return pixel_count(width, height) * channels; }
+std::size_t bytes_of(int width, int height) { return static_cast<std::size_t>(width) * height * channels; }
 
 }  // namespace
 

@@ -186,7 +186,7 @@ void App::begin_scrolling() {
   for (const auto& [pane, share] : l.structures) take(layout, share);
   take(layout, l.drawer_width);
   take(layout, l.drawer_height);
-  take(layout, static_cast<int>(drawer_));
+  take(layout, drawer_);
   take(layout, ui_.presenter);
   take(layout, ui_.vertices_always);
   take(layout, lead());

@@ -279,7 +279,7 @@ void App::begin_motion() {
   take(window, to_float(renderer_.height()));
   take(window, built_for_);
   take(window, ui_.presenter);
-  take(window, static_cast<int>(drawer_));
+  take(window, drawer_);
   take(window, drawer_is_beside());
   const Layout& l = settings_.layout;
   for (const float part :
@@ -303,8 +303,8 @@ std::uint64_t App::moment() {
   take(print, session_.stop());
   take(print, session_.playing);
   take(print, session_.message);
-  take(print, static_cast<int>(overlay_));
-  take(print, static_cast<int>(drawer_));
+  take(print, overlay_);
+  take(print, drawer_);
   take(print, wrong);
   if (against_) take(print, against_->session().position());
   if (race_) take(print, race_->race.at()), take(print, race_->race.playing);

@@ -48,7 +48,7 @@ struct Kept {
 // --- How inputs are taken in: one of these for each type of input.
 
 template <class Number>
-requires std::is_arithmetic_v<Number>
+requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
 void take(Fingerprint& print, Number value) { print.take(std::bit_cast<std::uint64_t>(static_cast<double>(value))); }
 
 template <class T>
@@ -126,7 +126,7 @@ inline void take(Fingerprint& print, const Look& look) {
 /// All that a pane draws of it: title and subtitle are the pane's own.
 inline void take(Fingerprint& print, const LineChart& chart) {
   for (const std::string* title : {&chart.x_title, &chart.y_title}) take(print, *title);
-  take(print, static_cast<int>(chart.scale));
+  take(print, chart.scale);
   for (const double tick : chart.x_ticks) take(print, tick);
   for (const glm::dvec2& reach : {chart.x_reach, chart.y_reach}) take(print, reach);
   take(print, chart.lines.size());

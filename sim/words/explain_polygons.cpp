@@ -114,16 +114,14 @@ void tell(Telling& t, const ViewportTransform& e) {
 
 namespace {
 
-constexpr int plane_count = 6;
-
 std::string plane_name(ClipPlane plane) { return std::string(word_of(plane)); }
 
 std::string planes_in(std::int32_t bits) {
   std::string text;
-  for (int plane = 0; plane < plane_count; ++plane) {
-    if (!(bits >> plane & 1)) continue;
+  for (const ClipPlane plane : values_of<ClipPlane>) {
+    if (!(bits >> index_of(plane) & 1)) continue;
     if (!text.empty()) text += ", ";
-    text += plane_name(static_cast<ClipPlane>(plane));
+    text += plane_name(plane);
   }
   return text;
 }

@@ -77,7 +77,7 @@ void read_conventions(const json& in, Header& header) {
     parts.read([&] {
       if constexpr (!std::is_same_v<E, NumberFormat>) c.*member = word_or(in, key, words_of<E>, c.*member);
       else if (const auto number = word_or(in, key, number_words, std::size_t{0}); number < words_of<E>.size())
-        c.*member = static_cast<E>(number);
+        c.*member = values_of<E>[number];
       else header.undeclared |= bit_of(Convention::number_format);
     });
   });

@@ -105,7 +105,7 @@ void read_options(Keys& top, const std::string& file, bool two_sided, Convention
   Keys keys(*table, file, "[options]");
   for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
     const std::vector<std::string_view> words(words_of<E>.begin(), words_of<E>.end());
-    if (const auto k = keys.choice(key, words)) conventions.*member = static_cast<E>(*k);
+    if (const auto k = keys.choice(key, words)) conventions.*member = values_of<E>[*k];
   });
   conventions.cull = keys.boolean("cull").value_or(conventions.cull);
   keys.finish();
