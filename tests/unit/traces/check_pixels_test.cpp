@@ -16,6 +16,7 @@
 #include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
+#include "tests/unit/sim/answers/reordered_runs.hpp"
 #include "tests/where.hpp"
 #include "traces/check/check.hpp"
 #include "traces/diff/diff.hpp"
@@ -25,22 +26,12 @@
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
+using test::all_pixels_last, test::as_they_are, test::by_picture, test::pixels_last, test::steps_of, test::with_steps;
 
 namespace {
 
 Trace golden(const char* name) { return open_jsonl(test::in_checkout(std::string("tests/golden/") + name + ".jsonl")); }
 
-std::vector<RecordedEvent> steps_of(const Trace& trace) {
-  std::vector<RecordedEvent> steps;
-  for (std::int64_t step = 1; step <= trace.size(); ++step) steps.push_back(trace.event(step));
-  return steps;
-}
-Trace with_steps(const Trace& trace, const std::vector<RecordedEvent>& steps) {
-  TraceRecorder recorder(trace.header(), trace.scene());
-  for (const RecordedEvent& step : steps) record_any(recorder, step.step, step.event);
-  recorder.finish();
-  return Trace::from_bytes(recorder.take_bytes(), "changed");
-}
 template <class E>
 Trace without(const Trace& trace) {
   return test::changed(trace, [](std::int64_t, const Event& event) { return !holds<E>(event); });
@@ -173,25 +164,6 @@ TEST_CASE("check: a pixel lies on its span's own scan line") {
   CHECK(holds<DepthCompare>(exchanged.event(report.causes[0].first.step).event));
 }
 
-/// All pixels of each polygon, or scan line, come after all its spans; `change` may alter them.
-template <class Of = PolygonBegin, class Change>
-Trace pixels_last(const Trace& right, Change&& change) {
-  std::vector<RecordedEvent> steps, pixels;
-  const auto put = [&] { steps.insert(steps.end(), pixels.begin(), pixels.end()), pixels.clear(); };
-  for (RecordedEvent step : steps_of(right)) {
-    if (holds<Of>(step.event)) put();
-    const bool is_of_pixel = visit_event(
-        [&]<class E>(E& e) {
-          if constexpr (requires { e.x, e.y; }) return change(e), true;
-          return false;
-        },
-        step.event);
-    (is_of_pixel ? pixels : steps).push_back(step);
-  }
-  put();
-  return with_steps(right, steps);
-}
-
 TEST_CASE("check: pixels may come after all spans of their polygon, where each lies in one of these") {
   for (const char* name : {"delhi", "pyramid-view"}) {
     CAPTURE(name);
@@ -253,33 +225,6 @@ TEST_CASE("check: where one table has all polygons, pixels may come after all sp
     }
   CHECK(lines > 3);
 }
-
-/// All pixels come after all spans of all polygons, in the order of `before(one, other)` where it says one.
-using Pixel = std::vector<RecordedEvent>;
-template <class Before>
-Trace all_pixels_last(const Trace& right, Before&& before) {
-  std::vector<RecordedEvent> steps;
-  std::vector<std::pair<std::pair<std::int32_t, std::int32_t>, Pixel>> pixels;
-  for (const RecordedEvent& step : steps_of(right)) {
-    const auto at = visit_event(
-        [&]<class E>(const E& e) -> std::optional<std::pair<std::int32_t, std::int32_t>> {
-          if constexpr (requires { e.x, e.y; }) return std::pair{e.y, e.x};
-          return std::nullopt;
-        },
-        step.event);
-    if (!at) {
-      steps.push_back(step);
-      continue;
-    }
-    if (holds<DepthInterpolate>(step.event)) pixels.push_back({*at, {}});
-    pixels.back().second.push_back(step);
-  }
-  std::stable_sort(pixels.begin(), pixels.end(), before);
-  for (const auto& [at, of_pixel] : pixels) steps.insert(steps.end(), of_pixel.begin(), of_pixel.end());
-  return with_steps(right, steps);
-}
-const auto as_they_are = [](const auto&, const auto&) { return false; };
-const auto by_picture = [](const auto& one, const auto& other) { return one.first < other.first; };
 
 TEST_CASE("check: pixels may come after all spans of the scene, polygon by polygon or in the picture's order") {
   for (const char* name : {"delhi", "pyramid-view", "pyramid", "intersecting", "plane", "with-attribute"}) {
