@@ -318,7 +318,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
       ++checker.report.inherited;
       ++checker.report.causes[checker.inherited].inherited;
     }
-    at.passed(e);
+    at.passed(position, e);
     checker.mark_step();
     state.position = position;
     ++checker.report.steps;

@@ -241,7 +241,7 @@ class Follow {
     at_.look();
     step(position, e);
     run_.apply(position, e);
-    at_.passed(e);
+    at_.passed(position, e);
     return go_on_(position) && (position < last_ || may_be_needed());
   }
   bool operator()(std::int64_t position, const codec::FragmentRun& pixels) { return pass(position, pixels); }

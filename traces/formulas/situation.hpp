@@ -164,14 +164,14 @@ struct Situation {
   /// After a step, where steps are gone through one by one: a program may print several spans, or all of a polygon or
   /// of the scene, and their pixels afterwards.
   template <class E>
-  void passed(const E& e) {
+  void passed(std::int64_t step, const E& e) {
     constexpr bool begins = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
     if constexpr (begins) ahead.begin(e.polygon);
     if constexpr (std::is_same_v<E, EdgeTableInsert>)
       if (e.edge == 0 && !of_any()) ahead.begin(e.polygon);
     if constexpr (std::is_same_v<E, SpanBegin>) {
       const EdgeTableInsert* left = of_any() ? edge(e.left_edge) : nullptr;
-      ahead.add(e, left ? std::optional(left->polygon) : std::nullopt);
+      ahead.add(e, left ? std::optional(left->polygon) : std::nullopt, step);
     }
     ahead.pass(e);
   }
@@ -181,6 +181,7 @@ struct Situation {
     const SpanBegin* span = nullptr;
     Place place{Place::In::span, 0};
     const SpansAhead::Open* open = nullptr;  ///< where there are several
+    std::int64_t step = 0;                   ///< that began it, where `passed` keeps it
     const SpanBegin* operator->() const { return span; }
     explicit operator bool() const { return span != nullptr; }
     /// Its own numbers are all there is of it: edges and slopes are another polygon's by now.
@@ -195,7 +196,7 @@ struct Situation {
     if (number) {
       const SpansAhead::Open& open = ahead.spans()[*number];
       const bool several = ahead.spans().size() > 1;
-      return {&open.span, {Place::In::span, static_cast<std::int64_t>(*number)}, several ? &open : nullptr};
+      return {&open.span, {Place::In::span, static_cast<std::int64_t>(*number)}, several ? &open : nullptr, open.step};
     }
     // Of polygons that began and drew nothing no span of an earlier one is meant.
     const auto& now = method().span;

@@ -20,6 +20,7 @@ class SpansAhead {
   struct Open {
     SpanBegin span{};
     std::int32_t polygon = no_polygon;  ///< that it is a part of, where that is known
+    std::int64_t step = 0;              ///< that began it, where who goes through the run says so
     std::vector<bool> came{};           ///< by column from `first`, which of its pixels came
     std::int32_t x_last = -2;           ///< its last pixel that came, and its depth; beside all columns at first
     double z_last = 0;
@@ -49,13 +50,13 @@ class SpansAhead {
     if (!of_all) return clear();
     its_own_ = std::any_of(spans_.begin(), spans_.end(), [&](const Open& open) { return open.polygon == polygon; });
   }
-  void add(const SpanBegin& span, std::optional<std::int32_t> polygon) {
+  void add(const SpanBegin& span, std::optional<std::int32_t> polygon, std::int64_t step = 0) {
     if (has_pixels_) clear();
     const std::size_t y = std::max(0, span.y);
     if (y >= lines_.size()) lines_.resize(y + 1);
     lines_[y].push_back(spans_.size());
     const std::int32_t count = std::max(0, span.last - span.first + 1);
-    spans_.push_back({span, polygon.value_or(turn_), std::vector<bool>(static_cast<std::size_t>(count))});
+    spans_.push_back({span, polygon.value_or(turn_), step, std::vector<bool>(static_cast<std::size_t>(count))});
     its_own_ = false;
   }
   /// The span that a pixel that comes now belongs to: of those that cover it one whose pixel has not come. Of several,

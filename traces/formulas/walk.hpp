@@ -31,8 +31,8 @@ inline void recall_spans(const Trace& trace, Situation& at) {
     if (!before || *before < from) return;
     at.ahead.begin(at.method().polygon);
   }
-  trace.each(from, position, [&](std::int64_t, const RecordedEvent& recorded) {
-    visit_event([&](const auto& e) { at.passed(e); }, recorded.event);
+  trace.each(from, position, [&](std::int64_t step, const RecordedEvent& recorded) {
+    visit_event([&](const auto& e) { at.passed(step, e); }, recorded.event);
     return true;
   });
 }
@@ -82,7 +82,7 @@ State walk(const Trace& trace, Visit&& visit, OnImpossible&& impossible) {
           } catch (const Impossible& why) {
             impossible(position, why);
           }
-          at.passed(e);
+          at.passed(position, e);
           state.position = position;
           return true;
         },

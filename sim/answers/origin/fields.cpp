@@ -132,10 +132,10 @@ std::string named(const Work& work, const Event& event, std::string_view field) 
 
 }  // namespace
 
-std::string what_happens(const Work& work, const Event& event) {
+std::string what_happens(Work& work, std::int64_t step, const Event& event) {
   const Description& description = description_of_kind(event.index());
   std::string_view pattern = description.called.empty() ? description.meaning : description.called;
-  if (holds<DepthInterpolate>(event) && !work.machine().span) pattern = "depth at pixel ({x}, {y})";
+  if (holds<DepthInterpolate>(event) && !work.span_of(step, event)) pattern = "depth at pixel ({x}, {y})";
   std::string text;
   std::size_t from = 0;
   for (std::size_t open = pattern.find('{'); open != pattern.npos; open = pattern.find('{', from)) {
@@ -217,17 +217,24 @@ struct Source {
     const Step from = work.trace.previous(step, [&](const RecordedEvent& recorded) {
       return holds<DepthInterpolate>(recorded.event) || (!interpolates && holds<DepthCompare>(recorded.event));
     });
-    const std::optional<SpanBegin> span = own_span();
+    const std::optional<Work::SpanOfStep> own = work.span_of(step, event);
     const auto* before = from && interpolates ? get_if<DepthInterpolate>(&work.trace.event(*from).event) : nullptr;
-    if (!before || !span || before->x == span->first) return written_by(from);
+    if (!before || !own || before->x == own->span.first) return written_by(from);
     const DepthInterpolate last = *before;
-    const std::int32_t first = span->first;
+    const std::int32_t first = own->span.first;
     return after_many(*from, fmt::format("depth at x = {}, one pixel before", last.x), "pixels", last.x - first, [&] {
-      const Step at_first = find_last<DepthInterpolate>(
-          work.trace, step - 1, [&](const DepthInterpolate& e) { return e.y == last.y && e.x == first; });
+      const auto is_first = [&](const DepthInterpolate& e) { return e.y == last.y && e.x == first; };
+      Step at_first = find_last<DepthInterpolate>(work.trace, step - 1, is_first);
+      for (; at_first && !is_of(*at_first, *own);)  // spans of several polygons may begin there
+        at_first = find_last<DepthInterpolate>(work.trace, *at_first - 1, is_first);
       const bool on_plane = work.conventions.interpolation == Conventions::Interpolation::plane_increments;
-      return std::pair{work.field(at_first, "z", 0), work.field(on_plane ? last_slopes() : last_span(), "dz_dx", 0)};
+      return std::pair{work.field(at_first, "z", 0), work.field(on_plane ? last_slopes() : own->step, "dz_dx", 0)};
     });
+  }
+
+  bool is_of(std::int64_t pixel, const Work::SpanOfStep& span) const {
+    const auto its = work.span_of(pixel, work.trace.event(pixel).event);
+    return its && its->step == span.step;
   }
 
   /// What was found by adding the same again and again, to the first of them: the many are one link.
@@ -247,23 +254,9 @@ struct Source {
   Step last() const {
     return find_last<E>(work.trace, step, [](const E&) { return true; });
   }
-  /// The span that the pixel belongs to.
-  std::optional<SpanBegin> own_span() const {
-    const formulas::Situation at = formulas::situation_of(work.trace, work.operands_of(step, event));
-    return visit_event(
-        [&]<class E>(const E& e) -> std::optional<SpanBegin> {
-          if constexpr (requires {
-                          e.x;
-                          e.y;
-                        })
-            if (const auto own = at.span_of(e)) return *own.span;
-          return at.method().span;
-        },
-        event);
-  }
-  Step last_span() const {
-    const std::optional<SpanBegin> own = own_span();
-    return find_last<SpanBegin>(work.trace, step, [&](const SpanBegin& e) { return !own || same(e, *own); });
+  Step own_span() const {
+    const auto own = work.span_of(step, event);
+    return own ? own->step : last<SpanBegin>();
   }
 
   Step last_slopes() const { return last<PlaneSlopes>(); }
@@ -304,7 +297,7 @@ struct Source {
       case Place::In::plane:
         return written_by(last_slopes());
       case Place::In::span:
-        return written_by(last_span());
+        return written_by(own_span());
       case Place::In::fragment:
         return of_fragment();
       case Place::In::attribute:
@@ -347,7 +340,7 @@ Number Work::edge_end(std::int32_t edge, bool lower, Axis3 axis) {
   if (!step) return on_raster(vertex, axis);
   const EdgeTableInsert entry = *row;
   const std::string name = fmt::format("{}_{}", "xyz"[index_of(axis)], lower ? 1 : 0);
-  return derived(*step, "", what_happens(*this, entry), name, raster_value(vertex, axis), [&](Datum& datum) {
+  return derived(*step, "", what_happens(*this, *step, entry), name, raster_value(vertex, axis), [&](Datum& datum) {
     const Number number = on_raster(vertex, axis);
     datum.same_as(number.name == depth_name() ? "z" : number.name, number);
   });
@@ -367,11 +360,28 @@ const State& Work::operands_of(std::int64_t step, const Event& event) {
   return replay_.state();
 }
 
-const std::vector<Derivation>& Work::derivations(std::int64_t step, const Event& event) {
+const Work::Derived& Work::derivations(std::int64_t step, const Event& event) {
   const auto [known, is_new] = derivations_.try_emplace(step);
+  Derived& derived = known->second;
   // Of a piece's plane and extent no formula is kept: orders.cpp explains them, and needs no state before.
-  if (!is_new || holds<PlaneEquation>(event) || holds<Extent>(event)) return known->second;
-  return known->second = derivations_of(event, formulas::situation_of(trace, operands_of(step, event)));
+  if (!is_new || holds<PlaneEquation>(event) || holds<Extent>(event)) return derived;
+  const formulas::Situation at = formulas::situation_of(trace, operands_of(step, event));
+  derived.fields = derivations_of(event, at);
+  visit_event(
+      [&]<class E>(const E& e) {
+        if constexpr (requires { e.x, e.y; })
+          if (const auto own = at.span_of(e))
+            derived.span = SpanOfStep{*own.span, own.step > 0 ? Step(own.step) : std::nullopt};
+      },
+      event);
+  return derived;
+}
+
+std::optional<Work::SpanOfStep> Work::span_of(std::int64_t step, const Event& event) {
+  std::optional<SpanOfStep> own = derivations(step, event).span;
+  if (own && !own->step)
+    own->step = find_last<SpanBegin>(trace, step, [&](const SpanBegin& span) { return same(span, own->span); });
+  return own;
 }
 
 void Work::tell_formula(Datum& datum, std::int64_t step, const Event& event, std::string_view field,
@@ -392,7 +402,7 @@ void Work::tell_formula(Datum& datum, std::int64_t step, const Event& event, std
 }
 
 bool Work::tell_derived(Datum& datum, std::int64_t step, const Event& event, std::string_view field) {
-  const std::vector<Derivation>& all = derivations(step, event);
+  const std::vector<Derivation>& all = derivations(step, event).fields;
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Derivation& derivation) { return derivation.field == field; });
   if (found == all.end()) return false;

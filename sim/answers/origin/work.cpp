@@ -1,9 +1,12 @@
 #include "sim/answers/origin/work.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "sim/answers/origin/fields.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::answers {
@@ -65,9 +68,9 @@ void Datum::given() { work_.chain.links[link_].given = true; }
 void Datum::at_source(std::string source) { work_.chain.links[link_].source = std::move(source); }
 
 const State& Work::state() const {
-  if (state_) return *state_;
+  if (now_.state) return *now_.state;
   const State& whole = buffers();
-  State& kept = state_.emplace();
+  State& kept = now_.state.emplace();
   kept.position = whole.position, kept.machine = whole.machine, kept.vertices = whole.vertices;
   return kept;
 }
@@ -75,7 +78,7 @@ const State& Work::state() const {
 std::string Work::depth_name() const { return depth_symbol(scene, conventions); }
 std::string Work::label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
 const std::string& Work::piece(std::int32_t number) const {
-  const auto [known, is_new] = pieces_.try_emplace(number);
+  const auto [known, is_new] = now_.pieces.try_emplace(number);
   if (is_new) known->second = piece_label(scene, machine(), number);
   return known->second;
 }
@@ -138,8 +141,26 @@ Number Work::field(std::int64_t step, std::string_view name) {
   const Event event = trace.event(step).event;
   const auto value = field_number(event, name);
   if (!value) return 0;
-  return derived(step, "", what_happens(*this, event), shown_name(event, name, depth_name()), *value,
-                 [&](Datum& datum) { tell_field(datum, *this, step, event, name); });
+  const auto told = [&] {
+    return derived(step, "", what_happens(*this, step, event), shown_name(event, name, depth_name()), *value,
+                   [&](Datum& datum) { tell_field(datum, *this, step, event, name); });
+  };
+  if (!is_of_other_work(step, event)) return told();
+  Moment outer = std::exchange(now_, Moment{step});
+  Number number = told();
+  now_ = std::move(outer);
+  return number;
+}
+
+/// Edges have their numbers in one polygon's work, and a span its scan line. Where pixels come after the spans of other
+/// lines or of other polygons, the state at the pixel is not theirs.
+bool Work::is_of_other_work(std::int64_t step, const Event& event) const {
+  const auto fields = fields_of_kind(event.index());
+  if (step >= now_.at ||
+      std::none_of(fields.begin(), fields.end(), [](const FieldOfKind& field) { return field.thing == Thing::edge; }))
+    return false;
+  return next_mark(trace, step) <= now_.at ||
+         (holds<SpanBegin>(event) && next_of<ScanLineBegin>(trace, step, now_.at + 1));
 }
 
 Number Work::field(const Step& step, std::string_view name, double otherwise) {
@@ -147,9 +168,9 @@ Number Work::field(const Step& step, std::string_view name, double otherwise) {
 }
 
 const VertexSteps& Work::steps_of(std::int32_t vertex) {
-  const auto known = vertices_.find(vertex);
-  if (known != vertices_.end()) return known->second;
-  return vertices_.emplace(vertex, steps_of_vertex(trace, machine(), at(), vertex)).first->second;
+  const auto known = now_.vertices.find(vertex);
+  if (known != now_.vertices.end()) return known->second;
+  return now_.vertices.emplace(vertex, steps_of_vertex(trace, machine(), at(), vertex)).first->second;
 }
 
 void Work::later(std::int64_t step, std::string_view name, const std::string& symbol) {
@@ -162,8 +183,7 @@ void Work::run_later() {
   while (!later_.empty()) {
     const Later next = std::move(later_.front());
     later_.pop_front();
-    at_ = next.step;
-    state_.reset(), vertices_.clear(), pieces_.clear();
+    now_ = Moment{next.step};
     current_ = next.parent;
     const Number number = field(next.step, next.name);
     if (number.link < 0 || next.parent < 0) continue;

@@ -95,15 +95,15 @@ class Work {
         scene(trace_.scene()),
         conventions(trace_.header().conventions),
         replay_(replay),
-        at_(replay.position()) {}
+        now_{replay.position()} {}
 
   const Trace& trace;
   const Scene& scene;
   const Conventions& conventions;
   Chain chain;
 
-  /// The state in which numbers are looked for: that of the step that was asked about, or of a later question of the
-  /// chain. Its buffers are empty; see buffers().
+  /// The state in which numbers are looked for: that of the step that was asked about, of a later question of the
+  /// chain, or of a span or an edge of other work, while it is told of. Its buffers are empty; see buffers().
   const State& state() const;
   /// A state that has the operands of a step's formulas.
   const State& operands_of(std::int64_t step, const Event& event);
@@ -111,14 +111,21 @@ class Work {
   /// The same state with its buffers. It moves while a number is followed back, so what is needed of it afterwards is
   /// to be copied.
   const State& buffers() const {
-    replay_.go_to(at_);
+    replay_.go_to(now_.at);
     return replay_.state();
   }
-  std::int64_t at() const { return at_; }
+  std::int64_t at() const { return now_.at; }
   std::string depth_name() const;
   std::string label(std::int32_t polygon) const;
   const std::string& piece(std::int32_t number) const;
   std::string step_name(std::int64_t step) const;
+
+  /// The span that the pixel of a step belongs to.
+  struct SpanOfStep {
+    SpanBegin span{};
+    Step step;
+  };
+  std::optional<SpanOfStep> span_of(std::int64_t step, const Event& event);
 
   /// A field of the event at a step, with all that is behind it. Integers and choices are numbers here, too.
   Number field(std::int64_t step, std::string_view name);
@@ -186,15 +193,25 @@ class Work {
     std::string name, symbol;
     std::int32_t parent;
   };
-  const std::vector<Derivation>& derivations(std::int64_t step, const Event& event);
+  struct Derived {
+    std::vector<Derivation> fields;
+    std::optional<SpanOfStep> span;
+  };
+  const Derived& derivations(std::int64_t step, const Event& event);
+
+  /// Where numbers are looked for, and what was found there.
+  struct Moment {
+    std::int64_t at = 0;
+    std::optional<State> state{};                    ///< kept, as each seek takes milliseconds
+    std::map<std::int32_t, VertexSteps> vertices{};  ///< as far as the state has them, and so the names of pieces
+    std::map<std::int32_t, std::string> pieces{};
+  };
+  bool is_of_other_work(std::int64_t step, const Event& event) const;
 
   Replay& replay_;
-  std::int64_t at_;
-  mutable std::optional<State> state_;  ///< where the question is: kept, as each seek takes milliseconds
-  std::map<std::int64_t, std::vector<Derivation>> derivations_;
+  mutable Moment now_;
+  std::map<std::int64_t, Derived> derivations_;
   std::map<std::pair<std::int64_t, std::string>, std::int32_t> links_;
-  std::map<std::int32_t, VertexSteps> vertices_;  ///< as far as the state has them, and so the names of pieces
-  mutable std::map<std::int32_t, std::string> pieces_;
   std::deque<Later> later_;
   std::int32_t current_ = -1;
   std::size_t numbers_ = 0;
@@ -214,7 +231,7 @@ Step last_ray(const Work& work, std::int64_t step);
 Step last_plane_test(const Work& work, std::int64_t step);
 
 /// What the link of a step is called: "depth at x = 9 on the span".
-std::string what_happens(const Work& work, const Event& event);
+std::string what_happens(Work& work, std::int64_t step, const Event& event);
 
 // --- Where the fields come from that no formula of traces/formulas gives. What is not listed names something, or
 // counts.
