@@ -28,6 +28,7 @@ PixelCounts::PixelCounts(const Trace& trace) : trace_(&trace), width_(trace.scen
   if (comes_back_) now_.last_met.assign(pixels, -1);
   most_moments_ = std::clamp<std::size_t>(memory / (pixels * (comes_back_ ? 16 : 7) * sizeof(std::int32_t) + 1), 1, 16);
   spacing_ = std::max<std::int64_t>(1 << 18, trace.size() / static_cast<std::int64_t>(most_moments_));
+  now_.spans = PolygonsOfSpans::of(trace);
   moments_.push_back(now_);
 }
 
@@ -44,7 +45,13 @@ void PixelCounts::cover(std::size_t pixel, std::int32_t polygon) {
 }
 
 template <class E>
-void PixelCounts::take(const E& event) {
+void PixelCounts::take(std::int64_t step, const E& event) {
+  count(event);
+  if (now_.spans) now_.spans->pass(step, event);
+}
+
+template <class E>
+void PixelCounts::count(const E& event) {
   if constexpr (std::is_same_v<E, PassBegin>) now_.light = event.pass == Pass::light;
   else if constexpr (std::is_same_v<E, TablesBegin>) now_.keeps_all = true;
   else if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) {
@@ -76,7 +83,8 @@ void PixelCounts::take(const E& event) {
       now_.ray_x = eye ? event.x : -1, now_.ray_y = eye ? event.y : -1;
     } else if constexpr (std::is_same_v<E, DepthCompare>) {
       const std::size_t edge = now_.span_edge;
-      cover(pixel, edge < now_.edges.size() ? now_.edges[edge] : now_.polygon);
+      const auto by_span = now_.spans ? now_.spans->at(event) : std::nullopt;
+      cover(pixel, by_span ? by_span->polygon : edge < now_.edges.size() ? now_.edges[edge] : now_.polygon);
       if (!event.nearer) ++counts(Count::failed);
     } else if constexpr (std::is_same_v<E, ColorWrite>) {
       ++counts(Count::writes);
@@ -110,7 +118,7 @@ bool PixelCounts::count_to(std::int64_t position, std::chrono::microseconds time
     if (position - now_.position <= 256) {
       for (std::int64_t step = now_.position + 1; step <= position; ++step)
         if (trace_->impl().readable(step))
-          visit_event([this](const auto& event) { take(event); }, trace_->event(step).event);
+          visit_event([&](const auto& event) { take(step, event); }, trace_->event(step).event);
       now_.position = position;
       break;
     }
@@ -118,8 +126,8 @@ bool PixelCounts::count_to(std::int64_t position, std::chrono::microseconds time
     const std::int64_t lead_in = position - near_by;
     std::int64_t to = std::min(position, (now_.position / at_a_time + 1) * at_a_time);
     if (now_.position < lead_in) to = std::min(to, lead_in);
-    trace_->visit(now_.position, to, [this](std::int64_t, std::uint8_t, const auto& event) {
-      take(event);
+    trace_->visit(now_.position, to, [this](std::int64_t step, std::uint8_t, const auto& event) {
+      take(step, event);
       return true;
     });
     now_.position = to;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/answers/polygons_of_spans.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep::answers {
@@ -57,9 +58,12 @@ class PixelCounts {
     std::int32_t polygon = no_polygon, span_edge = -1;
     std::int32_t ray_x = -1, ray_y = -1;  ///< the pixel of the eye's ray; -1 where it is another ray
     bool light = false, keeps_all = false;
+    std::optional<PolygonsOfSpans> spans;  ///< where not all pixels are of the polygon at work
   };
   template <class E>
-  void take(const E& event);
+  void take(std::int64_t step, const E& event);
+  template <class E>
+  void count(const E& event);
   void cover(std::size_t pixel, std::int32_t polygon);
   void go_back_before(std::int64_t position);
   void keep_recent();

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "sim/answers/polygons_of_spans.hpp"
 #include "traces/codec/scene_geometry.hpp"
+#include "traces/file/visit.hpp"
 #include "traces/math/whole.hpp"
 #include "traces/replay/key_frames.hpp"
 #include "traces/scene.hpp"
@@ -88,13 +90,6 @@ std::vector<std::int32_t> FacetsNear::near(Trace::Pixel pixel) const {
 
 namespace {
 
-/// The polygon at work at a step, and where that work began.
-struct AtWork {
-  std::int32_t polygon = no_polygon;
-  std::int64_t since = 0;
-  bool operator==(const AtWork&) const = default;
-};
-
 /// Where edges of all polygons stand in one table: the polygon of the edge at the left of the span.
 std::optional<AtWork> by_span(const Trace& trace, std::int64_t step) {
   const auto span = previous_of<SpanBegin>(trace, step);
@@ -122,11 +117,25 @@ AtWork at_work(const Trace& trace, std::int64_t step) {
   return mark == 0 ? AtWork{} : AtWork{std::prev(beyond)->polygon, mark};
 }
 
+/// A step at the pixel, or one that concerns all pixels alike.
+struct Here {
+  std::int64_t step = 0;
+  Event event;
+  std::optional<AtWork> by_span{};  ///< whose it is, where spans of several polygons come before their pixels
+};
+
+template <class E>
+inline constexpr bool is_at_pixel =
+    std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, DepthWrite> ||
+    std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint> || std::is_same_v<E, ColorBlend> ||
+    std::is_same_v<E, ColorWrite>;
+
 /// Puts the events of one pixel together.
 class Reading {
  public:
-  explicit Reading(const Trace& trace)
+  Reading(const Trace& trace, bool by_spans)
       : trace_(trace),
+        by_spans_(by_spans),
         depth_(trace.header().empty_depth()),
         known_(trace.header().initial_depth.has_value()),
         shades_(trace.has(kind_of<AttributeInterpolate>)),
@@ -140,12 +149,13 @@ class Reading {
   }
   void close() { open_ = false; }
 
-  void take(std::int64_t step, const Event& event) {
+  void take(const Here& here) {
+    const auto& [step, event, by_span] = here;
     if (const auto* z = get_if<DepthInterpolate>(&event)) {
       open_ = false;  // a new fragment
-      interpolated_ = {at_work(trace_, step), z->z};
+      interpolated_ = {work_of(here), z->z};
     } else if (const auto* compare = get_if<DepthCompare>(&event)) {
-      const AtWork work = at_work(trace_, step);
+      const AtWork work = work_of(here);
       // A colour that was written before its compare belongs to it.
       const bool belongs = goes_on(work) && all.back().outcome == Outcome::written && all.back().kept_at == 0;
       Visit& visit = belongs ? all.back() : add(step, work, Outcome::won);
@@ -161,13 +171,13 @@ class Reading {
         take_pixel(visit, work.polygon);
       }
     } else if (const auto* depth = get_if<DepthWrite>(&event)) {
-      const AtWork work = at_work(trace_, step);
+      const AtWork work = work_of(here);
       Visit& visit = goes_on(work) && all.back().kept_at == 0 ? all.back() : add(step, work, Outcome::written);
       if (!visit.z) visit.z = depth->z;
       visit.kept = depth->z, visit.kept_at = step;
       depth_ = depth->z, only_cleared_ = false, known_ = true;
     } else if (const auto* write = get_if<PixelWrite>(&event)) {
-      const AtWork work = at_work(trace_, step);
+      const AtWork work = work_of(here);
       const bool after_blend = goes_on(work) && all.back().outcome == Outcome::mixed &&
                                all.back().polygon == write->polygon && !all.back().takes;
       const bool belongs = goes_on(work) && all.back().written == 0;
@@ -185,7 +195,7 @@ class Reading {
       depth_ = paint->z, only_cleared_ = false, known_ = true;
       open_ = false;
     } else if (const auto* blend = get_if<ColorBlend>(&event)) {
-      const AtWork work = at_work(trace_, step);
+      const AtWork work = work_of(here);
       const bool belongs = goes_on(work) && all.back().outcome == Outcome::won && !all.back().takes;
       Visit& visit = belongs ? all.back() : add(step, work, Outcome::mixed);
       visit.outcome = Outcome::mixed, visit.polygon = blend->polygon, visit.opacity = blend->opacity;
@@ -206,6 +216,14 @@ class Reading {
     double z = 0;
   };
 
+  /// Whose a step is. What is written later than its pixel's turn belongs to what came to the pixel last.
+  AtWork work_of(const Here& here) const {
+    const bool begins = holds<DepthInterpolate>(here.event) || holds<DepthCompare>(here.event);
+    const bool has_span = here.by_span && here.by_span->since > 0;
+    if (by_spans_ && !has_span && !begins && open_) return work_;
+    return here.by_span ? *here.by_span : at_work(trace_, here.step);
+  }
+
   /// Does a step of this work belong to what came to the pixel last?
   bool goes_on(const AtWork& work) const { return open_ && !all.empty() && work == work_; }
 
@@ -220,6 +238,7 @@ class Reading {
   void take_pixel(Visit& visit, std::int32_t polygon) { visit.takes = true, visit.shows = polygon_ = polygon; }
 
   const Trace& trace_;
+  bool by_spans_;
   double depth_;
   std::int32_t polygon_ = no_polygon;
   bool known_, shades_, owners_, compares_write_, only_cleared_ = true;
@@ -241,21 +260,35 @@ std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel) {
 
 std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after) {
   // The events of this pixel and those that concern all pixels alike.
-  std::vector<std::pair<std::int64_t, Event>> here;
-  trace.scan(pixel, [&](std::int64_t step, const RecordedEvent& recorded) {
-    if (is_one_of<DepthInterpolate, DepthCompare, DepthWrite, PixelWrite, PixelPaint, ColorBlend, ColorWrite>(recorded))
-      here.emplace_back(step, recorded.event);
-    return true;
-  });
-  for (const std::int64_t step : trace.clears()) here.emplace_back(step, trace.event(step).event);
-  std::stable_sort(here.begin(), here.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Here> here;
+  std::optional<PolygonsOfSpans> spans = PolygonsOfSpans::of(trace);
+  const bool by_spans = spans.has_value();
+  if (by_spans) {
+    trace.visit(0, trace.size(), [&]<class E>(std::int64_t step, std::uint8_t, const E& e) {
+      if constexpr (is_at_pixel<E>)
+        if (e.x == pixel.x && e.y == pixel.y) here.push_back({step, e, spans->at(e)});
+      spans->pass(step, e);
+      return true;
+    });
+  } else {
+    trace.scan(pixel, [&](std::int64_t step, const RecordedEvent& recorded) {
+      visit_event(
+          [&]<class E>(const E& e) {
+            if constexpr (is_at_pixel<E>) here.push_back({step, e});
+          },
+          recorded.event);
+      return true;
+    });
+  }
+  for (const std::int64_t step : trace.clears()) here.push_back({step, trace.event(step).event});
+  std::stable_sort(here.begin(), here.end(), [](const Here& a, const Here& b) { return a.step < b.step; });
 
-  Reading reading(trace);
+  Reading reading(trace, by_spans);
   const std::int64_t eye = begin_of_eye_pass(trace);
-  for (const auto& [step, event] : here) {
-    if (step < eye) continue;  // another picture
-    if (const auto* clear = get_if<BuffersClear>(&event)) reading.clear(clear->z);
-    else reading.take(step, event);
+  for (const Here& one : here) {
+    if (one.step < eye) continue;  // another picture
+    if (const auto* clear = get_if<BuffersClear>(&one.event)) reading.clear(clear->z);
+    else reading.take(one);
   }
   std::erase_if(reading.all, [after](const Visit& visit) { return visit.step <= after; });
   return std::move(reading.all);

@@ -10,6 +10,9 @@
 
 #include "algorithms/scene/load.hpp"
 #include "sim/answers/explain_value.hpp"
+#include "sim/answers/pixel_counts.hpp"
+#include "sim/answers/pixel_history.hpp"
+#include "sim/answers/why_not.hpp"
 #include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
@@ -19,6 +22,7 @@
 #include "traces/file/jsonl.hpp"
 
 using namespace zstep;
+using answers::Outcome, answers::Verdict, answers::Visit;
 
 namespace {
 
@@ -85,6 +89,45 @@ void check_no_doubt(const Trace& run) {
     }
 }
 
+/// "0 won 5 ∞ -1 takes 0", a line a visit; what is dropped without a step at the pixel is left out.
+std::vector<std::string> visits_in(const Trace& trace, Trace::Pixel pixel) {
+  std::vector<std::string> lines;
+  for (const Visit& visit : answers::pixel_history(trace, pixel))
+    if (visit.outcome != Outcome::rejected)
+      lines.push_back(fmt::format("{} {} {} {} {} {} {} {}", visit.polygon, static_cast<int>(visit.outcome),
+                                  visit.z.value_or(-7), visit.stored.value_or(-7), visit.stored_polygon, visit.takes,
+                                  visit.shows, visit.remark.empty()));
+  return lines;
+}
+
+void check_visits(const Trace& right, const Trace& run) {
+  const Raster& raster = right.scene().raster;
+  int visited = 0;
+  for (std::int32_t y = 0; y < raster.height; ++y)
+    for (std::int32_t x = 0; x < raster.width; ++x) {
+      const auto lines = visits_in(right, {x, y});
+      visited += !lines.empty();
+      CAPTURE(x);
+      CAPTURE(y);
+      CHECK(visits_in(run, {x, y}) == lines);
+      for (std::int32_t polygon = 0; polygon < std::ssize(right.scene().polygons) && !lines.empty(); ++polygon) {
+        CAPTURE(polygon);
+        const Verdict its = answers::why_not(run, polygon, {x, y}), own = answers::why_not(right, polygon, {x, y});
+        CHECK(its.kind == own.kind);
+        CHECK(its.other == own.other);
+        CHECK(its.gap == own.gap);
+        CHECK(its.formulas == own.formulas);
+        CHECK(its.chain.size() == own.chain.size());
+      }
+    }
+  CHECK(visited > 10);
+  answers::PixelCounts own(right), its(run);
+  own.count_to(right.size()), its.count_to(run.size());
+  for (std::size_t count = 0; count < answers::count_kinds; ++count)
+    CHECK_MESSAGE(its.of(static_cast<answers::Count>(count)) == own.of(static_cast<answers::Count>(count)),
+                  answers::count_names[count]);
+}
+
 }  // namespace
 
 TEST_CASE("spans first: the origin of a depth is told of its own span, edges and scan line") {
@@ -134,8 +177,22 @@ TEST_CASE("spans first: where two polygons cover a pixel, its origin is its own 
   }
 }
 
+TEST_CASE("spans first: history, why-not and pixel counts go by the polygon of a pixel's span") {
+  for (const char* name : {"delhi", "pyramid-view", "pyramid-behind", "clipping"}) {
+    CAPTURE(std::string(name));
+    const Trace right = golden_run(name);
+    for (const Order order : {Order::polygon, Order::scene, Order::picture}) {
+      CAPTURE(static_cast<int>(order));
+      check_visits(right, in_order(right, order));
+    }
+  }
+  const Trace right = test::recorded_by("z-buffer", two_crossing());
+  for (const Order order : {Order::scene, Order::picture}) check_visits(right, in_order(right, order));
+}
+
 TEST_CASE("spans first: where one table has all polygons, a pixel is of its span's") {
   const Trace right = golden_run("scan-line-buffer");
   const Trace run = test::pixels_last<ScanLineBegin>(right, [](auto&) {});
   check_origins(right, run, 3);
+  check_visits(right, run);
 }
