@@ -306,7 +306,7 @@ void tell(Replay& replay, Visit& visit) {
   replay.go_to(visit.step);
   const Explanation said = explain(replay.trace(), replay.state(), *replay.current());
   visit.sentence = said.sentence, visit.formulas = said.formulas, visit.owned = said.owned;
-  if (said.doubt) visit.formulas.push_back(*said.doubt);
+  if (!said.besides.empty()) visit.formulas.push_back(said.besides);
 }
 
 std::string depth_text(double z) { return std::isinf(z) ? number(z) : fmt::format("{:.9g}", z); }

@@ -65,7 +65,7 @@ int find(const FindOptions& options) {
     fmt::print("{}  {}  {}\n", search.step(), step ? step->name : "", said.sentence);
     if (most == 1)
       for (const std::string& formula : said.formulas) fmt::print("  {}\n", formula);
-    if (said.doubt) fmt::print("  {}\n", *said.doubt);
+    if (!said.besides.empty()) fmt::print("  {}\n", said.besides);
     ++found;
     search.go_on();
     if (watch.interrupted()) throw Interrupted{0};

@@ -47,7 +47,7 @@ void tell_step(Text& text, App& app) {
   const Explanation told = explain(s.trace(), s.state(), *event);
   text.line(told.sentence);
   for (const std::string& formula : told.formulas) text.formula(formula);
-  if (told.doubt && found.lines.empty()) text.line(*told.doubt);
+  if (!told.besides.empty() && found.lines.empty()) text.line(told.besides);
 }
 
 void tell_lesson(Text& text, const Session& s) {

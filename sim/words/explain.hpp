@@ -19,6 +19,7 @@ struct Explanation {
   std::vector<std::pair<std::string, double>> values;  ///< by name, for who wants every digit
   std::vector<words::Owned> owned;                     ///< whose the numbers of the formulas are
   std::optional<std::string> doubt;                    ///< the trace's number is not what its formula gives
+  std::string besides;                                 ///< what of that the sentence does not say itself
 };
 
 /// What `event` did. `after` is the state it led to, at after.position; the event is trace.event(after.position).

@@ -44,7 +44,7 @@ struct Telling {
   void say(std::string sentence) { out.sentence = std::move(sentence); }
   /// What the trace says and its own numbers contradict.
   void contradict(std::string sentence) {
-    out.doubt = sentence;
+    out.doubt = sentence, out.besides.clear();
     say(std::move(sentence));
   }
   void formula(std::string line) { out.formulas.push_back(std::move(line)); }
@@ -69,7 +69,10 @@ struct Telling {
 
   /// What the trace's numbers may be off by.
   formulas::Tolerance tolerance() const { return formulas::tolerance_of(scene, trace.header()); }
-  void doubt(const std::string& text) { out.doubt = out.doubt ? *out.doubt + " " + text : text; }
+  void doubt(const std::string& text) {
+    out.doubt = out.doubt ? *out.doubt + " " + text : text;
+    out.besides += (out.besides.empty() ? "" : " ") + text;
+  }
   /// Holds the recorded number against what the shown formula gives; rounding of an honest computation passes.
   bool hold_against(const std::string& name, double recorded, const formulas::Rounded& computed) {
     if (tolerance().allows(computed, recorded)) return true;

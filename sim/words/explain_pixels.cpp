@@ -185,7 +185,7 @@ void tell(Telling& t, const DepthCompare& e) {
         fmt::format(": {} {} {}", drawn, numbers_say ? "should win over" : "should not win over", is.who);
     t.say(fmt::format("The trace says {} at pixel {}, although {}{}.", says, where, holds,
                       undeclared.empty() ? ought : "; " + undeclared));
-    t.out.doubt = fmt::format("The trace says {}, but {}{}.", says, holds, undeclared.empty() ? "" : "; " + undeclared);
+    t.doubt(fmt::format("The trace says {}, but {}{}.", says, holds, undeclared.empty() ? "" : "; " + undeclared));
   } else if (e.nearer && glass) {
     t.say(fmt::format(
         "{} {} {}: {}, so {} is seen at pixel {}; through its glass, of opacity {}, so is what lies behind: the two "

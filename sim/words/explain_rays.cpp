@@ -87,8 +87,8 @@ void tell(Telling& t, const BoxTest& e) {
   const auto [enter, leave] = tell_apart(e.t_enter, e.t_leave);
   if (!(e.t_enter <= e.t_leave)) {
     if (e.hit)
-      t.out.doubt = fmt::format("The trace says that the ray meets {}, but t_enter = {} > {} = t_leave.",
-                                box_name(e.box), enter, leave);
+      t.doubt(fmt::format("The trace says that the ray meets {}, but t_enter = {} > {} = t_leave.", box_name(e.box),
+                          enter, leave));
     t.say(fmt::format("The ray misses {}: it would enter the last of its slabs only after it has left the first.",
                       box_name(e.box)));
     t.formula(fmt::format("t_enter = {} > {} = t_leave", enter, leave));

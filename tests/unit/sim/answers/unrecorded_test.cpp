@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
@@ -13,7 +14,7 @@
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
-using answers::Verdict, answers::Why;
+using answers::Verdict, answers::Visit, answers::Why;
 
 namespace {
 
@@ -114,6 +115,41 @@ TEST_CASE("unrecorded: who writes first and compares then takes the pixel where 
   const auto history = answers::pixel_history(trace, {1, 1});
   REQUIRE(history.size() == 2);
   CHECK(answers::outcome_text(trace, history, history[0]) == "nearer; B comes over it at step 203");
+}
+
+TEST_CASE("unrecorded: a sentence that contradicts the trace is told once") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  // The first colour is left out: its compare was won.
+  const auto write = right.next<PixelWrite>(0, [](const PixelWrite&) { return true; });
+  REQUIRE(write);
+  const PixelWrite first = get<PixelWrite>(right.event(*write).event);
+  const Trace run = test::changed(right, [&](std::int64_t step, const Event&) { return step != *write; });
+  Replay replay(run);
+  int contradicted = 0;
+  for (Visit& visit : answers::pixel_history(run, {first.x, first.y})) {
+    replay.go_to(visit.step);
+    contradicted += explain(run, replay.state(), *replay.current()).doubt.has_value();
+    answers::tell(replay, visit);
+    for (const std::string& formula : visit.formulas) CHECK(formula != visit.sentence);
+  }
+  CHECK(contradicted == 1);
+  // What the numbers contradict besides the sentence is told all the same.
+  const auto compare = right.next<DepthCompare>(0, [](const DepthCompare& e) { return e.nearer; });
+  const Trace wrong = test::changed(right, [&](std::int64_t step, Event& event) {
+    if (step == *compare) get_if<DepthCompare>(&event)->nearer = false;
+    return true;
+  });
+  const DepthCompare at = get<DepthCompare>(wrong.event(*compare).event);
+  std::vector<Visit> history = answers::pixel_history(wrong, {at.x, at.y});
+  REQUIRE(!history.empty());
+  Replay of_wrong(wrong);
+  of_wrong.go_to(*compare);
+  const Explanation said = explain(wrong, of_wrong.state(), *of_wrong.current());
+  REQUIRE(said.doubt);
+  CHECK(said.besides == *said.doubt);
+  answers::tell(of_wrong, history.front());
+  REQUIRE(!history.front().formulas.empty());
+  CHECK(history.front().formulas.back() == *said.doubt);
 }
 
 }  // namespace
