@@ -237,8 +237,9 @@ class History {
     // Where depths are compared, each polygon comes to every pixel that it covers. Other methods leave alone what is
     // settled.
     const bool all_come = records<DepthCompare>(trace_);
-    const bool settled = std::any_of(visits_.begin(), visits_.end(),
-                                     [](const Visit& visit) { return visit.outcome != Outcome::rejected; });
+    const bool settled = std::any_of(visits_.begin(), visits_.end(), [](const Visit& visit) {
+      return visit.outcome != Outcome::rejected && visit.outcome != Outcome::interpolated;
+    });
     if (settled && !all_come) return;
     std::vector<bool> came(there_.size());
     for (const Visit& visit : visits_)
@@ -350,6 +351,9 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
       break;
     case Outcome::mixed:
       text = visit.opacity < 1 ? "mixed in, with opacity " + depth_text(visit.opacity) : "the pixel's colour";
+      break;
+    case Outcome::interpolated:
+      text = "interpolated; no compare of it is recorded";
       break;
     case Outcome::colored:
       text = "the pixel's colour";

@@ -153,7 +153,7 @@ class Reading {
     const auto& [step, event, by_span] = here;
     if (const auto* z = get_if<DepthInterpolate>(&event)) {
       open_ = false;  // a new fragment
-      interpolated_ = {work_of(here), z->z};
+      interpolated_.push_back({step, work_of(here), z->z});
     } else if (const auto* compare = get_if<DepthCompare>(&event)) {
       const AtWork work = work_of(here);
       // A colour that was written before its compare belongs to it.
@@ -183,12 +183,12 @@ class Reading {
       const bool belongs = goes_on(work) && all.back().written == 0;
       Visit& visit = after_blend || belongs ? all.back() : add(step, work, Outcome::written);
       if (visit.polygon == no_polygon) visit.polygon = write->polygon;
-      if (!visit.z && interpolated_ && interpolated_->work == work) visit.z = interpolated_->z;
+      if (!visit.z && !interpolated_.empty() && interpolated_.back().work == work) visit.z = interpolated_.back().z;
       if (visit.outcome == Outcome::written) visit.step = step;
       if (!after_blend) visit.written = step;  // a blend has coloured it already
       take_pixel(visit, write->polygon);
     } else if (const auto* paint = get_if<PixelPaint>(&event)) {
-      Visit& visit = add(step, {paint->polygon, 0}, Outcome::painted);
+      Visit& visit = add(step, painting(paint->polygon), Outcome::painted);
       if (known_) visit.stored = depth_;
       visit.z = visit.kept = paint->z, visit.kept_at = visit.written = step;
       take_pixel(visit, paint->polygon);
@@ -208,13 +208,31 @@ class Reading {
     }
   }
 
+  /// At the end: of what was interpolated there, and no step since says what came of it.
+  void add_interpolated() {
+    std::sort(works_.begin(), works_.end());
+    const auto went_on = [&](const AtWork& work) { return std::binary_search(works_.begin(), works_.end(), work); };
+    for (const Interpolated& one : interpolated_) {
+      if (went_on(one.work) || went_on(painting(one.work.polygon))) continue;
+      Visit visit;
+      visit.outcome = Outcome::interpolated, visit.step = one.step, visit.polygon = one.work.polygon, visit.z = one.z;
+      const auto later =
+          std::find_if(all.begin(), all.end(), [&](const Visit& other) { return other.step > visit.step; });
+      all.insert(later, std::move(visit));
+    }
+  }
+
   std::vector<Visit> all;
 
  private:
   struct Interpolated {
+    std::int64_t step = 0;
     AtWork work;
     double z = 0;
   };
+
+  /// Of a paint, which is a whole visit.
+  static AtWork painting(std::int32_t polygon) { return {polygon, 0}; }
 
   /// Whose a step is. What is written later than its pixel's turn belongs to what came to the pixel last.
   AtWork work_of(const Here& here) const {
@@ -231,7 +249,7 @@ class Reading {
     Visit visit;
     visit.outcome = outcome, visit.step = step, visit.polygon = work.polygon;
     visit.stored_polygon = polygon_, visit.only_cleared = only_cleared_;
-    all.push_back(std::move(visit));
+    all.push_back(std::move(visit)), works_.push_back(work);
     work_ = work, open_ = true;
     return all.back();
   }
@@ -242,9 +260,10 @@ class Reading {
   double depth_;
   std::int32_t polygon_ = no_polygon;
   bool known_, shades_, owners_, compares_write_, only_cleared_ = true;
-  AtWork work_;        ///< of the last visit
-  bool open_ = false;  ///< steps that follow may belong to it
-  std::optional<Interpolated> interpolated_;
+  AtWork work_;                ///< of the last visit
+  bool open_ = false;          ///< steps that follow may belong to it
+  std::vector<AtWork> works_;  ///< of each visit
+  std::vector<Interpolated> interpolated_;
 };
 
 }  // namespace
@@ -290,6 +309,7 @@ std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel, std::int64_
     if (const auto* clear = get_if<BuffersClear>(&one.event)) reading.clear(clear->z);
     else reading.take(one);
   }
+  reading.add_interpolated();
   std::erase_if(reading.all, [after](const Visit& visit) { return visit.step <= after; });
   return std::move(reading.all);
 }

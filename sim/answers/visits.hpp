@@ -36,16 +36,17 @@ class FacetsNear {
 };
 
 enum class Outcome : std::uint8_t {
-  won,       ///< nearer than what was there
-  lost,      ///< not nearer
-  tie,       ///< equal; what came first stays
-  painted,   ///< without a compare, by a step that takes depth and colour at once
-  written,   ///< without a compare: a depth, a colour or both
-  mixed,     ///< laid over what was there
-  colored,   ///< the pixel got a colour that is no polygon's own
-  behind,    ///< it covers the pixel, and on the interval or in the area around it another was found to be in front
-  rejected,  ///< it would cover the pixel, but was not drawn: culled, edge-on, out of view
-  cut_off,   ///< it covers the pixel, and the trace ends before its turn
+  won,           ///< nearer than what was there
+  lost,          ///< not nearer
+  tie,           ///< equal; what came first stays
+  painted,       ///< without a compare, by a step that takes depth and colour at once
+  written,       ///< without a compare: a depth, a colour or both
+  mixed,         ///< laid over what was there
+  interpolated,  ///< its depth was interpolated there, and no step says that it was compared or written
+  colored,       ///< the pixel got a colour that is no polygon's own
+  behind,        ///< it covers the pixel, and on the interval or in the area around it another was found to be in front
+  rejected,      ///< it would cover the pixel, but was not drawn: culled, edge-on, out of view
+  cut_off,       ///< it covers the pixel, and the trace ends before its turn
 };
 
 /// Something that a polygon did to a pixel of the eye's picture, or would have done: the steps that belong together

@@ -37,7 +37,7 @@ enum class Why : std::uint8_t {
   box_missed,    ///< the same by rays: the ray misses a box around it, or all cells that hold it
   contradicted,  ///< what the trace records of it there cannot all be so: won and not written, lost and overwritten all
                  ///< the same
-  not_recorded,  ///< it covers the pixel, and the trace has no step of it there
+  not_recorded,  ///< it covers the pixel, and the trace has no step of it there, or none after its depth was found
 };
 inline constexpr std::size_t why_count = static_cast<std::size_t>(Why::not_recorded) + 1;
 

@@ -387,6 +387,15 @@ std::string unnamed_text(const std::vector<Visit>& visits) {
   return "";
 }
 
+/// Its depth was interpolated there, and the trace does not say what came of it.
+Verdict why_interpolated(const Asked& q, const Visit& mine) {
+  Verdict verdict = q.verdict(Why::not_recorded, mine.step,
+                              fmt::format("it was interpolated there at {}{}, and no compare of it is recorded",
+                                          step_text(mine.step), z_text(q, mine)));
+  verdict.chain.push_back({mine.step, q.polygon, fmt::format("{} is interpolated{}", q.name, z_text(q, mine))});
+  return verdict;
+}
+
 /// How far a compare is from being won.
 double behind(const Asked& q, const Visit& visit) {
   const double stored = visit.stored.value_or(0);
@@ -394,12 +403,14 @@ double behind(const Asked& q, const Visit& visit) {
 }
 
 Verdict by_visits(Asked& q, const std::vector<FacetThere>& facets, const std::vector<Visit>& visits) {
-  const Visit *last = holder(visits, q.trace.size() + 1), *mine = nullptr, *least = nullptr, *miswritten = nullptr;
+  const Visit *last = holder(visits, q.trace.size() + 1), *mine = nullptr, *least = nullptr, *miswritten = nullptr,
+              *interpolated = nullptr;
   for (const Visit& visit : visits) {
     const bool its_own = visit.polygon == q.polygon;
     if ((visit.takes && visit.shows == q.polygon) || (its_own && visit.outcome == Outcome::mixed))
       mine = &visit;  // the last time that it changed the pixel
     else if (its_own && visit.takes) miswritten = &visit;
+    else if (its_own && visit.outcome == Outcome::interpolated) interpolated = &visit;
     else if (its_own && visit.compared() && (!least || behind(q, visit) < behind(q, *least))) least = &visit;
   }
   if (last && last->shows == q.polygon) return why_seen(q, visits, *last);
@@ -417,11 +428,12 @@ Verdict by_visits(Asked& q, const std::vector<FacetThere>& facets, const std::ve
   if (miswritten) return why_miswritten(q, visits, *miswritten);
   if (least) return why_lost(q, visits, *least);
   if (const auto verdict = why_wiped(q)) return *verdict;
+  if (interpolated) return why_interpolated(q, *interpolated);
   if (auto verdict = why_by_facets(q, facets)) return *verdict;
   const auto& options = q.trace.header().conventions.options;
   const auto order = options.find("order");
-  if (order != options.end() && order->second == "front-to-back" && !visits.empty())
-    return why_taken(q, visits.front());
+  const auto first = std::find_if(visits.begin(), visits.end(), [](const Visit& visit) { return visit.takes; });
+  if (order != options.end() && order->second == "front-to-back" && first != visits.end()) return why_taken(q, *first);
   if (const std::string text = unnamed_text(visits); !text.empty()) return q.verdict(Why::not_recorded, 0, text);
   return not_recorded(q);
 }

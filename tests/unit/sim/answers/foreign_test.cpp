@@ -122,7 +122,10 @@ TEST_SUITE("foreign traces") {
           "without a compare.");
     CHECK(sentence("painter", "B", 1, 1) ==
           "B is not seen at pixel (1, 1): it was there from step 7 on, until step 18 wrote A there without a compare.");
-    CHECK(history("nocompare", 1, 3) == "94 A 0.5: painted\n");
+    CHECK(history("nocompare", 1, 3) == "94 A 0.5: painted\n194 B 0.5: interpolated; no compare of it is recorded\n");
+    CHECK(sentence("nocompare", "B", 1, 3) ==
+          "B is not seen at pixel (1, 3): it was interpolated there at step 194, z = 0.5, and no compare of it is "
+          "recorded.");
     CHECK(sentence("nocompare", "A", 1, 3) ==
           "A is what is seen at pixel (1, 3): step 94 wrote it there without a compare, z = 0.5.");
   }

@@ -1,5 +1,6 @@
 // What is said of runs that record no writes, or write before they compare.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
-using answers::Verdict, answers::Visit, answers::Why;
+using answers::Outcome, answers::Verdict, answers::Visit, answers::Why;
 
 namespace {
 
@@ -115,6 +116,59 @@ TEST_CASE("unrecorded: who writes first and compares then takes the pixel where 
   const auto history = answers::pixel_history(trace, {1, 1});
   REQUIRE(history.size() == 2);
   CHECK(answers::outcome_text(trace, history, history[0]) == "nearer; B comes over it at step 203");
+}
+
+TEST_CASE("unrecorded: a depth that was interpolated, and of which no compare is recorded, is told of") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  int lost = 0;
+  for (std::int64_t step = 1; step <= right.size(); ++step) {
+    const auto* lost_compare = get_if<DepthCompare>(&right.event(step).event);
+    if (!lost_compare || lost_compare->nearer) continue;
+    ++lost;
+    const DepthCompare at = *lost_compare;
+    const Trace::Pixel pixel{at.x, at.y};
+    const std::int64_t interpolated = step - 1;
+    REQUIRE(holds<DepthInterpolate>(right.event(interpolated).event));
+    const std::vector<Visit> before = answers::pixel_history(right, pixel);
+    const auto whose = [&] {
+      for (const Visit& visit : before)
+        if (visit.step == step) return visit.polygon;
+      return no_polygon;
+    }();
+    REQUIRE(whose != no_polygon);
+    // One compare is left out.
+    const Trace run = test::changed(right, [&](std::int64_t number, const Event&) { return number != step; });
+    const Verdict verdict = answers::why_not(run, whose, pixel);
+    CHECK(verdict.kind == Why::not_recorded);
+    CHECK(verdict.step == interpolated);
+    CHECK(verdict.sentence.find(fmt::format("it was interpolated there at step {}", interpolated)) !=
+          std::string::npos);
+    REQUIRE(verdict.chain.size() == 1);
+    CHECK(verdict.chain[0].step == interpolated);
+    const std::vector<Visit> history = answers::pixel_history(run, pixel);
+    REQUIRE(history.size() == before.size());
+    int told = 0;
+    for (const Visit& visit : history) {
+      if (visit.outcome != Outcome::interpolated) continue;
+      ++told;
+      CHECK(visit.step == interpolated);
+      CHECK(visit.polygon == whose);
+      CHECK(visit.z == at.z);
+      CHECK(answers::outcome_text(run, history, visit) == "interpolated; no compare of it is recorded");
+    }
+    CHECK(told == 1);
+  }
+  CHECK(lost > 3);
+  // A run without compares: what was written is told as before.
+  const Trace run = test::changed(right, [](std::int64_t, const Event& event) { return !holds<DepthCompare>(event); });
+  int written = 0, interpolated = 0;
+  const Raster& raster = right.scene().raster;
+  for (std::int32_t y = 0; y < raster.height; ++y)
+    for (std::int32_t x = 0; x < raster.width; ++x)
+      for (const Visit& visit : answers::pixel_history(run, {x, y}))
+        (visit.outcome == Outcome::interpolated ? interpolated : written) += visit.outcome != Outcome::rejected;
+  CHECK(interpolated == lost);
+  CHECK(written > lost);
 }
 
 TEST_CASE("unrecorded: a sentence that contradicts the trace is told once") {
