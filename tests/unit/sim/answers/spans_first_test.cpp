@@ -13,7 +13,6 @@
 #include "sim/answers/pixel_counts.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
-#include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
