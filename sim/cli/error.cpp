@@ -180,11 +180,12 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
     fmt::print("{} no finite number, the first at step {}\n",
                counted(errors.stored_not_finite, "depth that is written is", "depths that are written are"),
                errors.stored_not_finite_step);
-  fmt::print(
-      "largest error {}, root mean square {}; {}\n", digits(errors.all.largest), digits(errors.all.root_mean_square()),
-      errors.all.largest == 0
-          ? "every depth is exact"
-          : fmt::format("at most {} in depth, at step {}", in_depth(errors.all.largest_depth), errors.steepest_step));
+  const auto at_step = [](std::int64_t step) { return step > 0 ? fmt::format(", at step {}", step) : ""; };
+  fmt::print("largest error {}{}, root mean square {}; {}{}\n", digits(errors.all.largest),
+             at_step(errors.steepest_step), digits(errors.all.root_mean_square()),
+             errors.all.largest == 0 ? "every depth is exact"
+                                     : fmt::format("at most {} in depth", in_depth(errors.all.largest_depth)),
+             at_step(errors.deepest_step));
   fmt::print("{}\n", buffer_text(errors));
   if (allowed)
     fmt::print("rounding can change a depth by at most {:.3g}; {}\n", allowed->largest, allowed_text(*allowed, errors));
@@ -257,6 +258,7 @@ void print_json(const Trace& trace, const Errors& errors, const std::optional<Al
                             {"largest_at_step", step_or_null(attribute.largest_step)}};
   }
   all["largest_at_step"] = step_or_null(errors.steepest_step);
+  all["largest_depth_at_step"] = step_or_null(errors.deepest_step);
   all["decided_open"] = errors.left_open;  // by conventions that the header does not declare
   all["wrong_pixels"] = trace.header().declares(Convention::nearer) ? Json(errors.wrong_pixels) : Json(nullptr);
   Json polygons = Json::array(), decisions = Json::array();

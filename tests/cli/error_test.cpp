@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "sim/image/png.hpp"
 #include "tests/cli/program.hpp"
 
@@ -90,6 +92,28 @@ TEST_CASE("error: without an error there is no step of the largest one, and with
   CAPTURE(few.out);
   CHECK(!has(few.out, "attributes compared"));
   CHECK(has(few.out, " attributes are left out: nothing in the run says what they are exactly"));
+}
+
+TEST_CASE("error: the largest error in ulps and the largest in depth stand with their steps, in text and JSON") {
+  const Folder folder;
+  REQUIRE(run(folder, "record delhi -o run.ztrace").code == 0);
+  REQUIRE(run(folder, "dump run.ztrace --jsonl > run.jsonl").code == 0);
+  std::string text = text_of(folder / "run.jsonl");
+  const auto set = [&](std::size_t step, const std::string& z) {
+    const std::size_t from = text.find("\"z\":", step) + 4;
+    text.replace(from, text.find_first_of(",}", from) - from, z);
+  };
+  set(text.rfind("{\"step\":\"interpolate_z\""), "50");
+  set(text.find("{\"step\":\"interpolate_z\""), "0.0009765625");
+  write_text(folder / "wrong.jsonl", text);
+  const auto found = nlohmann::json::parse(run(folder, "error wrong.jsonl --json").out);
+  const auto steep = std::to_string(found["largest_at_step"].get<int>()),
+             deep = std::to_string(found["largest_depth_at_step"].get<int>());
+  CHECK(steep != deep);
+  const Outcome told = run(folder, "error wrong.jsonl");
+  CAPTURE(told.out);
+  CHECK(has(told.out, ", at step " + steep + ", root mean square "));
+  CHECK(has(told.out, " in depth, at step " + deep + "\n"));
 }
 
 TEST_CASE("error: where no number format is declared, ulps are those of the numbers as they look") {

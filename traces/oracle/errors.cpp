@@ -387,7 +387,10 @@ class DepthJudge {
         of->largest = std::abs(error_);
         if (of == &found_.all) found_.steepest_step = position;
       }
-      of->largest_depth = std::max(of->largest_depth, std::abs(off));
+      if (std::abs(off) > of->largest_depth) {
+        of->largest_depth = std::abs(off);
+        if (of == &found_.all) found_.deepest_step = position;
+      }
       of->largest_view = std::max(of->largest_view, std::abs(off_view));
       of->sum_of_squares_view += off_view * off_view;
     }

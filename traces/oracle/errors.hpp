@@ -46,7 +46,8 @@ struct Errors {
   std::int64_t not_finite_step = 0;    ///< the first of them
   std::int64_t stored_not_finite = 0;  ///< the same of what is written into the depth buffer
   std::int64_t stored_not_finite_step = 0;  ///< the first of them
-  std::int64_t steepest_step = 0;           ///< with the largest error
+  std::int64_t steepest_step = 0;           ///< with the largest error in last digits
+  std::int64_t deepest_step = 0;            ///< with the largest one in depth
   std::vector<WrongDecision> decisions;     ///< the first ones, at most 100
   std::int64_t compares = 0;                ///< of which the exact outcome is known
   std::int64_t left_open = 0;               ///< of these, what conventions decide that the header does not declare

@@ -255,6 +255,27 @@ Trace run_without(const Trace& trace) {
   return Trace::from_bytes(recorder.take_bytes(), "without");
 }
 
+TEST_CASE("error: the largest error in ulps and the largest one in depth are named at their own steps") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  std::int64_t steepest = 0, deepest = 0;
+  TraceRecorder recorder(right.header(), right.scene());
+  right.each(0, right.size(), [&](std::int64_t step, const RecordedEvent& read) {
+    RecordedEvent made = read;
+    if (auto* depth = get_if<DepthInterpolate>(&made.event); depth && (steepest == 0 || deepest == 0)) {
+      REQUIRE(depth->z > 0.01);
+      // Near 0 an ulp is small: many of them, but not far off.
+      if (steepest == 0) depth->z = 0x1p-10, steepest = step;
+      else depth->z *= 5, deepest = step;
+    }
+    record_any(recorder, made.step, made.event);
+    return true;
+  });
+  recorder.finish();
+  const oracle::Errors errors = oracle::errors_of(Trace::from_bytes(recorder.take_bytes(), "two depths are off"));
+  CHECK(errors.steepest_step == steepest);
+  CHECK(errors.deepest_step == deepest);
+}
+
 TEST_CASE("error: without spans or edges the slopes, and without these the polygons say what depths are exactly") {
   ViewOptions view;
   view.width = 40, view.height = 30;
