@@ -113,13 +113,15 @@ class DepthJudge {
       if (at.ahead.of_all) find_exactly(spans_.back(), at, e);
     }
     if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PlaneSlopes>) rows_.clear();
+    if constexpr (std::is_same_v<E, PolygonBegin>) waiting_.clear(), won_.clear();
     if constexpr (std::is_same_v<E, BuffersClear>) clear();
     if constexpr (std::is_same_v<E, RayBegin>)
       if (e.role == RayRole::eye) ray_ = e, ray_kept_ = {}, ray_nearest_ = {};
     if constexpr (std::is_same_v<E, RayHit>) hit(position, e, at);
     if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, PixelPaint>) compute(position, e, at);
     if constexpr (std::is_same_v<E, DepthCompare>) {
-      if (!at.records<DepthInterpolate>() || !is_fragment_at(e.x, e.y)) compute(position, e, at);
+      if (!at.records<DepthInterpolate>() || !find_fragment(e, static_cast<std::size_t>(at.pixel(e.x, e.y))))
+        compute(position, e, at);
       compare(position, e, at);
     }
     if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>)
@@ -165,6 +167,7 @@ class DepthJudge {
   void clear() {
     std::fill(stored_.begin(), stored_.end(), Known{});
     std::fill(nearest_.begin(), nearest_.end(), Nearest{});
+    waiting_.clear(), won_.clear();
     std::fill(found_.of_pixel.begin(), found_.of_pixel.end(), std::numeric_limits<double>::quiet_NaN());
     found_.depth_error_of_pixel = found_.of_pixel;
   }
@@ -355,6 +358,7 @@ class DepthJudge {
   void compute(std::int64_t position, const E& e, const Situation& at) {
     std::shared_ptr<const ExactDepth> exact;
     scene_facet_ = -1;
+    leave_fragment();
     const Situation::SpanOfPixel span = at.span_of(e);
     std::int32_t polygon = polygon_of(at, span);
     if constexpr (std::is_same_v<E, PixelPaint>) {
@@ -368,6 +372,7 @@ class DepthJudge {
     }
     if (!exact && !trace_.has(kind_of<RayEnd>)) exact = exact_polygon(at, e.x, e.y, polygon);
     fragment_ = {exact, e.z, polygon, -1, scene_facet_}, fragment_x_ = e.x, fragment_y_ = e.y;
+    came_to_ = std::is_same_v<E, DepthInterpolate> ? CameTo::depth : CameTo::end;
     if (!exact) {
       ++found_.not_judged;
       return;
@@ -434,7 +439,34 @@ class DepthJudge {
   }
 
   bool is_fragment_at(std::int32_t x, std::int32_t y) const { return fragment_x_ == x && fragment_y_ == y; }
+  /// Another pixel's turn has come. A program may print a scan line kind by kind: all interpolations, then all
+  /// compares, then all writes.
+  void leave_fragment() {
+    const std::size_t pixel =
+        static_cast<std::size_t>(fragment_y_) * trace_.scene().raster.width + static_cast<std::size_t>(fragment_x_);
+    if (came_to_ == CameTo::depth && trace_.has(kind_of<DepthCompare>)) waiting_[pixel].push_back(fragment_);
+    if (came_to_ == CameTo::win && trace_.has(kind_of<DepthWrite>)) won_.insert_or_assign(pixel, fragment_);
+  }
+  /// Goes to what was interpolated for a compare: at its pixel, and of several that with its depth, else the first.
+  bool find_fragment(const DepthCompare& e, std::size_t pixel) {
+    const bool is_here = is_fragment_at(e.x, e.y), is_open = is_here && came_to_ == CameTo::depth;
+    const auto waiting = waiting_.find(pixel);
+    if (waiting == waiting_.end() || (is_open && fragment_.z == e.z)) return is_here;
+    std::vector<Known>& all = waiting->second;
+    auto taken = std::find_if(all.begin(), all.end(), [&](const Known& one) { return one.z == e.z; });
+    if (taken == all.end()) {
+      if (is_open) return true;
+      taken = all.begin();
+    }
+    const Known next = std::move(*taken);
+    all.erase(taken);
+    if (all.empty()) waiting_.erase(waiting);
+    leave_fragment();
+    fragment_ = next, fragment_x_ = e.x, fragment_y_ = e.y;
+    return true;
+  }
   void compare(std::int64_t position, const DepthCompare& e, const Situation& at) {
+    came_to_ = e.nearer ? CameTo::win : CameTo::end;
     if (!fragment_.exact) return;
     fragment_.z = e.z;
     const std::size_t pixel = at.pixel(e.x, e.y);
@@ -458,7 +490,11 @@ class DepthJudge {
   void store(std::int64_t position, std::size_t pixel, std::int32_t x, std::int32_t y, double z) {
     const bool finite = std::isfinite(z);
     if (!finite && ++found_.stored_not_finite == 1) found_.stored_not_finite_step = position;
-    stored_[pixel] = is_fragment_at(x, y) ? fragment_ : Known{};
+    const auto won = won_.find(pixel);
+    const bool is_here = is_fragment_at(x, y);
+    if (won != won_.end() && !(is_here && came_to_ == CameTo::win)) stored_[pixel] = won->second;
+    else stored_[pixel] = is_here ? fragment_ : Known{};
+    if (is_here) came_to_ = CameTo::end;
     const Known& stored = stored_[pixel];
     const std::span<Nearest> nearest = nearest_at(pixel);
     for (std::size_t i = 0; i < nearest.size(); ++i) {
@@ -492,6 +528,11 @@ class DepthJudge {
   std::vector<Nearest> nearest_;  ///< by pixel, and of each by open_
   Known fragment_;                ///< the pixel at work
   std::int32_t fragment_x_ = -1, fragment_y_ = -1;
+  enum class CameTo : std::uint8_t { depth, win, end };
+  CameTo came_to_ = CameTo::end;  ///< what of it came last: its depth, a compare that is won, or nothing more is due
+  /// By pixel, of the polygon at work: what was interpolated and is to be compared, and what won and is to be written.
+  std::map<std::size_t, std::vector<Known>> waiting_;
+  std::map<std::size_t, Known> won_;
   std::int32_t scene_facet_ = -1;  ///< of the pixel at work
   double error_ = 0;
   std::vector<Span> spans_;  ///< as Situation::ahead has them

@@ -276,6 +276,50 @@ TEST_CASE("error: the largest error in ulps and the largest one in depth are nam
   CHECK(errors.deepest_step == deepest);
 }
 
+TEST_CASE("error: a scan line that is printed kind by kind has no more depths, and the same errors") {
+  for (const char* name : {"delhi", "foley", "scan-line-buffer", "pyramid-behind"}) {
+    CAPTURE(name);
+    const Trace right = open_jsonl(test::in_checkout(std::string("tests/golden/") + name + ".jsonl"));
+    const auto rank = [](const RecordedEvent& step) {
+      return holds<DepthInterpolate>(step.event) ? 1
+             : holds<DepthCompare>(step.event)   ? 2
+             : holds<DepthWrite>(step.event)     ? 3
+             : holds<PixelWrite>(step.event)     ? 4
+                                                 : 0;
+    };
+    std::vector<RecordedEvent> pixels;
+    TraceRecorder recorder(right.header(), right.scene());
+    const auto put = [&] {
+      std::stable_sort(pixels.begin(), pixels.end(),
+                       [&](const RecordedEvent& one, const RecordedEvent& other) { return rank(one) < rank(other); });
+      for (const RecordedEvent& step : pixels) record_any(recorder, step.step, step.event);
+      pixels.clear();
+    };
+    right.each(0, right.size(), [&](std::int64_t, const RecordedEvent& step) {
+      if (rank(step) > 0) return pixels.push_back(step), true;
+      put();
+      record_any(recorder, step.step, step.event);
+      return true;
+    });
+    put();
+    recorder.finish();
+    const oracle::Errors ours = oracle::errors_of(right),
+                         theirs = oracle::errors_of(Trace::from_bytes(recorder.take_bytes(), "kind by kind"));
+    CHECK(theirs.all.depths == ours.all.depths);
+    CHECK(theirs.not_judged == ours.not_judged);
+    CHECK(theirs.all.largest == ours.all.largest);
+    CHECK(theirs.all.sum_of_squares == doctest::Approx(ours.all.sum_of_squares));
+    CHECK(theirs.compares == ours.compares);
+    CHECK(theirs.wrong_pixels == ours.wrong_pixels);
+    CHECK(theirs.polygon_of_pixel == ours.polygon_of_pixel);
+    REQUIRE(theirs.polygons.size() == ours.polygons.size());
+    for (std::size_t i = 0; i < ours.polygons.size(); ++i) CHECK(theirs.polygons[i].depths == ours.polygons[i].depths);
+    for (std::size_t i = 0; i < ours.of_pixel.size(); ++i)
+      CHECK(
+          (theirs.of_pixel[i] == ours.of_pixel[i] || (std::isnan(theirs.of_pixel[i]) && std::isnan(ours.of_pixel[i]))));
+  }
+}
+
 TEST_CASE("error: without spans or edges the slopes, and without these the polygons say what depths are exactly") {
   ViewOptions view;
   view.width = 40, view.height = 30;
