@@ -228,7 +228,14 @@ void print_diff(const DiffText& text, const DiffReport& report, const diff::Buff
       static_cast<std::int64_t>(std::count_if(report.causes.begin(), report.causes.end(),
                                               [](const diff::Cause& cause) { return cause.part == Part::different; }));
   const bool same_pictures = pictures.colors == 0 && pictures.depths == 0;
-  if (report.causes.empty()) fmt::print("All steps that both have are the same, to the last bit.\n");
+  const auto& differences = report.alignment.differences;
+  const bool says_nothing = std::any_of(differences.begin(), differences.end(),
+                                        [](const auto& one) { return !one.only_a() && !one.only_b(); });
+  if (report.causes.empty() && says_nothing)
+    fmt::print(
+        "All steps that both have say the same. Which of two edges at one x is named, and the slope of a span without "
+        "width, say nothing.\n");
+  else if (report.causes.empty()) fmt::print("All steps that both have are the same, to the last bit.\n");
   else if (different == 0 && same_pictures)
     fmt::print("The runs differ only by rounding ({}).\n", report.precision.text);
   else if (different == 0)

@@ -148,8 +148,20 @@ std::uint16_t sort_of(const Difference& difference) {
   return parting != 0 ? parting : difference.fields;
 }
 
+/// What says nothing in either run is no part of what differs, unless it is all of it.
+void leave_out_nothing(std::vector<Difference>& differences, const std::vector<Finding>& in_a,
+                       const std::vector<Finding>& in_b) {
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const int rest = differences[i].fields & ~(in_a[i].says_nothing & in_b[i].says_nothing);
+    if (rest != 0) differences[i].fields = static_cast<std::uint16_t>(rest);
+  }
+}
+
+/// z at the edges of a span.
+constexpr std::uint16_t ends_of_span = bit_of<SpanBegin>("z_left") | bit_of<SpanBegin>("z_right");
+
 /// Spans that only name the other one of two edges at one x, each of the two once: in one span, or the right one of a
-/// span and the left one of the next.
+/// span and the left one of the next. And those of which only a slope that says nothing differs.
 std::vector<bool> exchanged_edges(const std::vector<Difference>& differences, const std::vector<Finding>& in_a,
                                   const std::vector<Finding>& in_b) {
   constexpr std::uint16_t left = bit_of<SpanBegin>("left_edge"), right = bit_of<SpanBegin>("right_edge");
@@ -158,7 +170,8 @@ std::vector<bool> exchanged_edges(const std::vector<Difference>& differences, co
   for (std::size_t i = 0; i < differences.size(); ++i) {
     if (differences[i].kind != kind_of<SpanBegin>) continue;
     const bool free = in_a[i].free && in_b[i].free;
-    const std::uint16_t fields = differences[i].fields;
+    const int nothing = in_a[i].says_nothing & in_b[i].says_nothing, fields = differences[i].fields & ~ends_of_span;
+    if (nothing != 0 && differences[i].fields == nothing) exchanged[i] = true;
     if (free && fields == (left | right)) exchanged[i] = true;
     if (free && fields == left && open) exchanged[*open] = exchanged[i] = true;
     open = free && fields == right ? std::optional(i) : std::nullopt;
@@ -174,6 +187,7 @@ bool writes_pixel(std::uint8_t kind) {
 }  // namespace
 
 void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std::vector<Finding>& in_b) {
+  leave_out_nothing(report.alignment.differences, in_a, in_b);
   const auto& differences = report.alignment.differences;
   Roots roots(in_a, in_b);
   // By what parts: several of one sort are one cause that comes again.
@@ -201,7 +215,8 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
         continue;
       }
       if (!symptoms) {
-        const bool only_one_named = in_a[i].free && in_b[i].free && !exchanged[i];
+        const bool only_one_named =
+            in_a[i].free && in_b[i].free && (!exchanged[i] || (difference.fields & ends_of_span) != 0);
         const Part part = roots.by_rounding(d, difference) && !only_one_named ? Part::rounding : Part::different;
         const bool wrong_a = roots.wrong_a(d), wrong_b = roots.wrong_b(d), tie = roots.tie(d);
         const Sort sort{difference.kind,

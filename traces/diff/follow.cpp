@@ -359,7 +359,12 @@ class Follow {
     if constexpr (std::is_same_v<E, EdgeEnter>) reads(Place{Place::In::edge_table, e.edge});
     if constexpr (std::is_same_v<E, EdgeRetire>) reads(Place{Place::In::active_edge, e.edge});
     finding.wrong = witness.wrong;
-    finding.told = (difference.fields & ~exact_bits<E>() & ~witness.told) == 0;
+    bool either_way = false;  // where two edges meet, either may be the left one
+    if constexpr (std::is_same_v<E, SpanBegin>) {
+      either_way = witness.equal(e.x_left, e.x_right);
+      finding.says_nothing = either_way && !witness.wrong ? bit_of<SpanBegin>("dz_dx") : says_nothing(e);
+    }
+    finding.told = (difference.fields & ~exact_bits<E>() & ~witness.told & ~finding.says_nothing) == 0;
     if constexpr (std::is_same_v<E, EdgeStep>)
       if (const EdgeTableInsert* entry = at.edge(e.edge); entry && (difference.only_a() || difference.only_b()))
         finding.idle = identity_.next_row(e.edge) >= entry->end_row;
@@ -368,18 +373,17 @@ class Follow {
     else if constexpr (tests_pair<E>()) finding.idle = alone && is_undecided();
     const bool empty = alone && is_empty(e);  // what has no pixels does not follow from the span before it
     finding.idle = finding.idle || empty;
-    bool either_way = false;  // where two edges meet, either may be the left one
-    if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
     // Of a plane whose normal has another length; of opposite signs they would be off by more than the larger one.
     const bool of_longer_normal =
         only_as_long_as_normal<E>(difference.fields) && reads.from_rounding != no_difference && difference.off < 1;
     const double margin = formulas::off_by_margin(e, at, box_margin_, share_apart);
     const double allowed =
         std::max({written_off(e, difference.fields), witness.may_be_off_here(), double{reads.operands_off}, margin});
-    const bool numbers_near = either_way || of_longer_normal || difference.off <= allowed;
+    const bool slope_is_noise = either_way && says_nothing(e) == 0;
+    const bool numbers_near = slope_is_noise || of_longer_normal || difference.off <= allowed;
 
     if constexpr (std::is_same_v<E, SpanBegin>) {
-      finding.free = !alone && names_either(e, difference.fields, witness);
+      finding.free = !alone && names_either(e, difference.fields & ~finding.says_nothing, witness);
       finding.rounding = finding.free;
       if (finding.free) return;
     }
@@ -437,8 +441,9 @@ class Follow {
     return found;
   }
 
-  /// Does a span only name another edge where two of them meet the scan line at one x?
-  bool names_either(const SpanBegin& e, std::uint16_t fields, const Witness<SpanBegin>& witness) const {
+  /// Does a span only name another edge, with that edge's z, where two of them meet the scan line at one x?
+  bool names_either(const SpanBegin& e, int fields, const Witness<SpanBegin>& witness) const {
+    constexpr std::uint16_t left = bit_of<SpanBegin>("left_edge"), right = bit_of<SpanBegin>("right_edge");
     const auto shared = [&](std::int32_t edge, double x) {
       bool there = false, another = false;
       for (const ActiveEdge& active : at_.method().active)
@@ -451,6 +456,8 @@ class Follow {
       if ((fields >> I & 1) == 0) return;
       either = either && (name == "left_edge"    ? shared(e.left_edge, e.x_left)
                           : name == "right_edge" ? shared(e.right_edge, e.x_right)
+                          : name == "z_left"     ? !witness.wrong && (fields & left) != 0
+                          : name == "z_right"    ? !witness.wrong && (fields & right) != 0
                                                  : false);
     });
     return either;

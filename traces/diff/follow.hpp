@@ -88,6 +88,7 @@ struct Finding {
   bool unjudged = false;  ///< a verdict of which the header does not say which is right, or a choice without a formula
   bool tie = false;       ///< a verdict about two depths that are equal, to the last bit
   bool free = false;      ///< which of two edges at one x is named: either is right
+  std::uint16_t says_nothing = 0;  ///< of the fields that differ: the slope of a span without width
   /// An edge that ends is moved to where it ends, before it is taken out; a span without pixels.
   bool idle = false;
   /// What follows it belongs to it, or should, and is in both runs: then it may not be missing.

@@ -32,6 +32,14 @@ constexpr std::uint16_t bit_of(std::string_view field) {
   return bit;
 }
 
+/// Fields that say nothing: the slope of a span without width.
+template <class E>
+std::uint16_t says_nothing(const E& e) {
+  if constexpr (std::is_same_v<E, SpanBegin>)
+    if (e.x_left == e.x_right) return bit_of<SpanBegin>("dz_dx");
+  return 0;
+}
+
 /// Is a number as long as the normal of a plane, which programs make of any length? Those of the plane itself and of a
 /// ray that meets it mean the same the other way round, too.
 constexpr bool either_way_round(std::string_view field) {
@@ -60,6 +68,7 @@ template <class E, class SameThing>
 Parting parting(const E& a, const E& b, SameThing&& same_thing) {
   Parting found;
   std::size_t thing = 0;
+  const int nothing = says_nothing(a) | says_nothing(b);
   const double factor = times_as_long(a, b), box = std::max(formulas::size_of_box(a), formulas::size_of_box(b));
   for_each_index<E>([&]<std::size_t I>() {
     if constexpr (is_result<E, I>) {
@@ -71,6 +80,7 @@ Parting parting(const E& a, const E& b, SameThing&& same_thing) {
       if (equal) return;
       found.fields = static_cast<std::uint16_t>(found.fields | 1u << I);
       if constexpr (std::is_same_v<FieldValue<E, I>, double>) {
+        if ((nothing >> I & 1) != 0) return;
         const double as_long = either_way_round(field_at<E, I>.name) ? mine * factor : mine;
         const double share = box > 0 ? std::abs(mine - its) / box : share_apart(as_long, its);
         found.off = std::max(found.off, static_cast<float>(share));

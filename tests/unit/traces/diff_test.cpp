@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <string>
 #include <utility>
 
 #include <doctest/doctest.h>
@@ -20,6 +21,7 @@
 #include "tests/zoo/runs.hpp"
 #include "traces/diff/buffers.hpp"
 #include "traces/diff/seen.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/visit.hpp"
@@ -494,6 +496,46 @@ TEST_CASE("diff: of two edges at one x either may stand to the left, and of othe
   REQUIRE(!wrong.causes.empty());
   CHECK(wrong.causes[0].first.kind == kind_of<SpanBegin>);
   CHECK(wrong.causes[0].part == diff::Part::different);
+}
+
+TEST_CASE("diff: the slope of a span without width says nothing, and no number that is far off is called rounding") {
+  const Scene scene = test::screen_scene(16, 14, {{{5, 1, 0.5}, {12, 10, 0.25}, {2, 10, 0.75}}});
+  const Trace right = test::recorded_by("z-buffer", scene);
+  const auto changed = [](const Trace& run, bool at_vertex, auto&& change) {
+    bool done = false;
+    return changed_run(run, [&](std::int64_t, Event& event) {
+      auto* span = get_if<SpanBegin>(&event);
+      if (span && !done && (span->x_left == span->x_right) == at_vertex) change(*span), done = true;
+      return true;
+    });
+  };
+  const auto steep = [](SpanBegin& span) { span.dz_dx += 9; };
+  const auto exchanged = [](SpanBegin& span) { std::swap(span.left_edge, span.right_edge), span.dz_dx += 9; };
+  for (const Trace& other : {changed(right, true, steep), changed(right, true, exchanged)}) {
+    const diff::DiffReport report = diff::compare(right, other);
+    CHECK(report.alignment.differences.size() == 1);
+    CHECK(report.causes.empty());
+    CHECK(report.kinds[kind_of<SpanBegin>].rounding == 0);
+  }
+  const diff::DiffReport steeper = diff::compare(right, changed(right, false, steep));
+  REQUIRE(!steeper.causes.empty());
+  CHECK(steeper.causes[0].part == diff::Part::different);
+  CHECK(steeper.causes[0].first.kind == kind_of<SpanBegin>);
+
+  // Where nothing says what z is there, it may still be no rounding of the other one's.
+  const Trace bare = changed_run(right, [](std::int64_t, const Event& event) {
+    return !holds<EdgeTableInsert>(event) && !holds<EdgeEnter>(event) && !holds<EdgeStep>(event) &&
+           !holds<EdgeRetire>(event) && !holds<EdgeSwap>(event);
+  });
+  const diff::DiffReport deeper =
+      diff::compare(bare, changed(bare, true, [](SpanBegin& span) { span.z_right += 0.25, span.dz_dx += 9; }));
+  REQUIRE(!deeper.causes.empty());
+  CHECK(deeper.causes[0].part == diff::Part::different);
+  std::string parting;
+  for (const FieldOfKind& field : fields_of_kind(kind_of<SpanBegin>))
+    if ((deeper.causes[0].first.fields >> (&field - fields_of_kind(kind_of<SpanBegin>).data()) & 1) != 0)
+      parting += std::string(field.name) + " ";
+  CHECK(parting == "z_right ");
 }
 
 TEST_CASE("diff: pictures part where a depth or a colour does, and rounding is told apart") {
