@@ -10,7 +10,6 @@
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/workspace.hpp"
-#include "sim/viewer/pictures.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/words/link.hpp"
 #include "sim/words/numbers.hpp"
@@ -193,7 +192,7 @@ void App::look_at(std::optional<Trace::Pixel> pixel, const std::string& lead) {
 void go_to_start(App& app, const ViewerOptions& options) {
   Session& s = app.session();
   if (options.stop) s.to_stop(*options.stop);
-  else if (options.at >= 0) go_to_or_throw(s, options.at);
+  else if (options.at >= 0) s.go_to(options.at);
   else if (app.opens_at_cause()) app.to_first_cause();
   else if (const auto place = place_to_go_on(app.settings(), s.trace(), options.lesson)) s.go_to(*place);
   else if (options.lesson && !options.lesson->stops.empty()) s.to_stop(0);

@@ -86,9 +86,10 @@ void go_to_or_throw(viewer::Session& session, std::int64_t position) {
   if (session.position() < std::min(position, session.size())) throw InputError({session.message});
 }
 
-Image Pictures::at(std::int64_t position) {
+Image Pictures::at(std::int64_t position, bool before_impossible) {
   Session& session = impl_->app.session();
-  if (position >= 0) go_to_or_throw(session, position);
+  if (position >= 0 && before_impossible) session.go_to(position);
+  else if (position >= 0) go_to_or_throw(session, position);
   else if (impl_->app.opens_at_cause()) impl_->app.to_first_cause();
   else if (session.lesson() && !session.lesson()->stops.empty()) session.to_stop(0);
   return settled();

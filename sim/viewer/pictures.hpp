@@ -50,8 +50,8 @@ class Pictures {
   Pictures& operator=(const Pictures&) = delete;
 
   /// At this position; below 0: at the lesson's first stop, or the beginning. The same one always gives the same
-  /// picture.
-  Image at(std::int64_t position);
+  /// picture. Where a step on the way cannot be: `before_impossible`, the window before that step, which says so.
+  Image at(std::int64_t position, bool before_impossible = false);
   /// At this stop of the lesson, counted from 0.
   Image at_stop(int stop);
   /// What a caption says of it: "step 316 · compare", and a sentence.

@@ -26,7 +26,8 @@ int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   how.race = options.race, how.run_by = options.run_changed, how.offers = options.offers;
   how.pixel = options.pixel, how.lead = options.lead;
   Pictures pictures(trace, how);
-  const Image image = options.stop ? pictures.at_stop(*options.stop) : pictures.at(options.at);
+  const bool says_impossible = how.pane.empty() && !how.notes && !how.embed;
+  const Image image = options.stop ? pictures.at_stop(*options.stop) : pictures.at(options.at, says_impossible);
   write_png(*options.screenshot, image.width, image.height, image.rgb);
   return 0;
 }

@@ -55,6 +55,28 @@ TEST_CASE("check: a run whose program crashed is judged up to its last whole lin
   CHECK(times(torn.out, "Nothing that can be judged is wrong.") == 1);
 }
 
+TEST_CASE("check: each cause can be looked at, also where a step before it cannot be") {
+  const Folder folder;
+  REQUIRE(run(folder, "record foley -o run.ztrace").code == 0);
+  REQUIRE(run(folder,
+              "dump run.ztrace --jsonl | sed '0,/\"step\":\"insert_edge\"/{/\"step\":\"insert_edge\"/d}' > wrong.jsonl")
+              .code == 0);
+  const Outcome checked = run(folder, "check wrong.jsonl --json");
+  REQUIRE(checked.code == 1);
+  int beyond = 0;
+  for (const auto& cause : nlohmann::json::parse(checked.out)["causes"]) {
+    const std::string view = "view wrong.jsonl --at " + std::to_string(cause["step"].get<int>());
+    const Outcome shown = run(folder, view + " --describe");
+    CAPTURE(view);
+    CHECK(shown.code == 0);
+    CHECK(run(folder, view + " --screenshot window.png").code == 0);
+    beyond += has(shown.out, " cannot be: ");
+    const Outcome pane = run(folder, view + " --pane frame --screenshot pane.png");
+    CHECK(pane.code == (has(shown.out, " cannot be: ") ? 2 : 0));  // a pane alone does not say it
+  }
+  CHECK(beyond > 1);
+}
+
 TEST_CASE("check --view: the report, then the window at the first cause, with the exit code of the report") {
   const Folder folder;
   const Outcome wrong = run(folder, "check " + foreign("wrongz") + " --view --screenshot window.png");

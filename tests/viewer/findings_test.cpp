@@ -132,6 +132,20 @@ TEST_CASE("a step that cannot be ends the way there, and the window stays open b
     CHECK(s.message.empty());
   }
   CHECK_THROWS_AS(go_to_or_throw(s, 200), InputError);
+
+  // A window that is to open at such a step, as check names it, opens before it and says so.
+  ViewerOptions options;
+  options.at = 200;
+  s.go_to(0);
+  go_to_start(app, options);
+  CHECK(s.position() == 108);
+  CHECK(s.message.find("step 109 cannot be: edge 0 is not in the active edge list") != std::string::npos);
+  const std::string text = described(trace, options);
+  CHECK(text.find("Step 108 of ") == 0);
+  CHECK(text.find("step 109 cannot be: edge 0 is not in the active edge list") != std::string::npos);
+  Pictures pictures(trace, {});
+  CHECK_THROWS_AS(pictures.at(200), InputError);
+  CHECK_NOTHROW(pictures.at(200, true));
 }
 
 TEST_CASE("an entry of the edge table that is wrong is marked as long as it stands there") {
