@@ -231,6 +231,8 @@ std::string subject_of(const Event& event, const formulas::Situation& at) {
                              e.y;
                            })
           return fmt::format("pixel ({}, {})", e.x, e.y);
+        else if constexpr (std::is_same_v<E, PlaneSlopes>)
+          return fmt::format("the plane of {}", polygon_label(at.scene, e.polygon));
         else if constexpr (requires {
                              e.vertex_0;
                              e.vertex_1;

@@ -2,9 +2,11 @@
 #include "sim/words/judged.hpp"
 
 #include <limits>
+#include <utility>
 
 #include <doctest/doctest.h>
 
+#include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
@@ -97,6 +99,20 @@ TEST_CASE("check: how often a fault comes again, and what follows from it") {
   CHECK(what_follows(Cause{{}, 1, 0}) == "1 later step has the same fault");
   CHECK(what_follows(Cause{{}, 2, 1}) == "2 later steps have the same fault; 1 step follows from it");
   CHECK(what_follows(Cause{{}, 0, 30}) == "30 steps follow from it");
+}
+
+TEST_CASE("check and diff: a step about a plane is about no edge") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/plane.jsonl"));
+  const Trace wrong = test::changed(right, [done = false](std::int64_t, Event& event) mutable {
+    auto* slopes = get_if<PlaneSlopes>(&event);
+    if (slopes && !std::exchange(done, true)) slopes->dz_dx += 9;
+    return true;
+  });
+  const CheckedRun run = judge_run(wrong, nullptr, false);
+  REQUIRE(!run.texts.empty());
+  REQUIRE(run.report.causes[0].first.kind == kind_of<PlaneSlopes>);
+  const auto slopes = get<PlaneSlopes>(wrong.event(run.report.causes[0].first.step).event);
+  CHECK(run.texts[0].subject == "the plane of " + polygon_label(wrong.scene(), slopes.polygon));
 }
 
 TEST_CASE("diff: why a step is a cause, and what follows from it") {
