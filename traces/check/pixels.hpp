@@ -128,7 +128,8 @@ class Filling {
         judges_(trace.has(kind_of<EdgeTableInsert>) && trace.has(kind_of<EdgeEnter>) && trace.has(kind_of<EdgeStep>) &&
                 trace.has(kind_of<ScanLineBegin>) && trace.has(kind_of<SpanBegin>) && trace.has(pixel_) &&
                 (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceDraw>))),
-        pieces_(trace.has(kind_of<PieceDraw>)) {}
+        pieces_(trace.has(kind_of<PieceDraw>)),
+        interpolates_(trace.has(kind_of<DepthInterpolate>)) {}
 
   /// Nothing of the run was left open.
   bool judges_all() const { return judges_; }
@@ -152,10 +153,12 @@ class Filling {
     if constexpr (begins_span) {
       if (active_.empty()) active_ = formulas::detail::active_on(at, e.y);
       spans_ += e.first <= e.last;
-      open_.push_back({e, std::vector<bool>(static_cast<std::size_t>(std::max(0, at.scene.raster.width)))});
+      const std::vector<bool> columns(static_cast<std::size_t>(std::max(0, at.scene.raster.width)));
+      open_.push_back({e, columns, columns});
     }
     if constexpr (requires { e.x, e.y; })
-      if (kind_of<E> == pixel_) visit(e.x, e.y, at.span_of(e));
+      if (kind_of<E> == pixel_) visit(e.x, e.y, at.span_of(e), &OpenSpan::visited);
+    if constexpr (std::is_same_v<E, DepthInterpolate>) visit(e.x, e.y, at.span_of(e), &OpenSpan::interpolated);
   }
 
   /// The run is over. Where something is still due its end may be missing, or more.
@@ -174,19 +177,25 @@ class Filling {
   }
 
  private:
-  void visit(std::int32_t x, std::int32_t y, const Situation::SpanOfPixel& of) {
+  struct OpenSpan {
+    SpanBegin span;
+    std::vector<bool> visited;       ///< by column
+    std::vector<bool> interpolated;  ///< likewise, where the run says so of each pixel
+  };
+
+  void visit(std::int32_t x, std::int32_t y, const Situation::SpanOfPixel& of, std::vector<bool> OpenSpan::*by) {
     const std::size_t number = of.place.number;
     const bool known = of && number < open_.size() && open_[number].span.y == y && x >= 0;
     if (!known || static_cast<std::size_t>(x) >= open_[number].visited.size()) judges_ = false;
-    else open_[number].visited[x] = true;
+    else (open_[number].*by)[x] = true;
   }
   /// Their pixels may come after several spans.
   template <class Out>
   void end_spans(Out& out) {
     bool filled = true;
-    for (const auto& [span, visited] : open_)
+    for (const auto& [span, visited, interpolated] : open_)
       for (std::int32_t x = std::max(0, span.first); x <= span.last && filled; ++x)
-        filled = static_cast<std::size_t>(x) >= visited.size() || visited[x];
+        filled = static_cast<std::size_t>(x) >= visited.size() || (visited[x] && (interpolated[x] || !interpolates_));
     if (!open_.empty()) out.rule(Rule::span_is_filled, filled);
     open_.clear();
   }
@@ -279,14 +288,11 @@ class Filling {
   std::uint8_t pixel_;  ///< the kind of event that each pixel of a span has
   bool judges_;
   bool pieces_;                       ///< what is drawn are pieces, after all polygons began
+  bool interpolates_;                 ///< each pixel of a span has its depth interpolated, besides
   std::int32_t line_ = none;          ///< the scan line at work
   std::vector<ActiveEdge> active_{};  ///< as its first span found them
   int spans_ = 0;                     ///< of this line, with pixels
-  struct OpenSpan {
-    SpanBegin span;
-    std::vector<bool> visited;  ///< by column
-  };
-  std::vector<OpenSpan> open_{};  ///< spans that no pixel came between, as Situation::ahead has them
+  std::vector<OpenSpan> open_{};      ///< spans that no pixel came between, as Situation::ahead has them
 };
 
 }  // namespace zstep

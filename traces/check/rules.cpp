@@ -159,8 +159,8 @@ constexpr ByEnum<Rule, NamedRule> named_rules{{{
      {"pair_has_span", "Between each pair of active edges with pixels between them there is a span on every scan line.",
       "The scan line before is over, and a pair of active edges has no span on it."}},
     {Rule::span_is_filled,
-     {"span_is_filled", "Each pixel from the first to the last of a span has its turn.",
-      "The span before is over, and a pixel of it is missing."}},
+     {"span_is_filled", "Each pixel from the first to the last of a span has its turn, with each of its steps.",
+      "The span before is over, and a pixel of it, or the interpolation or compare of one, is missing."}},
 }}};
 
 }  // namespace

@@ -202,6 +202,30 @@ TEST_CASE("check: pixels may come after all spans of their polygon, where each l
   }
 }
 
+TEST_CASE("check: each pixel of a span has its depth interpolated, and compared") {
+  const Trace right = golden("delhi");
+  const auto moved = [&]<class E>(E) {
+    int tried = 0;
+    for (std::int64_t step = 1; step < right.size(); ++step) {
+      const auto* here = get_if<E>(&right.event(step).event);
+      if (!here) continue;
+      // The next pixel's step names this pixel again: of one depth all over a polygon no number tells.
+      const auto next = right.next<E>(step, [](const E&) { return true; });
+      if (!next || get<E>(right.event(*next).event).x != here->x + 1) continue;
+      const Trace wrong = test::changed(right, [&](std::int64_t at, Event& event) {
+        if (at == *next) --get_if<E>(&event)->x;
+        return true;
+      });
+      CAPTURE(*next);
+      CHECK(causes_of(wrong).find("span_is_filled@") != std::string::npos);
+      ++tried;
+    }
+    return tried;
+  };
+  CHECK(moved(DepthInterpolate{}) > 20);
+  CHECK(moved(DepthCompare{}) > 20);
+}
+
 TEST_CASE("check: where one table has all polygons, pixels may come after all spans of their scan line") {
   const Trace right = golden("scan-line-buffer");
   REQUIRE(right.has(kind_of<TablesBegin>));
