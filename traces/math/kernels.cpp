@@ -212,9 +212,9 @@ DoubleDouble sum_of(DoubleDouble base, DoubleDouble slope, double step, double r
 std::optional<double> quick_sine(double x, int quarters) {
   // pi / 2 in parts of 33 bits: a whole number of 20 bits times one is exact.
   constexpr double parts_of_half_pi[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
-  constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
+  constexpr double quarters_a_radian = 0x1.45f306dc9c883p-1;
   if (!(std::abs(x) < 0x1p20)) return std::nullopt;
-  const int turns = nearest_whole(x * two_over_pi);
+  const int turns = nearest_whole(x * quarters_a_radian);
   DoubleDouble rest = exact_sum(x - turns * parts_of_half_pi[0], -turns * parts_of_half_pi[1]);
   rest = sum_of_ordered(rest.high, rest.low - turns * parts_of_half_pi[2]);
   if (turns != 0 && std::abs(rest.high) < 0x1p-20) return std::nullopt;  // too many digits went

@@ -71,7 +71,7 @@ void brackets(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float thin = std::max(1.0f, ui.thin), line = std::round(2 * thin);
   const float arm = std::max(line, std::round(std::min(b.x - a.x, b.y - a.y) * 0.3f));
-  for (const auto& [color_now, grow] : {std::pair{ui.colors().pane, thin}, std::pair{color, 0.0f}})
+  const auto draw = [&](ImU32 color_now, float grow) {
     for (const bool right : {false, true})
       for (const bool below : {false, true}) {
         const float x = right ? b.x : a.x, y = below ? b.y : a.y, sx = right ? -1.0f : 1.0f, sy = below ? -1.0f : 1.0f;
@@ -82,6 +82,8 @@ void brackets(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color) {
         };
         fill(arm, line), fill(line, arm);
       }
+  };
+  draw(ui.colors().pane, thin), draw(color, 0.0f);
 }
 
 void cross_out(const Ui& ui, ImVec2 a, ImVec2 b) {

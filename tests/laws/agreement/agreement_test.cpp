@@ -35,7 +35,7 @@ void hold(const Truth& truth, const AgreementScene& subject, const Conventions& 
 }
 
 // The values of an option that must not change the picture: all its words, or some of its numbers.
-std::vector<std::string> values_of(const Option& option) {
+std::vector<std::string> given_values(const Option& option) {
   std::vector<std::string> values;
   if (option.words.empty()) {
     for (const std::int64_t value : {option.least, option.least + (option.most - option.least) / 3,
@@ -86,7 +86,7 @@ TEST_CASE("law: options that leave the picture as it is change it at edges and t
       for (const Option& option : m->options) {
         if (!option.same_picture) continue;
         CAPTURE(option.name);
-        for (const std::string& value : values_of(option)) {
+        for (const std::string& value : given_values(option)) {
           CAPTURE(value);
           Conventions conventions = conventions_of(subject);
           conventions.options[std::string(option.name)] = value;
