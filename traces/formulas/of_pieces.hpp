@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "traces/file/header.hpp"
@@ -316,8 +318,16 @@ void derive(const SideTest& e, const Situation& at, Out& out) {
       if (value.value > greatest[own].value) greatest[own] = value;
     }
   }
-  out.near(&SideTest::least, nearest_of(e.least, {least[0], least[1], -greatest[0], -greatest[1]}));
-  out.near(&SideTest::greatest, nearest_of(e.greatest, {greatest[0], greatest[1], -least[0], -least[1]}));
+  // Whichever it is, it is so of both numbers.
+  const std::array<std::pair<Rounded, Rounded>, 4> ways{
+      {{least[0], greatest[0]}, {least[1], greatest[1]}, {-greatest[0], -least[0]}, {-greatest[1], -least[1]}}};
+  const auto off = [&](const std::pair<Rounded, Rounded>& way) {
+    return std::abs(way.first.value - e.least) + std::abs(way.second.value - e.greatest);
+  };
+  const auto way = std::min_element(ways.begin(), ways.end(),
+                                    [&](const auto& one, const auto& other) { return off(one) < off(other); });
+  out.near(&SideTest::least, way->first);
+  out.near(&SideTest::greatest, way->second);
 }
 
 template <class Out>
