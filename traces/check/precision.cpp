@@ -9,6 +9,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -67,7 +68,7 @@ struct Seen {
     const auto narrow = static_cast<float>(value);
     float32 = narrow == value || digits_of(narrow).all == needed.all;
   }
-  /// The most digits that any number needs, if so many of them need as many that they must have been cut there: of
+  /// The most digits that any number needs, if so many of them need as many that they may have been cut there: of
   /// numbers that are rounded to k digits nine in ten need all k.
   static std::optional<int> cut_at(const std::array<std::int64_t, most_digits + 1>& counts, std::int64_t numbers) {
     int most = most_digits;
@@ -77,6 +78,38 @@ struct Seen {
     return most >= fewest && most <= few && many ? std::optional(most) : std::nullopt;
   }
 };
+
+/// Are they cut at so many digits, or decimals? Numbers that the scene gives tell nothing of it, nor such that float64
+/// has exactly in few bits, and one or two may be short by chance, or by a mistake.
+bool are_cut(const Trace& trace, int most, int Digits::*count, bool declared) {
+  std::vector<double> given;
+  for (const glm::dvec3& point : trace.scene().points) given.insert(given.end(), {point.x, point.y, point.z});
+  std::sort(given.begin(), given.end());
+  std::int64_t telling = 0, need_all = 0;
+  std::set<double> different;
+  const auto look = [&](double value) {
+    constexpr int few_bits = 10;
+    const double bits = std::ldexp(value, few_bits);
+    if (!std::isfinite(value) || bits == std::trunc(bits)) return;
+    if (std::binary_search(given.begin(), given.end(), value)) return;
+    ++telling;
+    if (digits_of(value).*count != most) return;
+    ++need_all;
+    if (different.size() < 3) different.insert(value);
+  };
+  trace.each(0, std::min(trace.size(), most_events), [&](std::int64_t, const RecordedEvent& recorded) {
+    visit_event(
+        [&]<class E>(const E& event) {
+          for_each_field<E>([&](const auto& field) {
+            if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(field)>::value_type, double>)
+              look(event.*field.member);
+          });
+        },
+        recorded.event);
+    return true;
+  });
+  return different.size() >= (declared ? 3u : 2u) && 2 * need_all > telling;
+}
 
 bool is_float32(double value) { return static_cast<float>(value) == value; }
 
@@ -125,13 +158,13 @@ struct Multiples {
 struct Interpolated {
   std::vector<double> depths, depth_slopes, positions;
 
-  explicit Interpolated(const Trace& trace) {
+  Interpolated(const Trace& trace, Conventions::Depth depth) {
     constexpr std::size_t enough = 2000;
     const auto add = [](std::vector<double>& to, double value) {
       if (std::isfinite(value) && (to.empty() || to.back() != value)) to.push_back(value);  // again, it says nothing
     };
     // Of `corrected` depths edges and spans have 1/z_v.
-    const bool same = trace.header().conventions.depth != Conventions::Depth::corrected;
+    const bool same = depth != Conventions::Depth::corrected;
     trace.each(0, std::min(trace.size(), most_events), [&](std::int64_t, const RecordedEvent& recorded) {
       const auto along = [&](double z) {
         if (same) add(depths, z);
@@ -168,12 +201,11 @@ struct Interpolated {
 /// What a program interpolates in, where other numbers of its trace are computed in float64, as those of vertices are.
 /// Fixed-point numbers are whole numbers of a unit: the largest one of which nearly all are that tell. Some programs
 /// count 2ᴺ − 1 units from the least depth to the greatest, others 2ᴺ from 0 for the same length.
-std::optional<NumberFormat> format_of_depths(const Trace& trace, const HeldTo& held) {
-  const Interpolated numbers(trace);
+std::optional<NumberFormat> format_of_depths(const Trace& trace, const HeldTo& held, Conventions::Depth depth) {
+  const Interpolated numbers(trace, depth);
   Multiples positions;
   positions.add(numbers.positions,
                 {0, 1 / fixed_positions_a_pixel, static_cast<std::int64_t>(fixed_positions_a_pixel)});
-  const Conventions::Depth depth = trace.header().conventions.depth;
   const double least = formulas::least_depth(trace.scene(), depth), range = depth_range(trace.scene(), depth);
   const auto counted_by = [&](const Grid& grid) {
     Multiples depths;
@@ -194,7 +226,7 @@ std::optional<NumberFormat> format_of_depths(const Trace& trace, const HeldTo& h
 
 /// Of whole numbers no digits tell what they were computed in, or whether they were cut.
 bool whole_depths(const Trace& trace) {
-  const Interpolated numbers(trace);
+  const Interpolated numbers(trace, trace.header().conventions.depth);
   return !numbers.depths.empty() &&
          std::all_of(numbers.depths.begin(), numbers.depths.end(), [](double z) { return z == std::trunc(z); });
 }
@@ -222,9 +254,9 @@ bool rounds_to_whole(const Trace& trace) {
   return between >= enough && 10 * near >= 9 * between;
 }
 
-Precision precision_of_fixed(const Trace& trace, NumberFormat format, const char* why) {
+Precision precision_of_fixed(const Trace& trace, NumberFormat format, Conventions::Depth depth, const char* why) {
   Conventions conventions = trace.header().conventions;
-  conventions.number_format = format;
+  conventions.number_format = format, conventions.depth = depth;
   const double unit = depth_unit(trace.scene(), conventions);
   Precision found{
       formulas::rounding_of_float64, 2 * unit, true, fmt::format("{}, {}", word_of(format), why), format, unit};
@@ -239,10 +271,21 @@ Precision precision_of_numbers(const Trace& trace, const HeldTo& held) {
   if (declared && header.conventions.number_format == NumberFormat::float32)
     return {formulas::rounding_of_float32, 0, true, "float32, as the header declares", NumberFormat::float32};
   if (declared && bits_of(header.conventions.number_format) > 0)
-    return precision_of_fixed(trace, header.conventions.number_format, "as the header declares");
-  const auto seen_format = declared ? std::nullopt : format_of_depths(trace, held);
-  if (seen_format && bits_of(*seen_format) > 0) return precision_of_fixed(trace, *seen_format, "as the numbers look");
-  if (seen_format) return {formulas::rounding_of_float32, 0, true, "float32, as the numbers look", *seen_format};
+    return precision_of_fixed(trace, header.conventions.number_format, header.conventions.depth,
+                              "as the header declares");
+  // Which depths they are may not be declared either, and then the units tell both.
+  std::vector<Conventions::Depth> depths{header.conventions.depth};
+  if (!header.declares(Convention::depth))
+    depths.insert(depths.end(), values_of<Conventions::Depth>.begin(), values_of<Conventions::Depth>.end());
+  bool as_float32 = false;
+  for (const Conventions::Depth depth : depths) {
+    const auto seen_format = declared ? std::nullopt : format_of_depths(trace, held, depth);
+    if (seen_format && bits_of(*seen_format) > 0)
+      return precision_of_fixed(trace, *seen_format, depth, "as the numbers look");
+    as_float32 = as_float32 || (seen_format && depth == header.conventions.depth);
+  }
+  if (as_float32)
+    return {formulas::rounding_of_float32, 0, true, "float32, as the numbers look", NumberFormat::float32};
   Seen seen;
   trace.each(0, std::min(trace.size(), most_events), [&](std::int64_t, const RecordedEvent& recorded) {
     visit_event(
@@ -259,7 +302,8 @@ Precision precision_of_numbers(const Trace& trace, const HeldTo& held) {
   const auto written = [&](int count, const char* what) {
     return fmt::format("written with {} {}{}", count, what, count < digits ? fmt::format(", held to {}", digits) : "");
   };
-  if (const auto decimals = Seen::cut_at(seen.by_decimals, seen.numbers)) {
+  if (const auto decimals = Seen::cut_at(seen.by_decimals, seen.numbers);
+      decimals && are_cut(trace, *decimals, &Digits::decimals, declared)) {
     const double unit = portable::pow(10.0, -std::max(*decimals, digits));
     return {formulas::rounding_of_float64,
             unit,
@@ -269,14 +313,13 @@ Precision precision_of_numbers(const Trace& trace, const HeldTo& held) {
             unit,
             *decimals < digits};
   }
-  if (const auto all = Seen::cut_at(seen.by_digits, seen.numbers))
-    return {2 * portable::pow(10.0, 1 - std::max(*all, digits)),
-            0,
-            false,
-            written(*all, "digits"),
-            NumberFormat::float64,
-            0,
-            *all < digits};
+  if (const auto all = Seen::cut_at(seen.by_digits, seen.numbers);
+      all && are_cut(trace, *all, &Digits::all, declared)) {
+    const int held_to = std::max(*all, digits);
+    Precision cut{2 * portable::pow(10.0, 1 - held_to), 0, false, written(*all, "digits")};
+    cut.held = *all < digits, cut.digits = held_to;
+    return cut;
+  }
   // A header that does not say in what depths are kept is held to no more digits than they have.
   const bool corrected = header.conventions.depth == Conventions::Depth::corrected;
   if (!declared && digits == 0 && !corrected && whole_depths(trace) && rounds_to_whole(trace)) {

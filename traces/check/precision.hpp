@@ -35,6 +35,7 @@ struct Precision {
   bool held = false;  ///< to more digits than are written, as `digits` asks
   std::shared_ptr<const DepthBounds> depths = nullptr;  ///< as it was told
   bool whole = false;                                   ///< depths, and they alone, are rounded to whole numbers
+  int digits = 0;                                       ///< that are written of each number, where they are cut; else 0
   double positions = 0;  ///< by how much positions in pixels may be off where that is another amount: in fixed point
 
   /// What a number of this unit may be off besides its share. Of units that a program need not keep in fixed point, the

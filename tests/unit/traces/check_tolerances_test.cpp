@@ -13,8 +13,11 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
+#include "algorithms/scene/load.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/unit/traces/printed_runs.hpp"
+#include "tests/where.hpp"
+#include "traces/file/jsonl.hpp"
 
 using namespace zstep;
 using test::Printed;
@@ -87,6 +90,58 @@ TEST_CASE("check: depths that are rounded to whole numbers are not held to float
       return true;
     });
     CHECK(doubts(beside, as_it_is, span, "x_left"));
+  }
+}
+
+TEST_CASE("check: a short number among such that float64 has exactly does not say that all are cut") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  REQUIRE(check(right).precision.every_digit);
+  int tried = 0;
+  for (std::int64_t step = 1; step <= right.size(); ++step) {
+    const auto* edge = get_if<EdgeTableInsert>(&right.event(step).event);
+    if (!edge || edge->dx_dy == 0) continue;
+    ++tried;
+    const Trace wrong = test::changed(right, [&](std::int64_t at, Event& event) {
+      if (at == step) get_if<EdgeTableInsert>(&event)->dx_dy *= 1.02;
+      return true;
+    });
+    const CheckReport report = check(wrong);
+    CHECK(report.precision.every_digit);
+    CHECK_FALSE(report.causes.empty());
+  }
+  CHECK(tried > 3);
+}
+
+TEST_CASE("check: what numbers are rounded by is told in units of the last digit that is written") {
+  for (const Printed& printed : test::all_printed()) {
+    if (!printed.cut() || printed.held > 0) continue;
+    CAPTURE(std::string(printed.name));
+    const CheckReport report = check(test::run_printed(printed));
+    CHECK(report.rounded > 0);
+    CHECK(report.largest_rounding > 0.01);
+    CHECK(report.largest_rounding < 40);  // of a difference of larger numbers, of its own last digit
+  }
+}
+
+TEST_CASE("check: fixed point shows where the header declares neither the format nor which depths they are") {
+  const Scene scene = look_at_scene(load_scene("pyramid").scene, {});
+  for (const auto depth : {Conventions::Depth::view, Conventions::Depth::pseudodepth, Conventions::Depth::reciprocal}) {
+    CAPTURE(static_cast<int>(depth));
+    Conventions conventions;
+    conventions.number_format = NumberFormat::fixed16, conventions.depth = depth;
+    conventions.interpolation = Conventions::Interpolation::increments;
+    const Trace run = test::recorded_by("z-buffer", scene, conventions);
+    REQUIRE(check(run).causes.empty());
+    Header header = run.header();
+    header.conventions.number_format = NumberFormat::float64,
+    header.conventions.depth = Conventions::Depth::pseudodepth;
+    for (const Convention one : {Convention::number_format, Convention::depth})
+      header.undeclared |= static_cast<decltype(header.undeclared)>(1u << static_cast<unsigned>(one));
+    TraceRecorder recorder(header, run.scene());
+    for (std::int64_t step = 1; step <= run.size(); ++step)
+      record_any(recorder, run.event(step).step, run.event(step).event);
+    recorder.finish();
+    CHECK(check(Trace::from_bytes(recorder.take_bytes(), "undeclared")).precision.format == NumberFormat::fixed16);
   }
 }
 
