@@ -44,7 +44,7 @@ struct Checker {
   std::uint32_t fields = 0;  ///< bit f: something says what its field f must be
   Wins wins;
   Rule broken = Rule::count;  ///< the last one that does not hold
-  std::int32_t inherited = Inheritance::clean;
+  std::int32_t inherited = Inheritance::clean, charged = Inheritance::clean;
   const Situation* at = nullptr;
   Event held{};  ///< what is wrong, for who wants to see it
 
@@ -52,7 +52,7 @@ struct Checker {
     step = position, line = id;
     any_judged = any_fault = false, fields = 0;
     broken = Rule::count;
-    inherited = Inheritance::clean;
+    inherited = charged = Inheritance::clean;
   }
   void read(const Place& place) {
     if (inheritance.empty()) return;
@@ -92,8 +92,9 @@ struct Checker {
     inheritance.clear(in);
   }
   void mark_step() {
-    if (!marks || inherited == Inheritance::clean) return;
-    marks->steps.push_back({step, inherited, any_fault});
+    const std::int32_t cause = inherited != Inheritance::clean ? inherited : charged;
+    if (!marks || cause == Inheritance::clean) return;
+    marks->steps.push_back({step, cause, any_fault});
     if (marks->steps.size() + marks->changes.size() + marks->faults.size() > CheckMarks::most)
       marks->complete = false, marks = nullptr;
   }
@@ -114,7 +115,8 @@ struct Checker {
     const double size = std::max(std::abs(recorded), formula.spread);
     const bool has_own_unit = of_unit == "px" && report.precision.positions > 0;
     const double unit = has_own_unit ? 1 / fixed_positions_a_pixel : report.precision.unit;
-    const double digit = formulas::last_digit(size, report.precision.format, unit);
+    const double digit = report.precision.digits > 0 ? formulas::last_written_digit(size, report.precision.digits)
+                                                     : formulas::last_digit(size, report.precision.format, unit);
     report.largest_rounding = std::max(report.largest_rounding, std::abs(recorded - formula.value) / digit);
     return true;
   }
@@ -193,7 +195,14 @@ struct Judge {
     Fault fault;
     fault.kind = kind_of<E>, fault.rule = rule;
     checker.held = e, checker.broken = rule;
+    const std::int32_t inherited = checker.inherited;
     checker.fault(1, static_cast<std::size_t>(rule), std::move(fault));
+    // That the pixel before was not written is noticed here, and nothing of this step follows from it.
+    if (rule == Rule::win_is_written || rule == Rule::win_is_painted) {
+      const auto last = checker.wins.last_compared();
+      if (last && rule == Rule::win_is_written) checker.written(checker.at->depth_place(last->x, last->y));
+      checker.charged = std::exchange(checker.inherited, inherited);
+    }
   }
 
   /// A number stands where one must be, also where no formula says which.

@@ -14,28 +14,32 @@ namespace {
 struct PixelTold {
   std::uint32_t turn = 0;    ///< of the polygon at work
   std::int64_t compare = 0;  ///< its step; 0 where there is none
-  bool won = false, painted = false;
+  bool won = false, painted = false, written = false;
   std::int64_t early = 0;  ///< the step of a write that waits for its compare
 };
 
 }  // namespace
 
 ColorWrites::ColorWrites(const Trace& trace) {
-  if (!trace.has(kind_of<DepthCompare>) || !trace.has(kind_of<PixelWrite>)) return;
+  const bool colors = trace.has(kind_of<PixelWrite>), depths = trace.has(kind_of<DepthWrite>);
+  if (!trace.has(kind_of<DepthCompare>)) all_known_ = !colors && !depths;  // which are won does not show
+  if (!trace.has(kind_of<DepthCompare>) || (!colors && !depths)) return;
   const Raster& raster = trace.scene().raster;
   std::vector<PixelTold> pixels(pixel_count(raster.width, raster.height));
   struct Win {
     std::int64_t step = 0;
     std::uint32_t turn = 0;
   };
-  std::vector<Win> open;  // wins without a colour
+  std::vector<Win> open, open_depths;  // wins without a colour, and without a depth
   std::uint32_t turn = 1;
   std::int64_t last_compare = 0, last_else = 0;
-  bool at_once = true, eye = true;  // a colour is written before the next pixel's turn; the picture is the eye's
+  bool at_once = true, depths_at_once = true;  // they are written before the next pixel's turn
+  bool eye = true;                             // the picture is the eye's
   const bool interpolates = trace.has(kind_of<DepthInterpolate>);
   std::int32_t x = -1, y = -1;  // of the depth that was interpolated last
   const auto leave = [&](PixelTold& pixel) {
-    if (pixel.won && !pixel.painted) open.push_back({pixel.compare, pixel.turn});
+    if (pixel.won && !pixel.painted && colors) open.push_back({pixel.compare, pixel.turn});
+    if (pixel.won && !pixel.written && depths) open_depths.push_back({pixel.compare, pixel.turn});
     if (pixel.early != 0) early_.push_back({pixel.early, Early::never_compared});
     pixel = {turn};
   };
@@ -63,6 +67,10 @@ ColorWrites::ColorWrites(const Trace& trace) {
       leave(pixel);
       pixel.compare = last_compare = step;
       pixel.won = e.nearer, pixel.painted = before != 0;
+    } else if constexpr (std::is_same_v<E, DepthWrite>) {
+      PixelTold& pixel = told(e.x, e.y);
+      pixel.written = true;
+      depths_at_once = depths_at_once && pixel.compare == last_compare;
     } else if constexpr (std::is_same_v<E, PixelWrite>) {
       PixelTold& pixel = told(e.x, e.y);
       if (pixel.won && !pixel.painted) return paint(pixel), true;
@@ -92,6 +100,12 @@ ColorWrites::ColorWrites(const Trace& trace) {
     else all_known_ = false;
   }
   std::sort(unpainted_.begin(), unpainted_.end());
+  // Where each depth is written before the next pixel's turn, that turn tells.
+  if (depths_at_once) return;
+  for (const Win& win : open_depths)
+    if (win.turn < last_turn) unwritten_.push_back(win.step);
+    else all_known_ = false;
+  std::sort(unwritten_.begin(), unwritten_.end());
 }
 
 ColorWrites::Early ColorWrites::early(std::int64_t step) const {

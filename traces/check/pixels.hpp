@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -29,8 +30,8 @@ inline constexpr bool ends_pixel =
     std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, ScanLineBegin> ||
     std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear>;
 
-/// What a run tells of its pixels' colours only later: gone through before its steps are judged. A write goes with the
-/// last compare of its pixel since the polygon began; without one, with the next.
+/// What a run tells of its pixels' colours, and depths, only later: gone through before its steps are judged. A write
+/// goes with the last compare of its pixel since the polygon began; without one, with the next.
 class ColorWrites {
  public:
   explicit ColorWrites(const Trace& trace);
@@ -40,6 +41,8 @@ class ColorWrites {
   Early early(std::int64_t step) const;
   /// The compare at this step is won, and the pixel's colour is not written.
   bool is_unpainted(std::int64_t step) const { return std::binary_search(unpainted_.begin(), unpainted_.end(), step); }
+  /// The same of its depth.
+  bool is_unwritten(std::int64_t step) const { return std::binary_search(unwritten_.begin(), unwritten_.end(), step); }
   /// The last step that ends work on a pixel.
   std::int64_t last_end() const { return last_end_; }
   /// Colours that are still due when the run ends may only be cut off.
@@ -50,8 +53,8 @@ class ColorWrites {
     std::int64_t step = 0;
     Early early = Early::no;
   };
-  std::vector<EarlyWrite> early_;        ///< by step
-  std::vector<std::int64_t> unpainted_;  ///< likewise
+  std::vector<EarlyWrite> early_;                    ///< by step
+  std::vector<std::int64_t> unpainted_, unwritten_;  ///< likewise
   std::int64_t last_end_ = 0;
   bool all_known_ = true;
 };
@@ -61,26 +64,38 @@ class Wins {
   explicit Wins(const Trace& trace) : colors_written_(trace) {}
 
   bool all_known() const { return colors_written_.all_known(); }
+  std::optional<Trace::Pixel> last_compared() const { return last_compared_; }
 
   /// A write at another pixel than the one at work is held to have been won there since the polygon began; and before
   /// something else begins the last win is held to have been written, as it is before the next pixel.
   template <class E, class Out>
   void look_at(const E& e, std::int64_t step, const formulas::Situation& at, Out& out) {
     using formulas::Rule;
-    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, ScanLineBegin> || std::is_same_v<E, SpanBegin> ||
-                  std::is_same_v<E, BuffersClear>)
-      if (formulas::detail::last_win_is_missing(at, out)) out.rule(Rule::win_is_written, false);
+    constexpr bool begins = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, ScanLineBegin> ||
+                            std::is_same_v<E, SpanBegin> || std::is_same_v<E, BuffersClear>;
+    // Whether the depth at the pixel at work is missing.
+    const bool asks = begins || std::is_same_v<E, DepthInterpolate> ||
+                      (std::is_same_v<E, DepthCompare> && !at.template records<DepthInterpolate>());
+    const bool missing = asks && formulas::detail::last_win_is_missing(at, out);
+    if constexpr (begins)
+      if (missing) out.rule(Rule::win_is_written, false);
+    if (unwritten_ && ends_pixel<E>) {
+      unwritten_ = false;
+      if (!asks) out.rule(Rule::win_is_written, false);
+    }
     // Where its depth is missing, too, that says it.
     if (unpainted_ && (ends_pixel<E> || (!only_writes<E> && step > colors_written_.last_end()))) {
       unpainted_ = false;
-      if (!formulas::detail::last_win_is_missing(at, out)) out.rule(Rule::win_is_painted, false);
+      if (!missing) out.rule(Rule::win_is_painted, false);
     }
     if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear> || std::is_same_v<E, PassBegin>) {
       ++turn_;
     } else if constexpr (std::is_same_v<E, DepthCompare>) {
       const std::size_t pixel = place(at, e.x, e.y);
       depths_[pixel] = colors_[pixel] = blends_[pixel] = e.nearer ? turn_ : 0;
+      last_compared_ = Trace::Pixel{e.x, e.y};
       unpainted_ = colors_written_.is_unpainted(step);
+      unwritten_ = colors_written_.is_unwritten(step) && at.stored(e.x, e.y) != e.z;
     } else if constexpr (std::is_same_v<E, DepthWrite>) {
       written(depths_, e, at, out);
     } else if constexpr (std::is_same_v<E, ColorBlend>) {
@@ -107,8 +122,10 @@ class Wins {
   }
 
   ColorWrites colors_written_;
+  std::optional<Trace::Pixel> last_compared_;
   std::uint32_t turn_ = 1;  ///< of the polygon at work
   bool unpainted_ = false;  ///< the pixel before was won, and its colour is not written
+  bool unwritten_ = false;  ///< nor its depth, where that may come later
   /// By pixel, the turn in which it was won and not yet written; else 0.
   std::vector<std::uint32_t> depths_{}, colors_{}, blends_{};
 };

@@ -374,6 +374,79 @@ TEST_CASE("diff: of pixels after all spans the one that is wrong is the first ca
   }
 }
 
+/// The pixels of each scan line kind by kind: all interpolations, all compares, all depths, all colours.
+Trace kind_by_kind(const Trace& right) {
+  std::vector<RecordedEvent> steps, pixels;
+  const auto put = [&] {
+    std::stable_sort(pixels.begin(), pixels.end(), [](const RecordedEvent& one, const RecordedEvent& other) {
+      return one.event.index() < other.event.index();
+    });
+    steps.insert(steps.end(), pixels.begin(), pixels.end()), pixels.clear();
+  };
+  for (const RecordedEvent& step : steps_of(right)) {
+    const bool of_pixel = visit_event(
+        []<class E>(const E& e) {
+          return requires { e.x, e.y; };
+        },
+        step.event);
+    if (!of_pixel) put();
+    (of_pixel ? pixels : steps).push_back(step);
+  }
+  put();
+  return with_steps(right, steps);
+}
+
+TEST_CASE("check: a depth or a colour that is missing is missed where a scan line is printed kind by kind") {
+  const Trace right = golden("delhi"), run = kind_by_kind(right);
+  CHECK(causes_of(run) == "");
+  CHECK(verdict_of(check(run)) == verdict_of(check(right)));
+  const auto left_out = [&]<class E>(E, const char* rule) {
+    int tried = 0, missed = 0;
+    std::int64_t step = 0;
+    while (const auto found = run.next<E>(step, [](const E&) { return true; })) {
+      step = *found;
+      if (++tried % 3 != 0) continue;
+      const E write = get<E>(run.event(step).event);
+      const CheckReport report = check(without_step(run, step));
+      const bool told = std::any_of(report.causes.begin(), report.causes.end(), [&](const Cause& cause) {
+        return cause.first.rule && rule_text(*cause.first.rule).name == rule;
+      });
+      const bool listed = verdict_of(report) != Verdict::right && !report.coverage;
+      CAPTURE(write.x);
+      CAPTURE(write.y);
+      CHECK((told || listed));
+      missed += told;
+    }
+    return std::pair(tried / 3, missed);
+  };
+  const auto [depths, depths_missed] = left_out(DepthWrite{}, "win_is_written");
+  const auto [colors, colors_missed] = left_out(PixelWrite{}, "win_is_painted");
+  CHECK(2 * depths_missed > depths);
+  CHECK(2 * colors_missed > colors);
+}
+
+TEST_CASE("check: nothing follows from a pixel that was not written but what is held against its depth") {
+  const Trace right = golden("delhi");
+  const auto last_of = [&]<class E>(E) {
+    std::int64_t found = 0;
+    for (std::int64_t step = 1; step < right.size(); ++step)
+      if (holds<E>(right.event(step).event) && holds<DepthInterpolate>(right.event(step + 1).event)) found = step;
+    return found;
+  };
+  const CheckReport colour = check(without_step(right, last_of(PixelWrite{})));
+  REQUIRE(colour.causes.size() == 1);
+  CHECK(colour.causes.front().first.rule == Rule::win_is_painted);
+  CHECK(colour.causes.front().inherited == 0);
+}
+
+TEST_CASE("check: where no compare is recorded, which pixels are painted is not judged, and that is said") {
+  const Trace right = golden("delhi");
+  const Trace run = without<DepthCompare>(without<DepthWrite>(right));
+  CHECK(causes_of(run) == "");
+  CHECK(verdict_of(check(run)) == Verdict::right_where_judged);
+  CHECK_FALSE(check(run).coverage);
+}
+
 TEST_CASE("check: glass is mixed into the pixel that was won") {
   const Trace right = golden("transparency");
   REQUIRE(causes_of(right) == "");
