@@ -274,6 +274,8 @@ constexpr std::array passed_over{
     Undetectable{"ray_begin", "a number so near 0 has no sign that counts"},
     Undetectable{"ray_hit", "a number so near 0 has no sign that counts"},
     Undetectable{"ray_plane", "a number so near 0 has no sign that counts"},
+    Undetectable{"side_test.greatest", "what lies on a plane is as near to it as rounding lets it be"},
+    Undetectable{"side_test.least", "what lies on a plane is as near to it as rounding lets it be"},
     Undetectable{"span_begin.dz_dx", "a number so near 0 has no sign that counts"},
     Undetectable{"span_winner.last", "an interval may be told in parts"},
     Undetectable{"vertex_side.value", "a number so near 0 has no sign that counts"},

