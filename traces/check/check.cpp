@@ -115,7 +115,7 @@ struct Checker {
     const double size = std::max(std::abs(recorded), formula.spread);
     const bool has_own_unit = of_unit == "px" && report.precision.positions > 0;
     const double unit = has_own_unit ? 1 / fixed_positions_a_pixel : report.precision.unit;
-    const double digit = report.precision.digits > 0 ? formulas::last_written_digit(size, report.precision.digits)
+    const double digit = report.precision.digits > 0 ? last_written_digit(size, report.precision.digits)
                                                      : formulas::last_digit(size, report.precision.format, unit);
     report.largest_rounding = std::max(report.largest_rounding, std::abs(recorded - formula.value) / digit);
     return true;

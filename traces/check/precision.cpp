@@ -28,9 +28,10 @@ namespace {
 
 constexpr std::int64_t most_events = 200'000;  // what they do not show, later ones hardly do
 
-/// The digits that a number needs to be read back: all that count, and those behind the point.
+/// The digits that a number needs to be read back: all that count, and those behind the point; and the power of ten of
+/// the first of them.
 struct Digits {
-  int all = 0, decimals = 0;
+  int all = 0, decimals = 0, exponent = 0;
 };
 template <class Number>
 Digits digits_of(Number value) {
@@ -40,10 +41,9 @@ Digits digits_of(Number value) {
   const std::size_t e = written.find('e');
   Digits digits;
   for (const char c : written.substr(0, e)) digits.all += c >= '0' && c <= '9';
-  int exponent = 0;
   const char* from = written.data() + e + 1;
-  std::from_chars(*from == '+' ? from + 1 : from, written.data() + written.size(), exponent);
-  digits.decimals = std::max(0, digits.all - 1 - exponent);
+  std::from_chars(*from == '+' ? from + 1 : from, written.data() + written.size(), digits.exponent);
+  digits.decimals = std::max(0, digits.all - 1 - digits.exponent);
   return digits;
 }
 
@@ -80,7 +80,7 @@ struct Seen {
 };
 
 /// Are they cut at so many digits, or decimals? Numbers that the scene gives tell nothing of it, nor such that float64
-/// has exactly in few bits, and one or two may be short by chance, or by a mistake.
+/// has exactly in few bits, and one or two that are very short may be so by chance, or by a mistake.
 bool are_cut(const Trace& trace, int most, int Digits::*count, bool declared) {
   std::vector<double> given;
   for (const glm::dvec3& point : trace.scene().points) given.insert(given.end(), {point.x, point.y, point.z});
@@ -108,7 +108,8 @@ bool are_cut(const Trace& trace, int most, int Digits::*count, bool declared) {
         recorded.event);
     return true;
   });
-  return different.size() >= (declared ? 3u : 2u) && 2 * need_all > telling;
+  constexpr int long_ones = 5;
+  return different.size() >= (most >= long_ones ? 1u : declared ? 3u : 2u) && 2 * need_all > telling;
 }
 
 bool is_float32(double value) { return static_cast<float>(value) == value; }
@@ -353,6 +354,10 @@ std::string_view unit_of(std::string_view field) {
 }
 
 }  // namespace
+
+double last_written_digit(double value, int digits) {
+  return portable::pow(10.0, digits_of(value).exponent + 1 - digits);
+}
 
 double Precision::amount(const formulas::Place& place) const {
   return positions == 0 && !whole ? absolute : amount(unit_of(place.field));

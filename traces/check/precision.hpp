@@ -52,6 +52,9 @@ struct Precision {
   double allowed_depth(std::int64_t x, std::int64_t y) const { return depths ? depths->at(x, y) : 0; }
 };
 
+/// One unit of the last digit of a number that is written with so many.
+double last_written_digit(double value, int digits);
+
 /// What numbers are held to, whatever they look like.
 struct HeldTo {
   int digits = 0;  ///< or decimals, at least

@@ -40,12 +40,6 @@ inline double last_digit(double value, NumberFormat format, double unit) {
   return std::nextafter(narrow, std::numeric_limits<float>::infinity()) - narrow;
 }
 
-/// The same of a number that is written with so many digits.
-inline double last_written_digit(double value, int digits) {
-  const double size = std::abs(value);
-  return size > 0 ? std::pow(10.0, std::floor(std::log10(size)) + 1 - digits) : std::pow(10.0, -digits);
-}
-
 /// A number, and how far what it was made of lets it be off, as a multiple of the rounding.
 struct Rounded {
   double value = 0, spread = 0;

@@ -44,7 +44,7 @@ const std::vector<Reason>& reasons() {
       {taken, "bsp", 7, 4, "A", 303, "paint"},
       {contradicted, "foreign/alwayswrite", 3, 1, "A", 211, "compare"},
       {contradicted, "foreign/wrongcolour", 1, 1, "B", 205, "wp"},
-      {not_recorded, "foreign/nocompare", 2, 2, "B", 0, ""},
+      {not_recorded, "foreign/nocompare", 2, 2, "B", 184, "interp"},
       {not_recorded, "foreign/torn", 0, 1, "B", 0, ""},
       {not_recorded, "foreign/cutincl", -1, -1, "B", 0, ""},
       {not_recorded, "foreign/nopoly", 2, 2, "B", 0, ""},
