@@ -303,7 +303,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
       for_each_place_written(e, at, [&](const Place& place) {
         if (!adds_to_place<E> || checker.inherited != Inheritance::clean) checker.written(place);
       });
-    // What follows from an edge that left too early, or stands where it must not, is no cause of its own.
+    // Later steps follow from an edge that left too early or stands in a wrong place: they are no new causes.
     if (checker.broken == Rule::swap_needed || checker.broken == Rule::edge_sorted)
       checker.written(Place{Place::In::active_list, 0});
     if constexpr (std::is_same_v<E, EdgeRetire>)

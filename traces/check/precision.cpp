@@ -79,8 +79,8 @@ struct Seen {
   }
 };
 
-/// Are they cut at so many digits, or decimals? Numbers that the scene gives tell nothing of it, nor such that float64
-/// has exactly in few bits, and one or two that are very short may be so by chance, or by a mistake.
+/// Are they cut at so many digits, or decimals? Coordinates of the scene do not show it, nor do numbers that need only
+/// few bits; and one or two very short numbers may be so by chance, or by a mistake.
 bool are_cut(const Trace& trace, int most, int Digits::*count, bool declared) {
   std::vector<double> given;
   for (const glm::dvec3& point : trace.scene().points) given.insert(given.end(), {point.x, point.y, point.z});
