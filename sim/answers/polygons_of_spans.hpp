@@ -26,8 +26,7 @@ class PolygonsOfSpans {
  public:
   /// Before its first step; none where each pixel is of the polygon at work, or of the span before it.
   static std::optional<PolygonsOfSpans> of(const Trace& trace) {
-    const bool of_scene = formulas::prints_spans_first(trace);
-    if (!of_scene && !formulas::prints_lines_first(trace)) return std::nullopt;
+    if (trace.spans_at_once() == Trace::SpansAtOnce::of_polygon) return std::nullopt;
     PolygonsOfSpans spans;
     spans.ahead_ = formulas::spans_ahead_of(trace, trace.header().conventions);
     return spans;

@@ -12,10 +12,10 @@ namespace {
 
 /// The last compare of a pixel, and what was written there.
 struct PixelTold {
-  std::uint32_t turn = 0;    ///< of the polygon at work
-  std::int64_t compare = 0;  ///< its step; 0 where there is none
+  std::uint32_t turn = 0;  ///< of the polygon at work
   bool won = false, painted = false, written = false;
-  std::int64_t early = 0;  ///< the step of a write that waits for its compare
+  std::int64_t compare = 0;  ///< its step; 0 where there is none
+  std::int64_t early = 0;    ///< the step of a write that waits for its compare
 };
 
 }  // namespace
@@ -41,7 +41,7 @@ ColorWrites::ColorWrites(const Trace& trace) {
     if (pixel.won && !pixel.painted && colors) open.push_back({pixel.compare, pixel.turn});
     if (pixel.won && !pixel.written && depths) open_depths.push_back({pixel.compare, pixel.turn});
     if (pixel.early != 0) early_.push_back({pixel.early, Early::never_compared});
-    pixel = {turn};
+    pixel = {.turn = turn};
   };
   const auto told = [&](std::int32_t column, std::int32_t row) -> PixelTold& {
     PixelTold& pixel = pixels[std::int64_t{row} * raster.width + column];
@@ -86,7 +86,8 @@ ColorWrites::ColorWrites(const Trace& trace) {
     return true;
   });
   const std::uint32_t last_turn = turn++;
-  for (PixelTold& pixel : pixels) leave(pixel);
+  for (PixelTold& pixel : pixels)
+    if (pixel.turn != 0) leave(pixel);
   // A write after the last compare may be one whose compare is cut off, or one of a pixel that was won and written.
   std::erase_if(early_,
                 [&](const EarlyWrite& one) { return one.early == Early::never_compared && one.step > last_compare; });

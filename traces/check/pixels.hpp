@@ -170,12 +170,12 @@ class Filling {
     if constexpr (begins_span) {
       if (active_.empty()) active_ = formulas::detail::active_on(at, e.y);
       spans_ += e.first <= e.last;
-      const std::vector<bool> columns(static_cast<std::size_t>(std::max(0, at.scene.raster.width)));
-      open_.push_back({e, columns, columns});
+      open_.push_back({e, at.scene.raster.width});
     }
     if constexpr (requires { e.x, e.y; })
-      if (kind_of<E> == pixel_) visit(e.x, e.y, at.span_of(e), &OpenSpan::visited);
-    if constexpr (std::is_same_v<E, DepthInterpolate>) visit(e.x, e.y, at.span_of(e), &OpenSpan::interpolated);
+      if (kind_of<E> == pixel_) visit(e.x, e.y, at.span_of(e), visited);
+    if constexpr (std::is_same_v<E, DepthInterpolate>)
+      if (kind_of<E> != pixel_) visit(e.x, e.y, at.span_of(e), interpolated);
   }
 
   /// The run is over. Where something is still due its end may be missing, or more.
@@ -194,26 +194,34 @@ class Filling {
   }
 
  private:
+  enum Came : std::uint8_t { nothing = 0, visited = 1, interpolated = 2 };
   struct OpenSpan {
     SpanBegin span;
-    std::vector<bool> visited;       ///< by column
-    std::vector<bool> interpolated;  ///< likewise, where the run says so of each pixel
+    std::int32_t from;               ///< its first column in the raster
+    std::vector<std::uint8_t> came;  ///< by column from there, what came of it
+
+    OpenSpan(const SpanBegin& begun, std::int32_t width)
+        : span(begun),
+          from(std::max(0, begun.first)),
+          came(static_cast<std::size_t>(std::max(0, std::min(begun.last, width - 1) - from + 1)), nothing) {}
   };
 
-  void visit(std::int32_t x, std::int32_t y, const Situation::SpanOfPixel& of, std::vector<bool> OpenSpan::*by) {
+  void visit(std::int32_t x, std::int32_t y, const Situation::SpanOfPixel& of, Came what) {
     const std::size_t number = of.place.number;
-    const bool known = of && number < open_.size() && open_[number].span.y == y && x >= 0;
-    if (!known || static_cast<std::size_t>(x) >= open_[number].visited.size()) judges_ = false;
-    else (open_[number].*by)[x] = true;
+    if (!of || number >= open_.size() || open_[number].span.y != y) return void(judges_ = false);
+    OpenSpan& open = open_[number];
+    if (x >= open.from && x - open.from < std::ssize(open.came)) open.came[x - open.from] |= what;
   }
   /// Their pixels may come after several spans.
   template <class Out>
   void end_spans(Out& out) {
-    bool filled = true;
-    for (const auto& [span, visited, interpolated] : open_)
-      for (std::int32_t x = std::max(0, span.first); x <= span.last && filled; ++x)
-        filled = static_cast<std::size_t>(x) >= visited.size() || (visited[x] && (interpolated[x] || !interpolates_));
-    if (!open_.empty()) out.rule(Rule::span_is_filled, filled);
+    if (open_.empty()) return;
+    // Where each pixel's depth is compared, and is said to be interpolated before, both.
+    const std::uint8_t all = interpolates_ && pixel_ != kind_of<DepthInterpolate> ? visited | interpolated : visited;
+    const bool filled = std::all_of(open_.begin(), open_.end(), [&](const OpenSpan& open) {
+      return std::all_of(open.came.begin(), open.came.end(), [&](std::uint8_t came) { return (came & all) == all; });
+    });
+    out.rule(Rule::span_is_filled, filled);
     open_.clear();
   }
 

@@ -40,7 +40,7 @@ Both recorded_by_both(const Trace& a, const Trace& b, Unrecorded unrecorded) {
   // A program of the same method that has no such step says nothing of turns.
   both.turns = a.header().algorithm != b.header().algorithm && says_turns(a) && says_turns(b);
   for (const Trace* run : {&a, &b})
-    both.ahead = both.ahead || formulas::prints_spans_first(*run) || formulas::prints_lines_first(*run);
+    both.ahead = both.ahead || run->spans_at_once() != Trace::SpansAtOnce::of_polygon;
   // One list of all polygons' edges is another list than that of each polygon.
   if (a.has(kind_of<TablesBegin>) != b.has(kind_of<TablesBegin>))
     for (const std::uint8_t kind : {kind_of<ScanLineBegin>, kind_of<EdgeEnter>, kind_of<EdgeSwap>}) both[kind] = false;

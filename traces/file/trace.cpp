@@ -315,6 +315,59 @@ std::int32_t Trace::polygon_at_work(std::int64_t position) const {
   return is_last && position >= turns.end ? no_polygon : (after - 1)->polygon;
 }
 
+namespace {
+
+bool is_pixel(const Event& event) {
+  return holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event);
+}
+/// The span that this is, where it has pixels.
+const SpanBegin* as_span(const Event& event) {
+  const auto* span = get_if<SpanBegin>(&event);
+  return span && span->first <= span->last ? span : nullptr;
+}
+
+/// Are there spans of several polygons before any pixel?
+bool begins_with_spans(const Trace& trace, std::int64_t first_span) {
+  bool another = false, pixels = false;  // a polygon began after the last span
+  int polygons = 1;
+  trace.each(first_span, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    const Event& event = recorded.event;
+    another = another || holds<PolygonBegin>(event) || holds<PieceDraw>(event);
+    if (as_span(event) && another) ++polygons, another = false;
+    pixels = is_pixel(event);
+    return !pixels;
+  });
+  return pixels && polygons > 1;
+}
+
+/// Do some of the first spans come one after another, on a scan line?
+bool begins_with_lines(const Trace& trace, std::int64_t first_span) {
+  constexpr int enough = 256;
+  int spans = 0, open = 0;  // since the last pixel
+  trace.each(first_span - 1, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (as_span(recorded.event)) ++spans, ++open;
+    if (is_pixel(recorded.event)) open = 0;
+    return open < 2 && spans < enough;
+  });
+  return open > 1;
+}
+
+Trace::SpansAtOnce first_spans_of(const Trace& trace) {
+  using enum Trace::SpansAtOnce;
+  if (!trace.has(kind_of<SpanBegin>)) return of_polygon;
+  const auto first = trace.next<SpanBegin>(0, [](const SpanBegin& span) { return span.first <= span.last; });
+  if (!first) return of_polygon;
+  if (!trace.has(kind_of<TablesBegin>)) return begins_with_spans(trace, *first) ? of_all : of_polygon;
+  return !trace.has(kind_of<PieceDraw>) && begins_with_lines(trace, *first) ? of_line : of_polygon;
+}
+
+}  // namespace
+
+Trace::SpansAtOnce Trace::spans_at_once() const {
+  if (!impl_->known_spans_at_once) impl_->known_spans_at_once = first_spans_of(*this);
+  return *impl_->known_spans_at_once;
+}
+
 std::int32_t Trace::polygon_of_piece(std::int32_t piece) const {
   if (!impl_->polygon_by_piece) {
     std::vector<std::int32_t>& made = impl_->polygon_by_piece.emplace();
@@ -493,6 +546,20 @@ void Trace::each(std::int64_t first, std::int64_t last,
     recorded.event = event;
     return visitor(position, recorded);
   });
+}
+
+void Trace::each_back(std::int64_t position,
+                      const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const {
+  for (position = std::min(position, size()); position > 0;) {
+    const std::size_t block = impl_->block_of(position);
+    const std::int64_t begin = impl_->blocks[block].info.first_position;
+    if (impl_->readable(position)) {
+      const Impl::Events held = impl_->events(block);
+      for (; position > begin; --position)
+        if (!visitor(position, (*held)[position - 1 - begin])) return;
+    }
+    position = begin;
+  }
 }
 
 void Trace::scan(const Among& among, const std::function<bool(std::int64_t, const RecordedEvent&)>& each) const {

@@ -82,6 +82,10 @@ class Trace {
   std::int32_t polygon_of_piece(
       std::int32_t piece) const;      ///< by the piece_make events; no_polygon where there is none
   bool has(std::uint8_t kind) const;  ///< whether some event is of this kind
+  /// Of what the run prints several spans before any of their pixels, as the first ones show: of a polygon at most; of
+  /// the polygons of a scan line, whose edges stand in one table; of all polygons.
+  enum class SpansAtOnce : std::uint8_t { of_polygon, of_line, of_all };
+  SpansAtOnce spans_at_once() const;
 
   /// The event that leads to `position` (1 … size()). Decodes its block when it is not at hand; the reference lives
   /// until events of other blocks are asked for. Not thread-safe.
@@ -127,7 +131,10 @@ class Trace {
   /// compile.
   void each(std::int64_t first, std::int64_t last,
             const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const;
-  /// The same for events of one kind: condition(const E&).
+  /// The other way round: every event from the one that leads to `position` back to the first. For who will soon be
+  /// done, and asks again near by: its blocks stay at hand.
+  void each_back(std::int64_t position, const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const;
+  /// next and previous for events of one kind: condition(const E&).
   template <class E, class Condition>
   std::optional<std::int64_t> next(std::int64_t from, Condition&& condition, std::optional<Pixel> pixel = {}) const {
     return next(

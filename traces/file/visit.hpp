@@ -103,6 +103,7 @@ struct Trace::Impl {
 
   // Found out once somebody asks.
   mutable std::optional<Turns> known_turns;
+  mutable std::optional<SpansAtOnce> known_spans_at_once;
   mutable std::optional<std::vector<std::int32_t>> polygon_by_piece;
   mutable std::optional<std::vector<RejectMark>> rejects;
   mutable std::optional<std::vector<std::int64_t>> clears;

@@ -149,6 +149,7 @@ struct Situation {
   const State& before;
   const Camera* camera = nullptr;                ///< by which the scene is being drawn; nullptr where that is not known
   std::uint8_t kinds_recorded[kind_count] = {};  ///< 1 for each kind of event that the trace has
+  std::uint8_t kinds_on_page[kind_count] = {};   ///< 1 for each kind that the pseudo-code has a line for
   std::optional<Camera> lamp = {};               ///< the scene's light as a camera
   bool moves_ended = false;  ///< the run never says that an edge leaves, and moves some that have ended
   SpansAhead ahead = {};     ///< the last spans that no pixel came between
@@ -223,8 +224,7 @@ struct Situation {
   /// Does its pseudo-code have a line for this kind?
   template <class E>
   bool has_step() const {
-    return std::any_of(header.page.begin(), header.page.end(),
-                       [](const StepInfo& step) { return step.kind == kind_of<E>; });
+    return kinds_on_page[kind_of<E>] != 0;
   }
   const MethodState& method() const { return before.machine; }
   /// Are x and z computed by adding to what they were, so that scan lines come one after the other?

@@ -62,22 +62,24 @@ class SpansAhead {
   /// The span that a pixel that comes now belongs to: of those that cover it one whose pixel has not come. Of several,
   /// as of two polygons on one line, the one at work, or the first, unless the depth says clearly that it is another's.
   std::optional<std::size_t> find(std::int32_t x, std::int32_t y, double z) const {
-    const std::size_t line = y;
-    if (y < 0 || line >= lines_.size()) return std::nullopt;
+    const std::size_t row = y;
+    if (y < 0 || row >= lines_.size()) return std::nullopt;
+    const std::vector<std::size_t>& line = lines_[row];
+    if (line.size() == 1) return may_own(line.front(), x, y) ? std::optional(line.front()) : std::nullopt;
     std::optional<std::size_t> best, any;
-    double off = 0;
+    const auto off = [&](std::size_t number) {
+      return std::abs(depth_at(spans_[number].span, x) - (reciprocal ? 1 / z : z));
+    };
     const auto consider = [&](std::size_t number) {
       if (!may_own(number, x, y)) return;
       any = number;
-      const Open& open = spans_[number];
-      if (open.came[x - open.span.first]) return;
-      const double its = std::abs(depth_at(open.span, x) - (reciprocal ? 1 / z : z));
+      if (spans_[number].came[x - spans_[number].span.first]) return;
       constexpr double clearly = 8;
-      if (!best || clearly * its < off) best = number, off = its;
+      if (!best || clearly * off(number) < off(*best)) best = number;
     };
     if (last_ && last_->number < spans_.size()) consider(last_->number);
     constexpr std::size_t most = 4096;  // polygons over one pixel, and of them the first
-    for (std::size_t i = 0; i < std::min(most, lines_[line].size()); ++i) consider(lines_[line][i]);
+    for (std::size_t i = 0; i < std::min(most, line.size()); ++i) consider(line[i]);
     return best ? best : any;
   }
   /// The same of any step at a pixel, which comes next, or has `passed`.
@@ -161,44 +163,10 @@ class SpansAhead {
   std::int32_t turn_ = no_polygon;
 };
 
-/// Does the run print spans of several polygons before any pixel?
-inline bool prints_spans_first(const Trace& trace) {
-  if (!trace.has(kind_of<SpanBegin>) || trace.has(kind_of<TablesBegin>)) return false;
-  const auto first = trace.next<SpanBegin>(0, [](const SpanBegin& span) { return span.first <= span.last; });
-  bool another = false, pixels = false;  // a polygon began after the first span
-  int polygons = 1;
-  if (first)
-    trace.each(*first, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
-      const auto& event = recorded.event;
-      another = another || holds<PolygonBegin>(event) || holds<PieceDraw>(event);
-      if (const auto* span = get_if<SpanBegin>(&event); span && another && span->first <= span->last)
-        ++polygons, another = false;
-      pixels = holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event);
-      return !pixels;
-    });
-  return pixels && polygons > 1;
-}
-
-/// The same of a scan line's spans, where one table has the edges of all polygons: as the first lines have them.
-inline bool prints_lines_first(const Trace& trace) {
-  if (!trace.has(kind_of<SpanBegin>) || !trace.has(kind_of<TablesBegin>) || trace.has(kind_of<PieceDraw>)) return false;
-  const auto first = trace.next<SpanBegin>(0, [](const SpanBegin& span) { return span.first <= span.last; });
-  constexpr int enough = 256;
-  int spans = 0, open = 0;  // since the last pixel
-  if (first)
-    trace.each(*first - 1, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
-      const auto& event = recorded.event;
-      if (const auto* span = get_if<SpanBegin>(&event); span && span->first <= span->last) ++spans, ++open;
-      if (holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event)) open = 0;
-      return open < 2 && spans < enough;
-    });
-  return open > 1;
-}
-
 /// Before the first step of a trace.
 inline SpansAhead spans_ahead_of(const Trace& trace, const Conventions& conventions) {
   SpansAhead ahead;
-  ahead.of_all = prints_spans_first(trace);
+  ahead.of_all = trace.spans_at_once() == Trace::SpansAtOnce::of_all;
   ahead.interpolates = trace.has(kind_of<DepthInterpolate>);
   ahead.reciprocal = conventions.depth == Conventions::Depth::corrected;
   return ahead;

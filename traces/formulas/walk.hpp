@@ -19,16 +19,16 @@ inline void recall_spans(const Trace& trace, Situation& at) {
   if (position == 0 || !trace.has(kind_of<SpanBegin>) || (!at.ahead.of_all && !at.method().span)) return;
   std::int64_t from = 0;
   if (!at.ahead.of_all) {
-    const auto is_span = [](const RecordedEvent& step) { return holds<SpanBegin>(step.event); };
-    const auto ends = [](const RecordedEvent& step) {
-      return holds<DepthInterpolate>(step.event) || holds<DepthCompare>(step.event) || holds<PixelPaint>(step.event) ||
-             holds<PolygonBegin>(step.event) || holds<PieceDraw>(step.event);
-    };
-    const auto last = trace.previous(position + 1, is_span);
-    if (!last) return;
-    from = trace.previous(*last, ends).value_or(0);
-    const auto before = trace.previous(*last, is_span);
-    if (!before || *before < from) return;
+    int spans = 0;  // that no pixel came between, up to the one at work
+    trace.each_back(position, [&](std::int64_t step, const RecordedEvent& recorded) {
+      const Event& event = recorded.event;
+      if (holds<SpanBegin>(event)) ++spans;
+      const bool ends = holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event) ||
+                        holds<PolygonBegin>(event) || holds<PieceDraw>(event);
+      if (spans > 0 && ends) from = step;
+      return from == 0;
+    });
+    if (spans < 2) return;
     at.ahead.begin(at.method().polygon);
   }
   trace.each(from, position, [&](std::int64_t step, const RecordedEvent& recorded) {
@@ -45,6 +45,8 @@ inline Situation situation_of(const Trace& trace, const State& before, const Hea
   if (trace.scene().light) at.lamp = camera_of(*trace.scene().light);
   for (std::size_t kind = 0; kind < kind_count; ++kind)
     at.kinds_recorded[kind] = trace.has(static_cast<std::uint8_t>(kind));
+  for (const StepInfo& step : header.page)
+    if (step.kind < kind_count) at.kinds_on_page[step.kind] = 1;
   at.ahead = spans_ahead_of(trace, header.conventions);
   detail::recall_spans(trace, at);
   at.look();

@@ -159,8 +159,11 @@ bool Work::is_of_other_work(std::int64_t step, const Event& event) const {
   if (step >= now_.at ||
       std::none_of(fields.begin(), fields.end(), [](const FieldOfKind& field) { return field.thing == Thing::edge; }))
     return false;
-  return next_mark(trace, step) <= now_.at ||
-         (holds<SpanBegin>(event) && next_of<ScanLineBegin>(trace, step, now_.at + 1));
+  const auto [known, is_new] = now_.of_other_work.try_emplace(step);
+  if (is_new)
+    known->second = next_mark(trace, step) <= now_.at ||
+                    (holds<SpanBegin>(event) && next_of<ScanLineBegin>(trace, step, now_.at + 1));
+  return known->second;
 }
 
 Number Work::field(const Step& step, std::string_view name, double otherwise) {

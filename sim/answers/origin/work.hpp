@@ -205,6 +205,7 @@ class Work {
     std::optional<State> state{};                    ///< kept, as each seek takes milliseconds
     std::map<std::int32_t, VertexSteps> vertices{};  ///< as far as the state has them, and so the names of pieces
     std::map<std::int32_t, std::string> pieces{};
+    std::map<std::int64_t, bool> of_other_work{};  ///< by step
   };
   bool is_of_other_work(std::int64_t step, const Event& event) const;
 
