@@ -35,11 +35,11 @@ CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, F
   if (step == 0) return side;
   side.where = place_of_step(path, lines, step);
   side.command = fmt::format("zstep view {} --at {}", printable(shell_word(path)), step);
-  replay.go_to(step - 1);
-  const formulas::Situation at = formulas::situation_of(trace, replay.state());
   const Event event = trace.event(step).event;
-  subject = subject_of(event, at);
-  side.fields = field_texts(event, at, fields);
+  formulas::look_before(trace, replay, step, [&](const formulas::Situation& before) {
+    subject = subject_of(event, before);
+    side.fields = field_texts(event, before, fields);
+  });
   return side;
 }
 

@@ -32,12 +32,15 @@ struct Side {
   std::vector<FieldText> fields;
 };
 Side side_of(const Trace& trace, std::int64_t step, std::uint16_t fields) {
-  Replay replay(trace);
-  replay.go_to(step - 1);
-  const formulas::Situation before = formulas::situation_of(trace, replay.state());
   const RecordedEvent recorded = trace.event(step);
   const StepInfo* info = find_step(trace.header().page, recorded.step);
-  return {info ? info->name : "", subject_of(recorded.event, before), fields_in_words(recorded.event, before, fields)};
+  Side side{info ? info->name : "", {}, {}};
+  Replay replay(trace);
+  formulas::look_before(trace, replay, step, [&](const formulas::Situation& before) {
+    side.subject = subject_of(recorded.event, before);
+    side.fields = fields_in_words(recorded.event, before, fields);
+  });
+  return side;
 }
 
 std::string_view text_of(grade::Numbering numbering) {
@@ -110,10 +113,10 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
   }
   if (first.fault) {
     Replay replay(runs.submission);
-    replay.go_to(first.step - 1);
-    const formulas::Situation before = formulas::situation_of(runs.submission, replay.state());
     const Event event = runs.submission.event(first.step).event;
-    const FaultText text = fault_text(*first.fault, event, before);
+    FaultText text;
+    formulas::look_before(runs.submission, replay, first.step,
+                          [&](const formulas::Situation& before) { text = fault_text(*first.fault, event, before); });
     if (words.step.empty()) {
       const StepInfo* info = find_step(runs.submission.header().page, first.fault->line);
       words.step = info ? info->name : "", words.subject = text.subject;

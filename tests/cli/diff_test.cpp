@@ -187,4 +187,23 @@ TEST_CASE("check and diff go up to a step that cannot be, and name it") {
   CHECK(run(folder, "info b.jsonl").code == 2);
 }
 
+TEST_CASE("diff tells of causes beyond a step that does not go with what was before it") {
+  const Folder folder;
+  REQUIRE(run(folder, "record cube --size 20x15 -o a.ztrace").code == 0);
+  // An edge moves that never entered; and in the second run the last pixel is another polygon's, besides.
+  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed '54s/\"edge\":3/\"edge\":9/' > b.jsonl").code == 0);
+  REQUIRE(has(run(folder, "check b.jsonl").out, "this step is impossible: edge 9 is not in the active edge list"));
+  REQUIRE(
+      shell(folder, "tac b.jsonl | sed '/write_pixel/{s/\"polygon\":[0-9]*/\"polygon\":5/;:a;n;ba}' | tac > c.jsonl")
+          .code == 0);
+  const Outcome alike = run(folder, "diff a.ztrace b.jsonl");
+  CHECK(alike.code == 1);
+  CHECK(has(alike.out, "e9"));
+  CHECK(alike.err.empty());
+  const Outcome last = run(folder, "diff a.ztrace c.jsonl");
+  CHECK(last.code == 1);
+  CHECK(times(last.out, "write_pixel") > 0);
+  CHECK(run(folder, "diff c.jsonl a.ztrace").code == 1);
+}
+
 }  // namespace

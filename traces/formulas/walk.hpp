@@ -1,11 +1,18 @@
 // From the first step of a trace to the last, each with everything before it and with what its formulas may look at.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+
 #include "traces/file/trace.hpp"
 #include "traces/formulas/situation.hpp"
 #include "traces/replay/apply.hpp"
 #include "traces/replay/key_frames.hpp"
 #include "traces/scene.hpp"
+
+namespace zstep {
+class Replay;
+}
 
 namespace zstep::formulas {
 
@@ -92,5 +99,10 @@ State walk(const Trace& trace, Visit&& visit, OnImpossible&& impossible) {
   });
   return state;
 }
+
+/// look(before) with what comes before a step, for who looks at some steps of a run alone: the replay is moved there.
+/// Steps that do not go with what was before them are passed over, as `zstep check` does.
+void look_before(const Trace& trace, Replay& replay, std::int64_t step,
+                 const std::function<void(const Situation&)>& look);
 
 }  // namespace zstep::formulas

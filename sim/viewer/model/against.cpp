@@ -225,10 +225,10 @@ const StepMarks::Told& Against::Marks::told(Session& session) {
   if (has) {
     const Event event = session.trace().event(step).event;
     session.look_elsewhere([&](Replay& replay) {
-      replay.go_to(step - 1);
-      const formulas::Situation before = formulas::situation_of(session.trace(), replay.state());
-      subject = subject_of(event, before);
-      if (!difference.only_a() && !difference.only_b()) told_.lines = field_texts(event, before, difference.fields);
+      formulas::look_before(session.trace(), replay, step, [&](const formulas::Situation& before) {
+        subject = subject_of(event, before);
+        if (!difference.only_a() && !difference.only_b()) told_.lines = field_texts(event, before, difference.fields);
+      });
     });
   }
   std::string cause;

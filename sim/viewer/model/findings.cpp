@@ -92,12 +92,12 @@ const StepMarks::Told& Findings::told(Session& session) {
   if (first != faults.end() && first->step == step) {
     const Event event = trace_.event(step).event;
     session.look_elsewhere([&](Replay& replay) {
-      replay.go_to(step - 1);
-      const formulas::Situation before = formulas::situation_of(trace_, replay.state());
-      for (auto fault = first; fault != faults.end() && fault->step == step; ++fault) {
-        told_.lines.push_back(what_is_wrong(*fault, fault_text(*fault, event, before)));
-        if (!told_.lines.back().ends_with('.')) told_.lines.back() += '.';  // what a rule says is a whole sentence
-      }
+      formulas::look_before(trace_, replay, step, [&](const formulas::Situation& before) {
+        for (auto fault = first; fault != faults.end() && fault->step == step; ++fault) {
+          told_.lines.push_back(what_is_wrong(*fault, fault_text(*fault, event, before)));
+          if (!told_.lines.back().ends_with('.')) told_.lines.back() += '.';  // what a rule says is a whole sentence
+        }
+      });
     });
   }
   if (const CheckMarks::Step* mark = mark_of(step)) {

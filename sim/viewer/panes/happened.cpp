@@ -231,16 +231,16 @@ void draw_happened(Ui& ui) {
   }
   draw_told(ui, found);
   const Explanation told = explain(ui.session.trace(), ui.session.state(), *event);
-  tell(ui, told.sentence);
+  const Flow in_doubt{.color = c.bad, .font = ui.fonts.bold};
+  const bool doubts = told.doubt && found.lines.empty(), doubts_all = doubts && *told.doubt == told.sentence;
+  if (doubts_all) flow(ui, told.sentence, in_doubt);
+  else tell(ui, told.sentence);
   ImGui::Dummy({1, ui.em * 0.25f});
   const ImVec2 top = ImGui::GetCursorScreenPos();
   for (const std::string& formula : told.formulas) tell_formula(ui, formula, told.owned);
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
   key_to_owners(ui, told.owned);
-  if (told.doubt && found.lines.empty()) {
-    const Flow doubt{.color = c.bad, .font = ui.fonts.bold};
-    flow(ui, *told.doubt, doubt);
-  }
+  if (doubts && !doubts_all) flow(ui, *told.doubt, in_doubt);
   if (!told.values.empty() && ImGui::IsMouseHoveringRect(top, bottom) && ImGui::IsWindowHovered()) {
     std::vector<std::string> lines = exact_lines(told.values);
     if (const std::string line = exact_line(ui.session, {ui.session.position()}); !line.empty())  // moves the replay
