@@ -36,7 +36,7 @@ void tell_name(Datum& datum, Work& work, std::string_view field, std::int32_t nu
     return datum.comes_of("a vertex that cutting made", {work.field(made, "t", 0)});
   }
   if (field.find("edge") != std::string_view::npos) {
-    const Step row = step_of_edge(work.trace, work.machine(), work.at(), number);
+    const Step row = work.step_of_edge(number);
     if (row) return datum.comes_of("a row of the edge table", {work.field(row, "x_edge", 0)});
   }
   if ((field == "piece" || field == "other" || field == "plane_of") && at < work.machine().pieces.size()) {
@@ -206,9 +206,8 @@ struct Source {
     if (!before || !row || !holds<EdgeStep>(event) || !work.machine().scan_line) return written_by(from);
     const std::int32_t lines = *work.machine().scan_line - 1 - row->first_row;
     return after_many(*from, "the same edge on the line before", "lines", lines, [&] {
-      return std::pair{
-          work.field(step_of_edge(work.trace, work.machine(), step, edge), asked, operand.value),
-          work.field(step_of_edge(work.trace, work.machine(), step, edge), asked == "x_edge" ? "dx_dy" : "dz_dy", 0)};
+      return std::pair{work.field(work.step_of_edge(edge), asked, operand.value),
+                       work.field(work.step_of_edge(edge), asked == "x_edge" ? "dx_dy" : "dz_dy", 0)};
     });
   }
 
@@ -291,7 +290,7 @@ struct Source {
       case Place::In::vertex:
         return of_vertex();
       case Place::In::edge_table:
-        return written_by(step_of_edge(work.trace, work.machine(), step, number));
+        return written_by(work.step_of_edge(number));
       case Place::In::active_edge:
         return of_active_edge();
       case Place::In::plane:
@@ -336,7 +335,7 @@ Number Work::edge_end(std::int32_t edge, bool lower, Axis3 axis) {
   const EdgeTableInsert* row = row_of(*this, edge);
   if (!row) return 0;
   const std::int32_t vertex = lower ? row->vertex_1 : row->vertex_0;
-  const Step step = step_of_edge(trace, machine(), at(), edge);
+  const Step step = step_of_edge(edge);
   if (!step) return on_raster(vertex, axis);
   const EdgeTableInsert entry = *row;
   const std::string name = fmt::format("{}_{}", "xyz"[index_of(axis)], lower ? 1 : 0);
@@ -356,6 +355,8 @@ const State& Work::operands_of(std::int64_t step, const Event& event) {
       (projection && is_last(projection->vertex, &VertexSteps::projected)) ||
       (viewport && is_last(viewport->vertex, &VertexSteps::on_raster)))
     return state();
+  // So is all that is kept of all polygons.
+  if (machine().keeps_all && (holds<EdgeTableInsert>(event) || holds<ClipCross>(event))) return state();
   replay_.go_to(step - 1);
   return replay_.state();
 }

@@ -152,8 +152,8 @@ Number Work::field(std::int64_t step, std::string_view name) {
   return number;
 }
 
-/// Edges have their numbers in one polygon's work, and a span its scan line. Where pixels come after the spans of other
-/// lines or of other polygons, the state at the pixel is not theirs.
+/// Edges have their numbers in one polygon's work, but where one table has those of all; and a span its scan line.
+/// Where pixels come after the spans of other lines or of other polygons, the state at the pixel is not theirs.
 bool Work::is_of_other_work(std::int64_t step, const Event& event) const {
   const auto fields = fields_of_kind(event.index());
   if (step >= now_.at ||
@@ -161,7 +161,7 @@ bool Work::is_of_other_work(std::int64_t step, const Event& event) const {
     return false;
   const auto [known, is_new] = now_.of_other_work.try_emplace(step);
   if (is_new)
-    known->second = next_mark(trace, step) <= now_.at ||
+    known->second = (!machine().keeps_all && next_mark(trace, step) <= now_.at) ||
                     (holds<SpanBegin>(event) && next_of<ScanLineBegin>(trace, step, now_.at + 1));
   return known->second;
 }
@@ -174,6 +174,12 @@ const VertexSteps& Work::steps_of(std::int32_t vertex) {
   const auto known = now_.vertices.find(vertex);
   if (known != now_.vertices.end()) return known->second;
   return now_.vertices.emplace(vertex, steps_of_vertex(trace, machine(), at(), vertex)).first->second;
+}
+
+Step Work::step_of_edge(std::int32_t edge) {
+  const auto [known, is_new] = now_.edges.try_emplace(edge);
+  if (is_new) known->second = answers::step_of_edge(trace, machine(), at(), edge);
+  return known->second;
 }
 
 void Work::later(std::int64_t step, std::string_view name, const std::string& symbol) {

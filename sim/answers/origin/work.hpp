@@ -177,6 +177,7 @@ class Work {
   Number color_of(std::int32_t polygon, int which);  ///< 0 to 255, red, green or blue; of no polygon the background's
 
   const VertexSteps& steps_of(std::int32_t vertex);
+  Step step_of_edge(std::int32_t edge);  ///< where it entered the table
   std::string vertex_name(std::int32_t vertex) const;
   std::string source_of_polygon(std::int32_t polygon) const;
   std::string source_of_point(std::int32_t point) const;
@@ -203,7 +204,8 @@ class Work {
   struct Moment {
     std::int64_t at = 0;
     std::optional<State> state{};                    ///< kept, as each seek takes milliseconds
-    std::map<std::int32_t, VertexSteps> vertices{};  ///< as far as the state has them, and so the names of pieces
+    std::map<std::int32_t, VertexSteps> vertices{};  ///< as far as the state has them, and so edges and names of pieces
+    std::map<std::int32_t, Step> edges{};
     std::map<std::int32_t, std::string> pieces{};
     std::map<std::int64_t, bool> of_other_work{};  ///< by step
   };
