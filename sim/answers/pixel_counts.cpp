@@ -81,7 +81,7 @@ void PixelCounts::count(const E& event) {
     if constexpr (std::is_same_v<E, RayBegin>) {
       const bool eye = event.role == RayRole::eye;
       now_.ray_x = eye ? event.x : -1, now_.ray_y = eye ? event.y : -1;
-    } else if constexpr (std::is_same_v<E, DepthCompare>) {
+    } else if constexpr (has(at_pixel<E>, AtPixel::verdict)) {
       const std::size_t edge = now_.span_edge;
       const auto by_span = now_.spans ? now_.spans->at(event) : std::nullopt;
       cover(pixel, by_span ? by_span->polygon : edge < now_.edges.size() ? now_.edges[edge] : now_.polygon);

@@ -232,11 +232,11 @@ class History {
 
   /// Of these, the polygons whose turn had not come when the recording was cut off.
   void add_cut_off() {
-    const bool fills = records<PixelPaint>(trace_) || records<PixelWrite>(trace_) || records<DepthCompare>(trace_);
+    const bool fills = records(trace_.header(), AtPixel::colors | AtPixel::verdict);
     if ((!cut() && begun().empty()) || trace_.size() == 0 || !fills) return;  // others draw lines alone
     // Where depths are compared, each polygon comes to every pixel that it covers. Other methods leave alone what is
     // settled.
-    const bool all_come = records<DepthCompare>(trace_);
+    const bool all_come = records(trace_.header(), AtPixel::verdict);
     const bool settled = std::any_of(visits_.begin(), visits_.end(), [](const Visit& visit) {
       return visit.outcome != Outcome::rejected && visit.outcome != Outcome::interpolated;
     });

@@ -126,9 +126,7 @@ struct Here {
 
 template <class E>
 inline constexpr bool is_at_pixel =
-    std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, DepthWrite> ||
-    std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint> || std::is_same_v<E, ColorBlend> ||
-    std::is_same_v<E, ColorWrite>;
+    at_pixel<E> != AtPixel::nothing || std::is_same_v<E, ColorBlend> || std::is_same_v<E, ColorWrite>;
 
 /// Puts the events of one pixel together.
 class Reading {
@@ -154,22 +152,12 @@ class Reading {
     if (const auto* z = get_if<DepthInterpolate>(&event)) {
       open_ = false;  // a new fragment
       interpolated_.push_back({step, work_of(here), z->z});
-    } else if (const auto* compare = get_if<DepthCompare>(&event)) {
-      const AtWork work = work_of(here);
-      // A colour that was written before its compare belongs to it.
-      const bool belongs = goes_on(work) && all.back().outcome == Outcome::written && all.back().kept_at == 0;
-      Visit& visit = belongs ? all.back() : add(step, work, Outcome::won);
-      visit.step = step, visit.z = compare->z;
-      if (known_) visit.stored = depth_;
-      visit.outcome = compare->nearer ? Outcome::won : visit.z == visit.stored ? Outcome::tie : Outcome::lost;
-      if (compare->nearer && compares_write_) {
-        visit.kept = depth_ = compare->z, visit.kept_at = step;
-        only_cleared_ = false, known_ = true;
-      }
-      if (compare->nearer && !owners_ && work.polygon != no_polygon) {
-        visit.written = step;
-        take_pixel(visit, work.polygon);
-      }
+    } else if (has(at_pixel_of(event), AtPixel::verdict)) {
+      visit_event(
+          [&]<class E>(const E& e) {
+            if constexpr (has(at_pixel<E>, AtPixel::verdict)) take_verdict(here, e.z, e.nearer);
+          },
+          event);
     } else if (const auto* depth = get_if<DepthWrite>(&event)) {
       const AtWork work = work_of(here);
       Visit& visit = goes_on(work) && all.back().kept_at == 0 ? all.back() : add(step, work, Outcome::written);
@@ -231,12 +219,30 @@ class Reading {
     double z = 0;
   };
 
+  void take_verdict(const Here& here, double z, bool nearer) {
+    const AtWork work = work_of(here);
+    // A colour that was written before its compare belongs to it.
+    const bool belongs = goes_on(work) && all.back().outcome == Outcome::written && all.back().kept_at == 0;
+    Visit& visit = belongs ? all.back() : add(here.step, work, Outcome::won);
+    visit.step = here.step, visit.z = z;
+    if (known_) visit.stored = depth_;
+    visit.outcome = nearer ? Outcome::won : visit.z == visit.stored ? Outcome::tie : Outcome::lost;
+    if (nearer && compares_write_) {
+      visit.kept = depth_ = z, visit.kept_at = here.step;
+      only_cleared_ = false, known_ = true;
+    }
+    if (nearer && !owners_ && work.polygon != no_polygon) {
+      visit.written = here.step;
+      take_pixel(visit, work.polygon);
+    }
+  }
+
   /// Of a paint, which is a whole visit.
   static AtWork painting(std::int32_t polygon) { return {polygon, 0}; }
 
   /// Whose a step is. What is written later than its pixel's turn belongs to what came to the pixel last.
   AtWork work_of(const Here& here) const {
-    const bool begins = holds<DepthInterpolate>(here.event) || holds<DepthCompare>(here.event);
+    const bool begins = is_of_fragment(at_pixel_of(here.event));
     const bool has_span = here.by_span && here.by_span->since > 0;
     if (by_spans_ && !has_span && !begins && open_) return work_;
     return here.by_span ? *here.by_span : at_work(trace_, here.step);

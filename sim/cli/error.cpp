@@ -123,9 +123,7 @@ std::string in_depth(double value) { return std::isinf(value) ? number(value) : 
 
 /// Why nothing in a run can be held against exact depths, and what would mend it.
 InputError nothing_exact(const std::string& path, const Trace& trace) {
-  const bool any =
-      trace.has(kind_of<DepthInterpolate>) || trace.has(kind_of<DepthCompare>) || trace.has(kind_of<PixelPaint>);
-  if (!any)
+  if (!trace.has(AtPixel::depth))
     return InputError(path, "records no depth that is computed at a pixel",
                       "print the steps for depth_interpolate or depth_compare, or those for rays");
   if (trace.has(kind_of<RayEnd>))

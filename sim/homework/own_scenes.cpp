@@ -227,14 +227,17 @@ Difficulty difficulty_of(const Trace& run) {
   run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     const Event& event = recorded.event;
     found.kinds.insert(static_cast<std::uint8_t>(event.index()));
-    const auto at = [&](const auto& e) { return pixel_at(e.x, e.y, raster.width); };
     if (holds<SpanBegin>(event)) end_span();
-    if (const auto* compare = get_if<DepthCompare>(&event)) {
-      found.losing += !compare->nearer;
-      loses = loses || !compare->nearer;
-      wins = wins || (compare->nearer && drawn.at(at(*compare)));
-    }
-    if (const auto* write = get_if<PixelWrite>(&event)) drawn.at(at(*write)) = true;
+    visit_event(
+        [&]<class E>(const E& e) {
+          if constexpr (has(at_pixel<E>, AtPixel::verdict)) {
+            found.losing += !e.nearer;
+            loses = loses || !e.nearer;
+            wins = wins || (e.nearer && drawn.at(pixel_at(e.x, e.y, raster.width)));
+          }
+          if constexpr (std::is_same_v<E, PixelWrite>) drawn.at(pixel_at(e.x, e.y, raster.width)) = true;
+        },
+        event);
     return true;
   });
   end_span();

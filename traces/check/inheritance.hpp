@@ -63,13 +63,12 @@ void for_each_place_written(const E& e, const formulas::Situation& at, Set&& set
   if constexpr (std::is_same_v<E, HorizonMove>) set(Place{In::horizon, e.x});
   if constexpr (std::is_same_v<E, PlaneSlopes>) set(Place{In::plane, 0});
   if constexpr (std::is_same_v<E, SpanBegin>) set(at.place_of_next_span());
-  if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare>) set(Place{In::fragment, 0});
+  if constexpr (is_of_fragment(at_pixel<E>)) set(Place{In::fragment, 0});
   if constexpr (std::is_same_v<E, AttributeInterpolate>) set(Place{In::attribute, 0});
-  if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>) set(at.depth_place(e.x, e.y));
-  if constexpr (std::is_same_v<E, DepthCompare>)
+  if constexpr (has(at_pixel<E>, AtPixel::keeps)) set(at.depth_place(e.x, e.y));
+  if constexpr (has(at_pixel<E>, AtPixel::verdict))
     if (e.nearer && at.method().compares_write) set(at.depth_place(e.x, e.y));
-  if constexpr (std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>)
-    set(Place{In::frame, at.pixel(e.x, e.y)});
+  if constexpr (has(at_pixel<E>, AtPixel::colors)) set(Place{In::frame, at.pixel(e.x, e.y)});
 }
 
 }  // namespace zstep

@@ -22,8 +22,8 @@ struct PixelTold {
 
 ColorWrites::ColorWrites(const Trace& trace) {
   const bool colors = trace.has(kind_of<PixelWrite>), depths = trace.has(kind_of<DepthWrite>);
-  if (!trace.has(kind_of<DepthCompare>)) all_known_ = !colors && !depths;  // which are won does not show
-  if (!trace.has(kind_of<DepthCompare>) || (!colors && !depths)) return;
+  if (!trace.has(AtPixel::verdict)) all_known_ = !colors && !depths;  // which are won does not show
+  if (!trace.has(AtPixel::verdict) || (!colors && !depths)) return;
   const Raster& raster = trace.scene().raster;
   std::vector<PixelTold> pixels(pixel_count(raster.width, raster.height));
   struct Win {
@@ -60,7 +60,7 @@ ColorWrites::ColorWrites(const Trace& trace) {
       ++turn;
     if (!eye) return true;
     if constexpr (std::is_same_v<E, DepthInterpolate>) x = e.x, y = e.y;
-    if constexpr (std::is_same_v<E, DepthCompare>) {
+    if constexpr (has(at_pixel<E>, AtPixel::verdict)) {
       PixelTold& pixel = told(e.x, e.y);
       const std::int64_t before = std::exchange(pixel.early, 0);
       if (before != 0) early_.push_back({before, e.nearer ? Early::wins : Early::loses});

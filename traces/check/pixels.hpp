@@ -26,9 +26,8 @@ inline constexpr bool only_writes = std::is_same_v<E, DepthWrite> || std::is_sam
                                     std::is_same_v<E, ColorWrite> || std::is_same_v<E, AttributeInterpolate>;
 /// What comes once a pixel is done: the next one, or something that goes on without any.
 template <class E>
-inline constexpr bool ends_pixel =
-    std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, ScanLineBegin> ||
-    std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear>;
+inline constexpr bool ends_pixel = is_of_fragment(at_pixel<E>) || std::is_same_v<E, ScanLineBegin> ||
+                                   std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear>;
 
 /// What a run tells of its pixels' colours, and depths, only later: gone through before its steps are judged. A write
 /// goes with the last compare of its pixel since the polygon began; without one, with the next.
@@ -75,7 +74,7 @@ class Wins {
                             std::is_same_v<E, SpanBegin> || std::is_same_v<E, BuffersClear>;
     // Whether the depth at the pixel at work is missing.
     const bool asks = begins || std::is_same_v<E, DepthInterpolate> ||
-                      (std::is_same_v<E, DepthCompare> && !at.template records<DepthInterpolate>());
+                      (has(at_pixel<E>, AtPixel::verdict) && !at.template records<DepthInterpolate>());
     const bool missing = asks && formulas::detail::last_win_is_missing(at, out);
     if constexpr (begins)
       if (missing) out.rule(Rule::win_is_written, false);
@@ -90,7 +89,7 @@ class Wins {
     }
     if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear> || std::is_same_v<E, PassBegin>) {
       ++turn_;
-    } else if constexpr (std::is_same_v<E, DepthCompare>) {
+    } else if constexpr (has(at_pixel<E>, AtPixel::verdict)) {
       const std::size_t pixel = place(at, e.x, e.y);
       depths_[pixel] = colors_[pixel] = blends_[pixel] = e.nearer ? turn_ : 0;
       last_compared_ = Trace::Pixel{e.x, e.y};
@@ -139,9 +138,7 @@ class Filling {
 
  public:
   explicit Filling(const Trace& trace)
-      : pixel_(trace.has(kind_of<DepthCompare>)       ? kind_of<DepthCompare>
-               : trace.has(kind_of<DepthInterpolate>) ? kind_of<DepthInterpolate>
-                                                      : kind_of<PixelPaint>),
+      : pixel_(trace.has(AtPixel::verdict) ? AtPixel::verdict : AtPixel::depth),
         judges_(trace.has(kind_of<EdgeTableInsert>) && trace.has(kind_of<EdgeEnter>) && trace.has(kind_of<EdgeStep>) &&
                 trace.has(kind_of<ScanLineBegin>) && trace.has(kind_of<SpanBegin>) && trace.has(pixel_) &&
                 (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceDraw>))),
@@ -173,9 +170,8 @@ class Filling {
       open_.push_back({e, at.scene.raster.width});
     }
     if constexpr (requires { e.x, e.y; })
-      if (kind_of<E> == pixel_) visit(e.x, e.y, at.span_of(e), visited);
-    if constexpr (std::is_same_v<E, DepthInterpolate>)
-      if (kind_of<E> != pixel_) visit(e.x, e.y, at.span_of(e), interpolated);
+      if (has(at_pixel<E>, pixel_)) visit(e.x, e.y, at.span_of(e), visited);
+    if constexpr (std::is_same_v<E, DepthInterpolate>) visit(e.x, e.y, at.span_of(e), interpolated);
   }
 
   /// The run is over. Where something is still due its end may be missing, or more.
@@ -217,7 +213,7 @@ class Filling {
   void end_spans(Out& out) {
     if (open_.empty()) return;
     // Where each pixel's depth is compared, and is said to be interpolated before, both.
-    const std::uint8_t all = interpolates_ && pixel_ != kind_of<DepthInterpolate> ? visited | interpolated : visited;
+    const std::uint8_t all = interpolates_ ? visited | interpolated : visited;
     const bool filled = std::all_of(open_.begin(), open_.end(), [&](const OpenSpan& open) {
       return std::all_of(open.came.begin(), open.came.end(), [&](std::uint8_t came) { return (came & all) == all; });
     });
@@ -310,7 +306,7 @@ class Filling {
   }
 
   static constexpr std::int32_t none = std::numeric_limits<std::int32_t>::min();
-  std::uint8_t pixel_;  ///< the kind of event that each pixel of a span has
+  AtPixel pixel_;  ///< what is done at each pixel of a span
   bool judges_;
   bool pieces_;                       ///< what is drawn are pieces, after all polygons began
   bool interpolates_;                 ///< each pixel of a span has its depth interpolated, besides

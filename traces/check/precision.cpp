@@ -155,6 +155,20 @@ struct Multiples {
   bool nearly_all() const { return 10 * multiples >= 9 * telling; }
 };
 
+/// The depth of a polygon at a pixel, on its way into the buffer.
+struct DepthAt {
+  std::int32_t x, y;
+  double z;
+};
+std::optional<DepthAt> depth_at(const Event& event) {
+  return visit_event(
+      []<class E>(const E& e) -> std::optional<DepthAt> {
+        if constexpr (is_of_fragment(at_pixel<E>)) return DepthAt{e.x, e.y, e.z};
+        else return std::nullopt;
+      },
+      event);
+}
+
 /// The numbers that a program interpolates: depths and positions, and slopes of both.
 struct Interpolated {
   std::vector<double> depths, depth_slopes, positions;
@@ -173,8 +187,7 @@ struct Interpolated {
       const auto slope = [&](double dz) {
         if (same) add(depth_slopes, dz);
       };
-      if (const auto* found = get_if<DepthInterpolate>(&recorded.event)) add(depths, found->z);
-      else if (const auto* compared = get_if<DepthCompare>(&recorded.event)) add(depths, compared->z);
+      if (const auto found = depth_at(recorded.event)) add(depths, found->z);
       else if (const auto* edge = get_if<EdgeTableInsert>(&recorded.event))
         add(positions, edge->x_edge), add(positions, edge->dx_dy), along(edge->z_edge), slope(edge->dz_dy);
       else if (const auto* moved = get_if<EdgeStep>(&recorded.event))
@@ -247,8 +260,7 @@ bool rounds_to_whole(const Trace& trace) {
   };
   trace.each(0, std::min(trace.size(), most_events), [&](std::int64_t, const RecordedEvent& recorded) {
     if (const auto* begin = get_if<SpanBegin>(&recorded.event)) span = *begin;
-    else if (const auto* depth = get_if<DepthInterpolate>(&recorded.event)) look(depth->x, depth->y, depth->z);
-    else if (const auto* compare = get_if<DepthCompare>(&recorded.event)) look(compare->x, compare->y, compare->z);
+    else if (const auto depth = depth_at(recorded.event)) look(depth->x, depth->y, depth->z);
     return true;
   });
   constexpr std::int64_t enough = 3;

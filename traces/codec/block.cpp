@@ -238,11 +238,10 @@ void BlockEncoder::State::write(const LoggedRun& run) {
       continue;
     }
     const bool nearer = (run.nearer >> k & 1u) != 0;
-    write(steps.fragment[0], DepthInterpolate{x, y, z});
-    write(steps.fragment[1], DepthCompare{x, y, z, nearer});
-    if (!nearer) continue;
-    write(steps.fragment[2], DepthWrite{x, y, z});
-    write(steps.fragment[3], PixelWrite{x, y, polygon});
+    codec::visit_fragment(steps.fragment, x, y, z, nearer, polygon, [&](std::uint8_t step, const auto& event) {
+      write(step, event);
+      return true;
+    });
   }
 }
 

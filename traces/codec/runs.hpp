@@ -65,6 +65,14 @@ struct Row {
   }
 };
 
+/// visit(step, event) for the events of one pixel of a span, by the steps that record them, until it returns false.
+template <class Visit>
+bool visit_fragment(const std::array<std::uint8_t, 4>& steps, std::int32_t x, std::int32_t y, double z, bool wins,
+                    std::int32_t polygon, Visit&& visit) {
+  if (!visit(steps[0], DepthInterpolate{x, y, z}) || !visit(steps[1], DepthCompare{x, y, z, wins})) return false;
+  return !wins || (visit(steps[2], DepthWrite{x, y, z}) && visit(steps[3], PixelWrite{x, y, polygon}));
+}
+
 /// Pixels of a span that are held against the depth buffer, from left to right. Each is a depth_interpolate and a
 /// depth_compare; where it is nearer, a depth_write and a pixel_write follow.
 struct FragmentRun {
@@ -116,9 +124,7 @@ struct FragmentRun {
   template <class Visit>
   bool expand(Visit&& visit) const {
     return for_each([&](std::uint32_t, std::int32_t column, double z, bool wins) {
-      if (!visit(steps[0], DepthInterpolate{column, y, z}) || !visit(steps[1], DepthCompare{column, y, z, wins}))
-        return false;
-      return !wins || (visit(steps[2], DepthWrite{column, y, z}) && visit(steps[3], PixelWrite{column, y, polygon}));
+      return visit_fragment(steps, column, y, z, wins, polygon, visit);
     });
   }
 };

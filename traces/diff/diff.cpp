@@ -25,10 +25,8 @@ constexpr std::size_t most_waiting = 3'000'000;
 bool may_record(const Trace& trace, std::uint8_t kind, Unrecorded unrecorded) {
   if (trace.has(kind)) return true;
   if (unrecorded == Unrecorded::left_out) return false;
-  constexpr std::array of_pixels{kind_of<DepthCompare>, kind_of<DepthWrite>, kind_of<PixelWrite>, kind_of<PixelPaint>};
-  const Page& page = trace.header().page;
-  return std::find(of_pixels.begin(), of_pixels.end(), kind) != of_pixels.end() &&
-         std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
+  using enum AtPixel;
+  return has(at_pixel_of(kind), verdict | keeps | colors) && records(trace.header(), kind);
 }
 
 Both recorded_by_both(const Trace& a, const Trace& b, Unrecorded unrecorded) {
@@ -39,8 +37,7 @@ Both recorded_by_both(const Trace& a, const Trace& b, Unrecorded unrecorded) {
   }
   // A program of the same method that has no such step says nothing of turns.
   both.turns = a.header().algorithm != b.header().algorithm && says_turns(a) && says_turns(b);
-  for (const Trace* run : {&a, &b})
-    both.ahead = both.ahead || run->spans_at_once() != Trace::SpansAtOnce::of_polygon;
+  for (const Trace* run : {&a, &b}) both.ahead = both.ahead || run->spans_at_once() != Trace::SpansAtOnce::of_polygon;
   // One list of all polygons' edges is another list than that of each polygon.
   if (a.has(kind_of<TablesBegin>) != b.has(kind_of<TablesBegin>))
     for (const std::uint8_t kind : {kind_of<ScanLineBegin>, kind_of<EdgeEnter>, kind_of<EdgeSwap>}) both[kind] = false;

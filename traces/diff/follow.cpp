@@ -112,7 +112,7 @@ struct Witness {
   std::uint16_t told = 0;   ///< the fields in question that were held against something
 
   Number number(const auto&, double value, const Place& place) {
-    if (std::is_same_v<E, DepthCompare> && place.in == Place::In::depth_buffer) reads_from.stored(place);
+    if (has(at_pixel<E>, AtPixel::verdict) && place.in == Place::In::depth_buffer) reads_from.stored(place);
     else if (place.in != Place::In::event && place.in != Place::In::scene) reads_from(place);
     Rounded known(value);
     if (precision.largest_amount() > 0) known.spread += precision.amount(place) / precision.relative;
@@ -508,15 +508,13 @@ class Follow {
   /// What theory allows the depth of a pixel; 0 of other steps, and where it is not known.
   template <class E>
   double depth_bound(const E& e) const {
-    if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> ||
-                  std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>)
-      return report_.precision.allowed_depth(e.x, e.y);
+    if constexpr (has(at_pixel<E>, AtPixel::depth | AtPixel::keeps)) return report_.precision.allowed_depth(e.x, e.y);
     else return 0;
   }
   /// By how much rounding may move a depth that is compared, of which it may be off by such a share.
   template <class E>
   double may_move(const E& e, double share) const {
-    if constexpr (std::is_same_v<E, DepthCompare>)
+    if constexpr (has(at_pixel<E>, AtPixel::verdict))
       return std::max(depth_bound(e), share * std::max(std::abs(e.z), std::abs(at_.stored(e.x, e.y))));
     else return std::numeric_limits<double>::infinity();
   }

@@ -19,6 +19,12 @@ struct Kept {
   SpanBegin span;
 };
 
+/// visit(event) for one of each kind that a pixel of a run of fragments has, at this pixel.
+template <class Visit>
+void for_each_of_fragment(Visit&& visit, std::int32_t x = 0, std::int32_t y = 0) {
+  codec::visit_fragment({}, x, y, 0, true, 0, [&](std::uint8_t, const auto& event) { return visit(event), true; });
+}
+
 /// Takes note of a block's steps.
 struct Keep {
   const Both& both;
@@ -32,8 +38,10 @@ struct Keep {
     return true;
   }
   bool operator()(std::int64_t position, const codec::FragmentRun& run) {
-    const bool writes = both[kind_of<DepthWrite>] && both[kind_of<PixelWrite>];
-    const bool whole = both[kind_of<DepthInterpolate>] && both[kind_of<DepthCompare>] && (run.nearer == 0 || writes);
+    bool whole = true;
+    for_each_of_fragment([&]<class E>(const E&) {
+      whole = whole && (both[kind_of<E>] || (!is_of_fragment(at_pixel<E>) && run.nearer == 0));
+    });
     return keep(position, run, ReadSteps::fragments, whole);
   }
   bool operator()(std::int64_t position, const codec::PaintRun& run) {
@@ -271,8 +279,10 @@ void InStep::count(std::int64_t pairs, std::int64_t equal) {
 
 void InStep::count_run(const codec::FragmentRun& run) {
   const std::int64_t written = run.nearer == 0 ? 0 : std::popcount(run.nearer);
-  count<DepthInterpolate>(run.count, run.count), count<DepthCompare>(run.count, run.count);
-  count<DepthWrite>(written, written), count<PixelWrite>(written, written);
+  for_each_of_fragment([&]<class E>(const E&) {
+    const std::int64_t pairs = is_of_fragment(at_pixel<E>) ? run.count : written;
+    count<E>(pairs, pairs);
+  });
 }
 void InStep::count_run(const codec::PaintRun& run) { count<PixelPaint>(run.count, run.count); }
 
@@ -299,9 +309,10 @@ std::uint32_t InStep::pixels_along(const OneRun& a, const OneRun& b) {
   if (!a_.waiting.empty() || !b_.waiting.empty()) {
     if constexpr (std::is_same_v<OneRun, codec::PaintRun>) {
       if (may_wait(PixelPaint{a.x, a.y, 0, 0})) return 0;
-    } else if (may_wait(DepthInterpolate{a.x, a.y, 0}, DepthCompare{a.x, a.y, 0, false}, DepthWrite{a.x, a.y, 0},
-                        PixelWrite{a.x, a.y, 0})) {
-      return 0;
+    } else {
+      bool waits = false;
+      for_each_of_fragment([&](const auto& event) { waits = waits || may_wait(event); }, a.x, a.y);
+      if (waits) return 0;
     }
   }
   return same_depths(a, b, std::min({a.count, b.count, same_verdicts(a, b)}));

@@ -108,11 +108,10 @@ namespace {
 
 /// The last compare at a pixel before a step of one run whose partner comes after a step of the other run; 0 for none.
 template <class Partner>
-std::int64_t earlier_here(const Trace& run, const DepthCompare& here, std::int64_t step, std::int64_t other_step,
+std::int64_t earlier_here(const Trace& run, const Trace::Among& compares, std::int64_t step, std::int64_t other_step,
                           Partner&& partner) {
   const auto found = run.previous_at(
-      step, [&](std::int64_t at, const RecordedEvent&) { return partner(at) > other_step; },
-      Trace::Among(Trace::Pixel{here.x, here.y}, kind_of<DepthCompare>));
+      step, [&](std::int64_t at, const RecordedEvent&) { return partner(at) > other_step; }, compares);
   return found.value_or(0);
 }
 
@@ -121,8 +120,8 @@ std::int64_t earlier_here(const Trace& run, const DepthCompare& here, std::int64
 void find_other_order(const Trace& a, const Trace& b, DiffReport& report) {
   const Alignment& alignment = report.alignment;
   for (Cause& cause : report.causes) {
-    if (!cause.operands_differ || cause.first.kind != kind_of<DepthCompare>) continue;
-    const auto here = get<DepthCompare>(a.event(cause.first.a).event);
+    if (!cause.operands_differ || !has(at_pixel_of(cause.first.kind), AtPixel::verdict)) continue;
+    const Trace::Among here(pixel_of(a.event(cause.first.a).event), cause.first.kind);
     const auto in_b = [&](std::int64_t step) { return alignment.in_b(step); };
     const auto in_a = [&](std::int64_t step) { return alignment.in_a(step); };
     if (const std::int64_t one = earlier_here(a, here, cause.first.a, cause.first.b, in_b))
@@ -207,7 +206,7 @@ class Watching {
     if (light_) return true;
     if constexpr (std::is_same_v<E, BuffersClear>)
       for (auto& [pixel, drawn] : watched_) drawn.clear();
-    if constexpr (std::is_same_v<E, DepthCompare>) {
+    if constexpr (has(at_pixel<E>, AtPixel::verdict)) {
       if (const auto here = watched_.find(Pixel{e.x, e.y}); here != watched_.end())
         here->second[polygon_].found = step, here->second[polygon_].z = e.z;
     } else if constexpr (std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>) {

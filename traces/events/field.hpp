@@ -33,6 +33,21 @@ enum class WorkKind : std::uint8_t {
   bookkeeping,
 };
 
+/// Values of an enumeration that are said together: one | other.
+template <class Enumeration>
+inline constexpr bool said_together = false;
+template <class Enumeration>
+requires said_together<Enumeration>
+constexpr Enumeration operator|(Enumeration one, Enumeration other) {
+  return static_cast<Enumeration>(static_cast<std::uint8_t>(one) | static_cast<std::uint8_t>(other));
+}
+/// Is any of these among them?
+template <class Enumeration>
+requires said_together<Enumeration>
+constexpr bool has(Enumeration all, Enumeration any) {
+  return (static_cast<std::uint8_t>(all) & static_cast<std::uint8_t>(any)) != 0;
+}
+
 /// What an event belongs to, besides what its own fields name: whatever of these is at work.
 enum class Within : std::uint8_t {
   nothing = 0,
@@ -43,12 +58,8 @@ enum class Within : std::uint8_t {
   curve = 16,  ///< the curve, the line or the piece
   node = 32,   ///< the node of the tree that was made last
 };
-constexpr Within operator|(Within one, Within other) {
-  return static_cast<Within>(static_cast<std::uint8_t>(one) | static_cast<std::uint8_t>(other));
-}
-constexpr bool has(Within all, Within one) {
-  return (static_cast<std::uint8_t>(all) & static_cast<std::uint8_t>(one)) != 0;
-}
+template <>
+inline constexpr bool said_together<Within> = true;
 
 /// In what a reader goes through a trace.
 enum class Unit : std::uint8_t { event, pixel, span, scan_line, polygon };
@@ -57,6 +68,17 @@ struct Begins {
   Unit unit = Unit::event;
   std::string_view word{};  ///< what methods call the unit that have areas, edges or curves in its stead
 };
+
+/// What a step does at the pixel that it names, where the depth buffer and the frame are concerned.
+enum class AtPixel : std::uint8_t {
+  nothing = 0,
+  depth = 1,    ///< it has the depth there of what is at work
+  verdict = 2,  ///< it says whether that is nearer
+  keeps = 4,    ///< it stores a depth
+  colors = 8,   ///< it stores a polygon's colour
+};
+template <>
+inline constexpr bool said_together<AtPixel> = true;
 
 struct Description {
   std::string_view name;     ///< as it stands in traces: "depth_compare"
@@ -71,9 +93,15 @@ struct Description {
   /// Where it gives a piece to several pixels at once, seen from one of them: "in the area around it".
   std::string_view gives_around{};
   bool after_polygons = false;  ///< it is about all polygons at once, after the work on each of them
+  AtPixel at_pixel = AtPixel::nothing;
 };
 template <class Event>
 inline constexpr Description description_of{};
+
+template <class Event>
+inline constexpr AtPixel at_pixel = description_of<Event>.at_pixel;
+/// The depth of a polygon on its way into the buffer: interpolated, or held against the stored one.
+constexpr bool is_of_fragment(AtPixel does) { return has(does, AtPixel::depth) && !has(does, AtPixel::colors); }
 
 /// How the codec guesses a value before it looks. A right guess costs no bits in the file (docs/trace-format.md,
 /// "Guesses"). There is a register for each field name, holding the last value any event gave to a field of that name.
@@ -94,10 +122,8 @@ enum class As : std::uint8_t {
   aside = 16,    ///< two runs may differ in it and yet do the same
   ruled = 32,    ///< rules say what it may be, though no formula does
 };
-constexpr As operator|(As one, As other) {
-  return static_cast<As>(static_cast<std::uint8_t>(one) | static_cast<std::uint8_t>(other));
-}
-constexpr bool has(As all, As one) { return (static_cast<std::uint8_t>(all) & static_cast<std::uint8_t>(one)) != 0; }
+template <>
+inline constexpr bool said_together<As> = true;
 
 /// What a run numbers for itself. Polygons and facets are the scene's, and have one number for all runs.
 enum class Thing : std::uint8_t { none, vertex, edge, piece, node, area, box, ray, curve, line, count };

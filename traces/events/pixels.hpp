@@ -34,7 +34,8 @@ inline constexpr Description description_of<DepthInterpolate>{.name = "depth_int
                                                               .meaning = "the polygon's depth at a pixel",
                                                               .work = WorkKind::depths,
                                                               .called = "depth at x = {x} on the span",
-                                                              .within = Within::polygon};
+                                                              .within = Within::polygon,
+                                                              .at_pixel = AtPixel::depth};
 template <>
 inline constexpr auto fields_of<DepthInterpolate> =
     Fields{Field{"x", &DepthInterpolate::x, Measure::column, "column", As::subject, Guess::next},
@@ -47,7 +48,8 @@ inline constexpr Description description_of<DepthCompare>{.name = "depth_compare
                                                           .meaning = "a new depth is held against the stored one",
                                                           .work = WorkKind::compares,
                                                           .called = "compare at pixel ({x}, {y})",
-                                                          .within = Within::polygon};
+                                                          .within = Within::polygon,
+                                                          .at_pixel = AtPixel::depth | AtPixel::verdict};
 template <>
 inline constexpr auto fields_of<DepthCompare> = Fields{
     Field{"x", &DepthCompare::x, Measure::column, "column", As::subject},
@@ -61,7 +63,8 @@ inline constexpr Description description_of<DepthWrite>{.name = "depth_write",
                                                         .meaning = "the depth buffer takes a depth",
                                                         .work = WorkKind::writes,
                                                         .called = "depth written at pixel ({x}, {y})",
-                                                        .within = Within::polygon};
+                                                        .within = Within::polygon,
+                                                        .at_pixel = AtPixel::keeps};
 template <>
 inline constexpr auto fields_of<DepthWrite> =
     Fields{Field{"x", &DepthWrite::x, Measure::column, "column", As::subject},
@@ -72,7 +75,8 @@ template <>
 inline constexpr Description description_of<PixelWrite>{.name = "pixel_write",
                                                         .meaning = "the framebuffer takes a polygon's colour",
                                                         .work = WorkKind::writes,
-                                                        .within = Within::polygon};
+                                                        .within = Within::polygon,
+                                                        .at_pixel = AtPixel::colors};
 template <>
 inline constexpr auto fields_of<PixelWrite> =
     Fields{Field{"x", &PixelWrite::x, Measure::column, "column", As::subject},
@@ -119,7 +123,8 @@ inline constexpr Description description_of<PixelPaint>{.name = "pixel_paint",
                                                             "depth is kept beside it, so that methods can be compared",
                                                         .work = WorkKind::writes,
                                                         .called = "pixel ({x}, {y}) painted with {polygon}",
-                                                        .within = Within::polygon};
+                                                        .within = Within::polygon,
+                                                        .at_pixel = AtPixel::depth | AtPixel::keeps | AtPixel::colors};
 template <>
 inline constexpr auto fields_of<PixelPaint> = Fields{
     Field{"x", &PixelPaint::x, Measure::column, "column", As::subject, Guess::next},

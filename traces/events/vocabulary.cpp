@@ -1,9 +1,19 @@
 #include "traces/events/vocabulary.hpp"
 
+#include <array>
 #include <typeinfo>
 
-namespace zstep::detail {
+namespace zstep {
 
-void wrong_kind() { throw std::bad_cast(); }
+void detail::wrong_kind() { throw std::bad_cast(); }
 
-}  // namespace zstep::detail
+AtPixel at_pixel_of(std::size_t kind) {
+  static const std::array<AtPixel, kind_count> all = [] {
+    std::array<AtPixel, kind_count> does{};
+    for_each_kind([&]<class E>() { does[kind_of<E>] = at_pixel<E>; });
+    return does;
+  }();
+  return kind < all.size() ? all[kind] : AtPixel::nothing;
+}
+
+}  // namespace zstep

@@ -164,4 +164,8 @@ decltype(auto) visit_event(Function&& function, AnyEvent& event) {
   detail::wrong_kind();
 }
 
+/// What an event of a kind does at its pixel, where only running tells the kind.
+AtPixel at_pixel_of(std::size_t kind);
+inline AtPixel at_pixel_of(const Event& event) { return at_pixel_of(event.index()); }
+
 }  // namespace zstep

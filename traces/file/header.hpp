@@ -76,11 +76,20 @@ bool records(const Header& header) {
   return records(header, kind_of<E>);
 }
 
+/// Events that do any of this at a pixel?
+inline bool records(const Header& header, AtPixel any) {
+  return std::any_of(header.page.begin(), header.page.end(),
+                     [&](const StepInfo& step) { return has(at_pixel_of(step.kind), any); });
+}
+
 /// Where the method itself keeps depths to compare with: for the whole picture, for one scan line, or nowhere. What is
 /// painted has a depth in the trace even where the method never looks at it.
 enum class DepthBuffer : std::uint8_t { none, line, picture };
 inline DepthBuffer depth_buffer(const Header& header) {
-  const bool keeps = records<DepthInterpolate>(header) || records<DepthCompare>(header) || records<DepthWrite>(header);
+  const bool keeps = std::any_of(header.page.begin(), header.page.end(), [](const StepInfo& step) {
+    const AtPixel does = at_pixel_of(step.kind);
+    return does != AtPixel::nothing && !has(does, AtPixel::colors);
+  });
   if (!keeps) return DepthBuffer::none;
   if (!records<SpanFlags>(header)) return DepthBuffer::picture;
   // The scan-line method has steps for both of its ways.

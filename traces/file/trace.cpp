@@ -317,9 +317,7 @@ std::int32_t Trace::polygon_at_work(std::int64_t position) const {
 
 namespace {
 
-bool is_pixel(const Event& event) {
-  return holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event);
-}
+bool is_pixel(const Event& event) { return has(at_pixel_of(event), AtPixel::depth); }
 /// The span that this is, where it has pixels.
 const SpanBegin* as_span(const Event& event) {
   const auto* span = get_if<SpanBegin>(&event);
@@ -366,6 +364,12 @@ Trace::SpansAtOnce first_spans_of(const Trace& trace) {
 Trace::SpansAtOnce Trace::spans_at_once() const {
   if (!impl_->known_spans_at_once) impl_->known_spans_at_once = first_spans_of(*this);
   return *impl_->known_spans_at_once;
+}
+
+bool Trace::has(AtPixel any) const {
+  for (std::size_t kind = 0; kind < kind_count; ++kind)
+    if (zstep::has(at_pixel_of(kind), any) && has(static_cast<std::uint8_t>(kind))) return true;
+  return false;
 }
 
 std::int32_t Trace::polygon_of_piece(std::int32_t piece) const {

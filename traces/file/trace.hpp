@@ -82,6 +82,7 @@ class Trace {
   std::int32_t polygon_of_piece(
       std::int32_t piece) const;      ///< by the piece_make events; no_polygon where there is none
   bool has(std::uint8_t kind) const;  ///< whether some event is of this kind
+  bool has(AtPixel any) const;        ///< whether some event does any of this
   /// Of what the run prints several spans before any of their pixels, as the first ones show: of a polygon at most; of
   /// the polygons of a scan line, whose edges stand in one table; of all polygons.
   enum class SpansAtOnce : std::uint8_t { of_polygon, of_line, of_all };

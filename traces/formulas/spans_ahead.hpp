@@ -31,12 +31,11 @@ class SpansAhead {
   bool reciprocal = false;    ///< what is interpolated is the reciprocal of the depth
 
   template <class E>
-  static constexpr bool is_of_pixel =
-      std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, PixelPaint>;
+  static constexpr bool is_of_pixel = zstep::has(at_pixel<E>, AtPixel::depth);
   /// Is it the first step of each pixel?
   template <class E>
   bool opens_pixel() const {
-    return is_of_pixel<E> && !(std::is_same_v<E, DepthCompare> && interpolates);
+    return is_of_pixel<E> && !(zstep::has(at_pixel<E>, AtPixel::verdict) && interpolates);
   }
 
   const std::vector<Open>& spans() const { return spans_; }

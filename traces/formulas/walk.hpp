@@ -30,8 +30,8 @@ inline void recall_spans(const Trace& trace, Situation& at) {
     trace.each_back(position, [&](std::int64_t step, const RecordedEvent& recorded) {
       const Event& event = recorded.event;
       if (holds<SpanBegin>(event)) ++spans;
-      const bool ends = holds<DepthInterpolate>(event) || holds<DepthCompare>(event) || holds<PixelPaint>(event) ||
-                        holds<PolygonBegin>(event) || holds<PieceDraw>(event);
+      const bool ends =
+          has(at_pixel_of(event), AtPixel::depth) || holds<PolygonBegin>(event) || holds<PieceDraw>(event);
       if (spans > 0 && ends) from = step;
       return from == 0;
     });

@@ -372,16 +372,14 @@ std::optional<Divergence> first_divergence(const Judgement& found, const std::se
 bool depth_is_wrong(const Divergence& first) {
   constexpr float far_more = 1e-4f;
   if (!first.parts || first.parts->only_a() || first.parts->only_b() || !(first.parts->off > far_more)) return false;
-  const auto has_depth = [&]<class E>(const E*) {
-    bool found = false;
+  bool found = false;
+  for_each_kind([&]<class E>() {
+    if (kind_of<E> != first.parts->kind || !is_of_fragment(at_pixel<E>)) return;
     for_each_index<E>([&]<std::size_t I>() {
       found = found || (field_at<E, I>.name == "z" && (first.parts->fields >> I & 1u) != 0);
     });
-    return kind_of<E> == first.parts->kind && found;
-  };
-  const DepthInterpolate* const interpolated = nullptr;
-  const DepthCompare* const compared = nullptr;
-  return has_depth(interpolated) || has_depth(compared);
+  });
+  return found;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace zstep::mistakes {
 namespace {
 
 /// What is done at a pixel: which it is, and what comes out.
-struct AtPixel {
+struct PixelStep {
   std::uint8_t kind = 0;
   std::int32_t polygon = no_polygon, x = 0, y = 0;
   double z = 0;
@@ -25,7 +25,7 @@ struct AtPixel {
 
   auto where() const { return std::tie(kind, polygon, x, y); }
 };
-using Pixels = std::vector<AtPixel>;
+using Pixels = std::vector<PixelStep>;
 
 /// By pixel, and of one pixel in the order of work. A polygon at work is told of where both runs say which one that is.
 Pixels pixels_of(const Trace& run, const std::array<bool, kind_count>& both) {
@@ -36,10 +36,10 @@ Pixels pixels_of(const Trace& run, const std::array<bool, kind_count>& both) {
         [&]<class E>(const E& e) {
           if (!both[kind_of<E>]) return;
           if constexpr (std::is_same_v<E, PolygonBegin>) polygon = e.polygon;
-          if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthWrite>)
-            pixels.push_back({kind_of<E>, polygon, e.x, e.y, e.z, 0});
-          if constexpr (std::is_same_v<E, DepthCompare>)
+          if constexpr (has(at_pixel<E>, AtPixel::verdict))
             pixels.push_back({kind_of<E>, polygon, e.x, e.y, e.z, e.nearer});
+          else if constexpr (is_of_fragment(at_pixel<E>) || std::is_same_v<E, DepthWrite>)
+            pixels.push_back({kind_of<E>, polygon, e.x, e.y, e.z, 0});
           if constexpr (std::is_same_v<E, PixelWrite>) pixels.push_back({kind_of<E>, polygon, e.x, e.y, 0, e.polygon});
         },
         recorded.event);
@@ -49,14 +49,11 @@ Pixels pixels_of(const Trace& run, const std::array<bool, kind_count>& both) {
 }
 
 /// Of the kinds that are compared here.
-bool is_of_pixel(std::uint8_t kind) {
-  return kind == kind_of<DepthInterpolate> || kind == kind_of<DepthCompare> || kind == kind_of<DepthWrite> ||
-         kind == kind_of<PixelWrite>;
-}
+bool is_of_pixel(std::uint8_t kind) { return at_pixel_of(kind) != AtPixel::nothing && kind != kind_of<PixelPaint>; }
 
 void sort(Pixels& pixels) {
   std::stable_sort(pixels.begin(), pixels.end(),
-                   [](const AtPixel& one, const AtPixel& other) { return one.where() < other.where(); });
+                   [](const PixelStep& one, const PixelStep& other) { return one.where() < other.where(); });
 }
 
 /// Is each of a few of the run somewhere in the reference? Of a run that is not turned hardly any is, and that is found
@@ -64,8 +61,8 @@ void sort(Pixels& pixels) {
 bool few_are_there(const Pixels& reference, const Pixels& run, const Supposed& numbers) {
   constexpr std::size_t few = 8;
   for (std::size_t k = 0; k < few; ++k) {
-    const AtPixel& one = run[k * run.size() / few];
-    const auto is_one = [&](const AtPixel& other) {
+    const PixelStep& one = run[k * run.size() / few];
+    const auto is_one = [&](const PixelStep& other) {
       return other.where() == one.where() && other.says == one.says && numbers.equal(one.z, Rounded(other.z));
     };
     if (std::none_of(reference.begin(), reference.end(), is_one)) return false;
@@ -80,7 +77,7 @@ bool same(Pixels reference, Pixels run, bool whole, const Supposed& numbers) {
   sort(reference);
   sort(run);
   auto at = reference.begin();
-  for (const AtPixel& one : run) {
+  for (const PixelStep& one : run) {
     while (at != reference.end() && at->where() < one.where()) ++at;
     if (at == reference.end() || at->where() != one.where() || at->says != one.says ||
         !numbers.equal(one.z, Rounded(at->z)))
@@ -103,8 +100,8 @@ std::optional<Mistake> turned_of(const Trace& reference, const Trace& run, const
   Pixels upside_down = pixels_of(run, both), exchanged = upside_down;
   const Supposed numbers(precision);
   const auto [width, height] = std::pair(reference.scene().raster.width, reference.scene().raster.height);
-  for (AtPixel& one : upside_down) one.y = height - 1 - one.y;
-  for (AtPixel& one : exchanged) std::swap(one.x, one.y);
+  for (PixelStep& one : upside_down) one.y = height - 1 - one.y;
+  for (PixelStep& one : exchanged) std::swap(one.x, one.y);
   // A run ends at the first pixel outside the raster; on a square one there is none.
   const bool down = same(right, std::move(upside_down), true, numbers),
              over = same(right, std::move(exchanged), width == height, numbers);

@@ -92,7 +92,7 @@ Decisions decisions_of(const Trace& trace) {
         return true;
       },
       [](std::int64_t, const Impossible&) {});
-  if (trace.has(kind_of<DepthCompare>) && trace.has(kind_of<SpanBegin>)) {
+  if (trace.has(AtPixel::verdict) && trace.has(kind_of<SpanBegin>)) {
     const Errors errors = errors_of(trace);
     Decided& compared = judge.decisions()[Predicate::depth_compare];
     compared.decisions = errors.compares, compared.wrong = errors.all.decided_wrong;

@@ -119,7 +119,7 @@ class DepthJudge {
       if (e.role == RayRole::eye) ray_ = e, ray_kept_ = {}, ray_nearest_ = {};
     if constexpr (std::is_same_v<E, RayHit>) hit(position, e, at);
     if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, PixelPaint>) compute(position, e, at);
-    if constexpr (std::is_same_v<E, DepthCompare>) {
+    if constexpr (has(at_pixel<E>, AtPixel::verdict)) {
       if (!at.records<DepthInterpolate>() || !find_fragment(e, static_cast<std::size_t>(at.pixel(e.x, e.y))))
         compute(position, e, at);
       compare(position, e, at);
@@ -444,11 +444,12 @@ class DepthJudge {
   void leave_fragment() {
     const std::size_t pixel =
         static_cast<std::size_t>(fragment_y_) * trace_.scene().raster.width + static_cast<std::size_t>(fragment_x_);
-    if (came_to_ == CameTo::depth && trace_.has(kind_of<DepthCompare>)) waiting_[pixel].push_back(fragment_);
+    if (came_to_ == CameTo::depth && trace_.has(AtPixel::verdict)) waiting_[pixel].push_back(fragment_);
     if (came_to_ == CameTo::win && trace_.has(kind_of<DepthWrite>)) won_.insert_or_assign(pixel, fragment_);
   }
   /// Goes to what was interpolated for a compare: at its pixel, and of several that with its depth, else the first.
-  bool find_fragment(const DepthCompare& e, std::size_t pixel) {
+  template <class E>
+  bool find_fragment(const E& e, std::size_t pixel) {
     const bool is_here = is_fragment_at(e.x, e.y), is_open = is_here && came_to_ == CameTo::depth;
     const auto waiting = waiting_.find(pixel);
     if (waiting == waiting_.end() || (is_open && fragment_.z == e.z)) return is_here;
@@ -465,7 +466,8 @@ class DepthJudge {
     fragment_ = next, fragment_x_ = e.x, fragment_y_ = e.y;
     return true;
   }
-  void compare(std::int64_t position, const DepthCompare& e, const Situation& at) {
+  template <class E>
+  void compare(std::int64_t position, const E& e, const Situation& at) {
     came_to_ = e.nearer ? CameTo::win : CameTo::end;
     if (!fragment_.exact) return;
     fragment_.z = e.z;
@@ -499,7 +501,7 @@ class DepthJudge {
     const std::span<Nearest> nearest = nearest_at(pixel);
     for (std::size_t i = 0; i < nearest.size(); ++i) {
       if (ray_nearest_.exactly.exact) nearest[i] = ray_nearest_;
-      else if (!trace_.has(kind_of<DepthCompare>))  // painted over each other; of equal depths the last is seen
+      else if (!trace_.has(AtPixel::verdict))  // painted over each other; of equal depths the last is seen
         nearest[i].meet(stored, x, {open_[i].nearer, Comparison::Ties::last});
     }
     constexpr double none = std::numeric_limits<double>::quiet_NaN();

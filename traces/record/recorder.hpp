@@ -41,7 +41,7 @@ using Page = std::vector<StepInfo>;
 inline constexpr int step_limit =
     125;  ///< a token of the file is seven bits, and three of them stand for several events
 
-/// A Recorder is called once per elementary step: record(step::compare, DepthCompare{x, y, z, nearer}).
+/// A Recorder is called once per elementary step: record(step::write_pixel, PixelWrite{x, y, polygon}).
 template <class R>
 concept Recorder = requires(R& record, Step<PixelWrite> step, const PixelWrite& event) {
   record(step, event);

@@ -132,16 +132,20 @@ bool forgets_depths(const Trace& trace) {
       empty = clear->z;
       std::fill(written.begin(), written.end(), empty);
     }
-    const auto* compare = get_if<DepthCompare>(&recorded.event);
-    if (!compare) return true;
-    const std::size_t pixel = pixel_at(compare->x, compare->y, raster.width);
-    const auto fits = [&](double stored) {
-      const bool open = compare->z == stored && !header.declares(Convention::ties);
-      return open || compare->nearer == header.comparison.wins(compare->z, stored);
-    };
-    right_if_forgotten = right_if_forgotten && fits(empty);
-    right_if_written = right_if_written && fits(written[pixel]);
-    if (compare->nearer) written[pixel] = compare->z;
+    visit_event(
+        [&]<class E>(const E& e) {
+          if constexpr (has(at_pixel<E>, AtPixel::verdict)) {
+            double& here = written[pixel_at(e.x, e.y, raster.width)];
+            const auto fits = [&](double stored) {
+              const bool open = e.z == stored && !header.declares(Convention::ties);
+              return open || e.nearer == header.comparison.wins(e.z, stored);
+            };
+            right_if_forgotten = right_if_forgotten && fits(empty);
+            right_if_written = right_if_written && fits(here);
+            if (e.nearer) here = e.z;
+          }
+        },
+        recorded.event);
     return right_if_forgotten;
   });
   return right_if_forgotten && !right_if_written;
@@ -153,8 +157,8 @@ Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()), empty_depth_(
   const Header& header = trace.header();
   colors_ = records<ColorWrite>(header) || records<ColorBlend>(header);
   light_ = records<PassBegin>(header);
-  compares_write_ = trace.has(kind_of<DepthCompare>) && !trace.has(kind_of<DepthWrite>) &&
-                    !records<ColorBlend>(header) && !forgets_depths(trace);
+  compares_write_ = trace.has(AtPixel::verdict) && !trace.has(kind_of<DepthWrite>) && !records<ColorBlend>(header) &&
+                    !forgets_depths(trace);
   edges_told_ = trace.has(kind_of<EdgeTableInsert>);
   // Glass is drawn after what is opaque, and only then a table is made of all.
   tables_not_told_ = records<TablesBegin>(header) && !trace.has(kind_of<TablesBegin>) && !records<ColorBlend>(header);

@@ -340,11 +340,11 @@ std::set<std::size_t> beginnings(const Trace& trace, Unit unit) {
   }
   if (unit != Unit::pixel || !kinds.empty()) return kinds;
   kinds.insert(kind_of<PixelPaint>);
-  for (const std::uint8_t kind : {kind_of<DepthInterpolate>, kind_of<DepthCompare>, kind_of<HorizonTest>}) {
-    if (!records(header, kind)) continue;
-    kinds.insert(kind);
-    return kinds;
-  }
+  for (std::size_t kind = 0; kind < kind_count; ++kind)
+    if ((is_of_fragment(at_pixel_of(kind)) || kind == kind_of<HorizonTest>)&&records(header, kind)) {
+      kinds.insert(kind);
+      return kinds;
+    }
   if (!records(header, kind_of<PixelPaint>))
     kinds.insert(records(header, kind_of<ColorWrite>) ? kind_of<ColorWrite> : kind_of<PixelWrite>);
   return kinds;
@@ -434,16 +434,17 @@ std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::in
   State state;
   state.position = step;
   state.machine.polygon = polygon;
-  if (const auto* compare = get_if<DepthCompare>(&event); compare && before) {
-    set_fragment(state, *compare, *before);
-    state.machine.fragment->nearer = compare->nearer;
-    return state;
-  }
-  if (const auto* paint = get_if<PixelPaint>(&event); paint && before) {
-    set_fragment(state, *paint, *before);
-    set_span(state, trace, step, *paint);
-    return state;
-  }
+  const bool of_pixel = before && visit_event(
+                                      [&]<class E>(const E& e) {
+                                        constexpr bool compares = has(at_pixel<E>, AtPixel::verdict);
+                                        constexpr bool paints = std::is_same_v<E, PixelPaint>;
+                                        if constexpr (compares || paints) set_fragment(state, e, *before);
+                                        if constexpr (compares) state.machine.fragment->nearer = e.nearer;
+                                        if constexpr (paints) set_span(state, trace, step, e);
+                                        return compares || paints;
+                                      },
+                                      event);
+  if (of_pixel) return state;
   if (is_one_of<RayPlane, RayHit>(event)) {
     set_ray(state, trace, step);
     return state;

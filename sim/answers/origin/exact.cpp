@@ -101,8 +101,7 @@ class Exactly {
     if (depth_buffer(trace_.header()) == DepthBuffer::none) return false;
     return visit_event(
         [&]<class E>(const E& e) {
-          if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> ||
-                        std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>)
+          if constexpr (has(at_pixel<E>, AtPixel::depth | AtPixel::keeps))
             return e.z == value.value && value.name.starts_with('z');
           else return false;
         },

@@ -214,7 +214,8 @@ struct Source {
   Number of_fragment() const {
     const bool interpolates = holds<DepthInterpolate>(event);
     const Step from = work.trace.previous(step, [&](const RecordedEvent& recorded) {
-      return holds<DepthInterpolate>(recorded.event) || (!interpolates && holds<DepthCompare>(recorded.event));
+      const AtPixel does = at_pixel_of(recorded.event);
+      return is_of_fragment(does) && !(interpolates && has(does, AtPixel::verdict));
     });
     const std::optional<Work::SpanOfStep> own = work.span_of(step, event);
     const auto* before = from && interpolates ? get_if<DepthInterpolate>(&work.trace.event(*from).event) : nullptr;

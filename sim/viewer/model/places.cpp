@@ -96,7 +96,7 @@ std::vector<Places::Suggestion> Places::suggestions() const {
   };
   for (const std::string& text : asked_) add(text, "asked before");
   const Header& header = session_.header();
-  if (records<DepthCompare>(header)) add("not nearer", "a compare fails");
+  if (records(header, AtPixel::verdict)) add("not nearer", "a compare fails");
   const auto cell = session_.selected ? session_.selected : session_.current_cell();
   if (cell)
     add(fmt::format("changes({}, {})", cell->x, cell->y),

@@ -94,8 +94,7 @@ void SliceLines::find(const Trace& trace) {
         }
     if constexpr (std::is_same_v<E, PlaneDepth>)
       if (e.y_at == now.line) sample(step, now.polygon_of(e.piece), now.line, e.x_at, e.z);
-    if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare>)
-      sample(step, now.owner(e.y), e.y, e.x, e.z);
+    if constexpr (is_of_fragment(at_pixel<E>)) sample(step, now.owner(e.y), e.y, e.x, e.z);
     if constexpr (std::is_same_v<E, PixelPaint>) sample(step, e.polygon, e.y, e.x, e.z);
     return entries <= most_entries;
   });
@@ -157,7 +156,7 @@ std::optional<Slice::Compare> compare_at(const Moment& now, const SliceAt& at, c
   if (!pixel || pixel->y != at.y || at.pass != machine.pass || !machine.fragment) return std::nullopt;
   const Fragment& f = *machine.fragment;
   if (f.x != pixel->x || f.y != pixel->y) return std::nullopt;
-  const bool compares = holds<DepthInterpolate>(event) || holds<DepthCompare>(event);
+  const bool compares = is_of_fragment(at_pixel_of(event));
   const auto* paint = get_if<PixelPaint>(&event);
   const std::int32_t polygon = paint ? paint->polygon : polygon_at_work(machine);
   return Slice::Compare{polygon, static_cast<double>(f.x), f.z, f.stored, f.stored_polygon, f.nearer, !compares};

@@ -235,7 +235,7 @@ std::string note_of_areas(Ui& ui) {
   return fmt::format("{} settled", grouped(settled));
 }
 
-bool serves_areas(const Header& header) { return has_step_of<AreaBegin>(header); }
+bool serves_areas(const Header& header) { return records<AreaBegin>(header); }
 
 }  // namespace
 

@@ -189,7 +189,7 @@ std::string depth_note(Ui& ui) {
 
 bool keeps_depths(const Header& header) { return depth_buffer(header) == DepthBuffer::picture; }
 /// What is painted has a depth in the trace, though the method has no buffer of them.
-bool records_depths(const Header& header) { return !keeps_depths(header) && has_step_of<PixelPaint>(header); }
+bool records_depths(const Header& header) { return !keeps_depths(header) && records<PixelPaint>(header); }
 
 }  // namespace
 
@@ -277,7 +277,7 @@ std::string note_of_depth_units(Ui& ui) {
   return fmt::format("{} depths, half before z_v = {}", many, number(formulas::middle_depth(scene, conventions)));
 }
 
-bool serves_depth_units(const Header& header) { return has_step_of<DepthCompare>(header); }
+bool serves_depth_units(const Header& header) { return records(header, AtPixel::verdict); }
 
 }  // namespace
 
@@ -371,10 +371,7 @@ std::string note_of_depth_error(Ui& ui) {
   return fmt::format("{} on scan line y = {}{}", drift->past ? "last span" : "span", drift->y, why);
 }
 
-bool serves_depth_error(const Header& header) {
-  return has_step_of<SpanBegin>(header) && (has_step_of<DepthInterpolate>(header) ||
-                                            has_step_of<DepthCompare>(header) || has_step_of<PixelPaint>(header));
-}
+bool serves_depth_error(const Header& header) { return records<SpanBegin>(header) && records(header, AtPixel::depth); }
 
 }  // namespace
 
@@ -452,7 +449,7 @@ void draw_shadow_buffer(Ui& ui) {
 
 std::string note_of_shadow_buffer(Ui& ui) { return ui.session.state().machine.shadow ? "what the light sees" : ""; }
 
-bool serves_shadow_buffer(const Header& header) { return has_step_of<ShadowCompare>(header); }
+bool serves_shadow_buffer(const Header& header) { return records<ShadowCompare>(header); }
 
 }  // namespace
 

@@ -399,7 +399,7 @@ std::string note_of_drawing_list(Ui& ui) {
   return fmt::format("{} to go, {} drawn", machine.list.size(), machine.drawn.size());
 }
 
-bool serves_drawing_list(const Header& header) { return has_step_of<ListInsert>(header); }
+bool serves_drawing_list(const Header& header) { return records<ListInsert>(header); }
 
 }  // namespace
 

@@ -121,8 +121,8 @@ std::string note_of_edge_table(Ui& ui) {
 // A method with a shadow buffer, a list of pieces, a tree or a polygon table needs the room for that. An edge table of
 // all polygons is shown below the active edges.
 bool serves_edge_table(const Header& header) {
-  return has_step_of<EdgeTableInsert>(header) && !has_step_of<ShadowCompare>(header) &&
-         !has_step_of<ListInsert>(header) && !has_step_of<FlagFlip>(header) && !has_step_of<NodeMake>(header);
+  return records<EdgeTableInsert>(header) && !records<ShadowCompare>(header) && !records<ListInsert>(header) &&
+         !records<FlagFlip>(header) && !records<NodeMake>(header);
 }
 
 }  // namespace
@@ -285,8 +285,8 @@ std::string note_of_active_edges(Ui& ui) {
 }
 
 bool serves_active_edges(const Header& header) {
-  return has_step_of<EdgeEnter>(header) && !has_step_of<ShadowCompare>(header) && !has_step_of<ListInsert>(header) &&
-         !has_step_of<NodeMake>(header);
+  return records<EdgeEnter>(header) && !records<ShadowCompare>(header) && !records<ListInsert>(header) &&
+         !records<NodeMake>(header);
 }
 
 }  // namespace

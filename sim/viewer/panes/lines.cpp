@@ -238,7 +238,7 @@ std::string note_of_lines(Ui& ui) {
                    : fmt::format("edge {}", m.line);
 }
 
-bool serves_lines(const Header& header) { return has_step_of<LineBegin>(header); }
+bool serves_lines(const Header& header) { return records<LineBegin>(header); }
 
 }  // namespace
 
@@ -405,7 +405,7 @@ std::string note_of_horizons(Ui& ui) {
   return fmt::format("{} = {}", curve->across ? "x" : "z", number(curve->constant, 2, true));
 }
 
-bool serves_horizons(const Header& header) { return has_step_of<HorizonTest>(header); }
+bool serves_horizons(const Header& header) { return records<HorizonTest>(header); }
 
 }  // namespace
 

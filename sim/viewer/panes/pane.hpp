@@ -66,14 +66,6 @@ void draw_small_transport(Ui& ui, bool playing, ImVec2 size);
 /// has one for it.
 void draw_transport(Ui& ui, bool playing, const std::string& speed, float widest, float room);
 
-/// Does this trace's pseudo-code have a step that records this event?
-template <class E>
-bool has_step_of(const Header& header) {
-  for (const StepInfo& step : header.page)
-    if (step.kind == kind_of<E>) return true;
-  return false;
-}
-
 /// No step that records one of these events has run yet. Unknown, and so false, far into a long run.
 template <class... E>
 bool none_yet(Ui& ui) {
@@ -82,8 +74,15 @@ bool none_yet(Ui& ui) {
   return true;
 }
 
+/// The same of steps that do any of this at a pixel.
+inline bool none_yet(Ui& ui, AtPixel any) {
+  for (const StepInfo& step : ui.session.header().page)
+    if (has(at_pixel_of(step.kind), any) && ui.hits.of(step.id).value_or(1) > 0) return false;
+  return true;
+}
+
 /// A tree and its plan lead, but where what is blended is what matters.
-inline int leads_of_trees(const Header& header) { return has_step_of<ColorBlend>(header) ? 0 : 30; }
+inline int leads_of_trees(const Header& header) { return records<ColorBlend>(header) ? 0 : 30; }
 
 /// The exact values of numbers as lines for a tooltip.
 std::vector<std::string> exact_lines(const std::vector<std::pair<std::string, double>>& values);

@@ -292,7 +292,7 @@ std::string note_of_plan(Ui& ui) {
   return section_of(plane, s.scene().camera.kind).from_above() ? "from above" : "seen along the plane";
 }
 
-bool serves_plan(const Header& header) { return has_step_of<NodeMake>(header); }
+bool serves_plan(const Header& header) { return records<NodeMake>(header); }
 
 }  // namespace
 

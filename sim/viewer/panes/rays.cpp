@@ -251,7 +251,7 @@ std::string note_of_ray_plan(Ui& ui) {
   return fmt::format("from above \u00b7 pixel ({}, {})", ray.x, ray.y);
 }
 
-bool serves_ray_plan(const Header& header) { return has_step_of<RayBegin>(header); }
+bool serves_ray_plan(const Header& header) { return records<RayBegin>(header); }
 
 }  // namespace
 
@@ -351,7 +351,7 @@ std::string note_tests(Ui& ui) {
   return tested == 1 ? "1 plane met" : fmt::format("{} planes met", tested);
 }
 
-bool serves_tests(const Header& header) { return has_step_of<RayBegin>(header) && !has_step_of<ColorWrite>(header); }
+bool serves_tests(const Header& header) { return records<RayBegin>(header) && !records<ColorWrite>(header); }
 
 int depth_in(const RayWork& rays, const RayRow& row) {
   int depth = 0;
@@ -413,7 +413,7 @@ std::string note_tree(Ui& ui) {
   return rays == 1 ? "1 ray" : fmt::format("{} rays", rays);
 }
 
-bool serves_tree(const Header& header) { return has_step_of<RayBegin>(header) && has_step_of<ColorWrite>(header); }
+bool serves_tree(const Header& header) { return records<RayBegin>(header) && records<ColorWrite>(header); }
 
 }  // namespace
 

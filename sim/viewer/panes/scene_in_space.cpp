@@ -325,7 +325,7 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
   }
   pen.dot(light->position, 7, 3, c.text);
   pen.word(light->position, "light", c.text);
-  if (!has_step_of<ShadowCompare>(now.header())) return;
+  if (!records<ShadowCompare>(now.header())) return;
   const Room seen(now.scene(), true);
   const auto end = seen.window(light->far);
   for (const glm::dvec3& corner : end) pen.line(light->position, corner, c.muted, 1);

@@ -318,7 +318,7 @@ void walk_round(Ui& ui, Look& look, ImVec2 size, const char* help) {
 bool seen_from_outside(const Ui& ui) {
   const Session& s = ui.session;
   constexpr std::size_t many_corners = 400'000;
-  return ui.from_outside.value_or(!has_step_of<ListInsert>(s.header()) && s.scene().corners.size() <= many_corners);
+  return ui.from_outside.value_or(!records<ListInsert>(s.header()) && s.scene().corners.size() <= many_corners);
 }
 
 bool can_pull_vertices(const Scene& scene) {

@@ -393,13 +393,15 @@ std::string note_of_slice(Ui& ui) {
 }
 
 bool serves_slice(const Header& header) {
-  return has_step_of<SpanBegin>(header) || has_step_of<SpanFlags>(header) || has_step_of<DepthCompare>(header);
+  return records<SpanBegin>(header) || records<SpanFlags>(header) || records(header, AtPixel::verdict);
 }
+
+bool no_slice_yet(Ui& ui) { return none_yet<SpanBegin, SpanFlags>(ui) && none_yet(ui, AtPixel::verdict); }
 
 }  // namespace
 
 const Pane slice_pane{"slice", "SLICE", draw_slice, note_of_slice, serves_slice,
-                      0.7f,    false,   nullptr,    true,          none_yet<SpanBegin, SpanFlags, DepthCompare>};
+                      0.7f,    false,   nullptr,    true,          no_slice_yet};
 
 // The letters in the plot of the slice: on no other, and rather on no line.
 

@@ -256,7 +256,7 @@ std::string note_of_sweep(Ui& ui) {
                                 : fmt::format("{} polygons", m.pieces.size());
 }
 
-bool serves_sweep(const Header& header) { return has_step_of<FlagFlip>(header); }
+bool serves_sweep(const Header& header) { return records<FlagFlip>(header); }
 
 }  // namespace
 

@@ -55,7 +55,7 @@ ImU32 color_of(const Session& s, std::int32_t polygon) {
 /// is none.
 std::int64_t end_of_gathering(const Session& s) {
   const auto marks = s.trace().polygons();
-  const bool gathers = has_step_of<AreaBegin>(s.header()) || has_step_of<LineBegin>(s.header());
+  const bool gathers = records<AreaBegin>(s.header()) || records<LineBegin>(s.header());
   if (!gathers || marks.empty()) return s.size();
   return s.trace()
       .next(marks.back().position,
@@ -119,7 +119,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
   const auto sweep = ui.lines.sweep_from(s.trace());
   const std::int64_t gathered = sweep ? *sweep : end_of_gathering(s);
   if (gathered < s.size()) {
-    const char* units = sweep ? "lines of all polygons" : has_step_of<AreaBegin>(s.header()) ? "areas" : "edges";
+    const char* units = sweep ? "lines of all polygons" : records<AreaBegin>(s.header()) ? "areas" : "edges";
     const float x0 = std::floor(strip.x(gathered));
     list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, end.y}, c.rule);
     words.write_between(x0, end.x, c.text, units);
@@ -144,7 +144,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
   }
   if (!sections.all.empty()) draw_sections(ui, strip, sections, words);
   else if (marks.empty())
-    words.write_first(c.muted, has_step_of<LineBegin>(s.header()) ? "edge by edge" : "this trace marks no polygons");
+    words.write_first(c.muted, records<LineBegin>(s.header()) ? "edge by edge" : "this trace marks no polygons");
   if (s.lesson())
     for (const Stop& stop : s.lesson()->stops) {
       const float arm = std::round(4 * ui.thin), x = std::floor(strip.x(stop.position)), y = end.y - arm;
@@ -191,7 +191,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
   } else if (interval.polygon == no_polygon && interval.lines.empty() && interval.complete &&
              !s.trace().polygons().empty())
     words.write_first(c.muted, "before the first polygon: clearing and viewing");
-  else if (!has_step_of<ScanLineBegin>(s.header())) words.write_first(c.muted, "this method has no scan lines");
+  else if (!records<ScanLineBegin>(s.header())) words.write_first(c.muted, "this method has no scan lines");
   else if (!interval.complete) words.write_first(c.muted, "too many events to mark the scan lines");
   else if (interval.lines.empty()) words.write_first(c.muted, why_no_lines(s.trace(), interval, s.position()));
   frame_box(ui, strip.at, end, c.rule);
@@ -285,7 +285,7 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   const float right = text_size(ui, ui.fonts.mono, percent).x;
   const float line = ImGui::GetCursorScreenPos().y + std::round(ui.em * 0.3f);
   if (right < room) draw_text(ui, {origin.x + size.x - right, line}, ui.fonts.mono, ui.colors().text, percent);
-  const bool lines = has_step_of<ScanLineBegin>(s.header()) || !sections.all.empty(),
+  const bool lines = records<ScanLineBegin>(s.header()) || !sections.all.empty(),
              polygons = !s.trace().polygons().empty();
   const std::string every =
       fmt::format("\u2192 step    Shift+\u2192 pixel    {}{}Space play    ? all keys",

@@ -230,7 +230,7 @@ std::string note_of_tree(Ui& ui) {
   return m.tree.empty() ? "" : fmt::format("{} node{}", m.tree.size(), m.tree.size() == 1 ? "" : "s");
 }
 
-bool serves_tree(const Header& header) { return has_step_of<NodeMake>(header); }
+bool serves_tree(const Header& header) { return records<NodeMake>(header); }
 
 }  // namespace
 
