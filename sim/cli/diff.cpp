@@ -29,6 +29,7 @@
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/formulas/walk.hpp"
 #include "traces/replay/replay.hpp"
 #include "traces/text.hpp"
 
@@ -91,12 +92,10 @@ int runs(const DiffOptions& options) {
   const diff::DiffReport& report = both->report;
   const std::string &impossible_a = both->impossible_a, &impossible_b = both->impossible_b;
   const Raster& one = a.scene().raster;
-  Replay end_a(a), end_b(b);
-  if (!report.alignment.identical || !options.page.empty()) {
-    end_a.go_to(a.size());
-    end_b.go_to(b.size());
-  }
-  const Picture &picture_a = end_a.state().picture, &picture_b = end_b.state().picture;
+  const bool may_differ = !report.alignment.identical || !options.page.empty();
+  const auto end_of = [&](const Trace& run) { return may_differ ? formulas::end_of(run) : Replay(run).state(); };
+  const State end_a = end_of(a), end_b = end_of(b);
+  const Picture &picture_a = end_a.picture, &picture_b = end_b.picture;
   const PicturePair pictures{
       diff::compare_pictures(diff::buffers_of(a, picture_a), diff::buffers_of(b, picture_b), report.precision),
       {},

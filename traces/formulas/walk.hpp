@@ -105,4 +105,7 @@ State walk(const Trace& trace, Visit&& visit, OnImpossible&& impossible) {
 void look_before(const Trace& trace, Replay& replay, std::int64_t step,
                  const std::function<void(const Situation&)>& look);
 
+/// The state after the last step, likewise.
+State end_of(const Trace& trace);
+
 }  // namespace zstep::formulas
