@@ -183,9 +183,8 @@ void tell(Telling& t, const DepthCompare& e) {
     const std::string holds = fmt::format("{} {} {} is {}", z, sign, before, numbers_say ? "true" : "false");
     const std::string ought =
         fmt::format(": {} {} {}", drawn, numbers_say ? "should win over" : "should not win over", is.who);
-    t.say(fmt::format("The trace says {} at pixel {}, although {}{}.", says, where, holds,
-                      undeclared.empty() ? ought : "; " + undeclared));
-    t.doubt(fmt::format("The trace says {}, but {}{}.", says, holds, undeclared.empty() ? "" : "; " + undeclared));
+    t.contradict(fmt::format("The trace says {} at pixel {}, although {}{}.", says, where, holds,
+                             undeclared.empty() ? ought : "; " + undeclared));
   } else if (e.nearer && glass) {
     t.say(fmt::format(
         "{} {} {}: {}, so {} is seen at pixel {}; through its glass, of opacity {}, so is what lies behind: the two "

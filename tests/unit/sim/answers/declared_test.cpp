@@ -109,7 +109,7 @@ TEST_CASE("declared: what a header leaves open is no fact that its compares brea
   CHECK(first.sentence ==
         "The trace says nearer at pixel (1, 1), although 5 < 0 is false; its header does not declare which depth is "
         "nearer.");
-  CHECK(first.doubt == "The trace says nearer, but 5 < 0 is false; its header does not declare which depth is nearer.");
+  CHECK(first.doubt == first.sentence);
   const auto history = answers::pixel_history(trace, {1, 1});
   CHECK(has(answers::outcome_text(trace, history, history[0]),
             "the trace says nearer, but 5 < 0 is false (its header does not declare which depth is nearer)"));
