@@ -1,5 +1,5 @@
 // How often rounding turns what the methods decide, on scenes made for it (docs/exactness.md).
-#include "traces/oracle/decisions.hpp"
+#include "tests/laws/decisions/decisions.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
-#include "traces/oracle/decisions.hpp"
+#include "tests/laws/decisions/decisions.hpp"
 
 using namespace zstep;
 using oracle::Decided, oracle::Predicate;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/golden/golden.hpp"
-#include "traces/oracle/deciding.hpp"
+#include "tests/laws/decisions/deciding.hpp"
 #include "traces/oracle/exact_depth.hpp"
 #include "traces/oracle/exact_geometry.hpp"
 

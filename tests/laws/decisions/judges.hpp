@@ -14,7 +14,7 @@
 #include "traces/formulas/of_polygons.hpp"
 #include "traces/formulas/of_rays.hpp"
 #include "traces/formulas/outlines.hpp"
-#include "traces/oracle/deciding.hpp"
+#include "tests/laws/decisions/deciding.hpp"
 
 namespace zstep::oracle::deciding {
 

@@ -12,7 +12,7 @@
 
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/of_polygons.hpp"
-#include "traces/oracle/decisions.hpp"
+#include "tests/laws/decisions/decisions.hpp"
 #include "traces/oracle/exact_geometry.hpp"
 
 namespace zstep::oracle::deciding {

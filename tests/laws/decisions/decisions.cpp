@@ -1,4 +1,4 @@
-#include "traces/oracle/decisions.hpp"
+#include "tests/laws/decisions/decisions.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 #include "traces/formulas/walk.hpp"
 #include "traces/oracle/errors.hpp"
-#include "traces/oracle/judges.hpp"
+#include "tests/laws/decisions/judges.hpp"
 
 namespace zstep::oracle {
 
