@@ -357,11 +357,11 @@ const State& Work::operands_of(std::int64_t step, const Event& event) {
       (viewport && is_last(viewport->vertex, &VertexSteps::on_raster)))
     return state();
   // So is all that is kept of all polygons.
-  const bool keeps_all = machine().keeps_all;
-  if (keeps_all && (holds<EdgeTableInsert>(event) || holds<ClipCross>(event))) return state();
+  const bool one_table = step <= now_.at && has_one_table();
+  if (one_table && (holds<EdgeTableInsert>(event) || holds<ClipCross>(event))) return state();
   // Where an edge comes to on a scan line follows from its ends alone, as long as nothing is added to where it was.
   if (const auto* moved = get_if<EdgeStep>(&event);
-      moved && keeps_all && !adds_slopes(conventions) && !next_of<ScanLineBegin>(trace, step, now_.at + 1)) {
+      moved && one_table && !adds_slopes(conventions) && !next_of<ScanLineBegin>(trace, step, now_.at + 1)) {
     const std::vector<ActiveEdge>& active = machine().active;
     if (std::any_of(active.begin(), active.end(), [&](const ActiveEdge& one) { return one.edge == moved->edge; }))
       return state();

@@ -161,7 +161,7 @@ bool Work::is_of_other_work(std::int64_t step, const Event& event) const {
     return false;
   const auto [known, is_new] = now_.of_other_work.try_emplace(step);
   if (is_new)
-    known->second = (!machine().keeps_all && next_mark(trace, step) <= now_.at) ||
+    known->second = (!has_one_table() && next_mark(trace, step) <= now_.at) ||
                     (holds<SpanBegin>(event) && next_of<ScanLineBegin>(trace, step, now_.at + 1));
   return known->second;
 }

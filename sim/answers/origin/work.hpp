@@ -108,6 +108,8 @@ class Work {
   /// A state that has the operands of a step's formulas.
   const State& operands_of(std::int64_t step, const Event& event);
   const MethodState& machine() const { return state().machine; }
+  /// Do all polygons share an edge table? Pieces have one each, as they are drawn.
+  bool has_one_table() const { return machine().keeps_all && machine().piece < 0; }
   /// The same state with its buffers. It moves while a number is followed back, so what is needed of it afterwards is
   /// to be copied.
   const State& buffers() const {
