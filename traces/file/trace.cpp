@@ -355,8 +355,10 @@ Trace::SpansAtOnce first_spans_of(const Trace& trace) {
   if (!trace.has(kind_of<SpanBegin>)) return of_polygon;
   const auto first = trace.next<SpanBegin>(0, [](const SpanBegin& span) { return span.first <= span.last; });
   if (!first) return of_polygon;
-  if (!trace.has(kind_of<TablesBegin>)) return begins_with_spans(trace, *first) ? of_all : of_polygon;
-  return !trace.has(kind_of<PieceDraw>) && begins_with_lines(trace, *first) ? of_line : of_polygon;
+  // Pieces have a table each, whatever tree or list they come from.
+  const bool one_table = trace.has(kind_of<TablesBegin>) && !trace.has(kind_of<PieceDraw>);
+  if (one_table) return begins_with_lines(trace, *first) ? of_line : of_polygon;
+  return begins_with_spans(trace, *first) ? of_all : of_polygon;
 }
 
 }  // namespace

@@ -157,6 +157,15 @@ TEST_CASE("spans first: the origin of a depth is told of its own span, edges and
   }
 }
 
+TEST_CASE("spans first: pieces have an edge table each, also where a tree keeps them all") {
+  for (const char* name : {"transparency", "transparency-clipping", "transparency-edges"}) {
+    CAPTURE(std::string(name));
+    const Trace right = golden_run(name), run = in_order(right, Order::scene);
+    check_no_doubt(run);
+    check_origins(right, run, 1);
+  }
+}
+
 TEST_CASE("spans first: where two polygons cover a pixel, its origin is its own polygon, also of the same span") {
   const std::vector<glm::dvec3> triangle{{3.25, 2, 2.5}, {4.25, 13, 2.5}, {12.6875, 7.3125, 9.40625}};
   Conventions conventions;
