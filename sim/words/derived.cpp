@@ -139,6 +139,9 @@ struct Teller {
   void rule(formulas::Rule, bool) {}
 
   void gives(Follows<E, double> field, const Number& formula) { found.push_back({field.name, formula}); }
+  void within(Follows<E, double> field, const Number& formula, double off) {
+    found.push_back({field.name, formula, {}, off});
+  }
   void near(Follows<E, double>, const formulas::Rounded&) {}
   void whole(Follows<E, std::int32_t> field, const Number& formula, std::int32_t within) {
     found.push_back({field.name, formula, within});
@@ -206,11 +209,25 @@ std::optional<FormulaText> derived_formula(const Event& event, const formulas::S
       if (derived->field != field) continue;
       const bool follows =
           derived->within ? recorded == *derived->within
+          : derived->off  ? std::abs(recorded - derived->formula.value()) <= *derived->off
                           : formulas::tolerance_of(at.scene, at.header).allows(derived->formula.rounded(), recorded);
       return FormulaText{line_of(*derived, recorded), follows, false};
     }
     return std::nullopt;
   });
+}
+
+std::optional<FormulaText> formula_of_scene(const Event& event, const formulas::Situation& at) {
+  return visit_event(
+      [&]<class E>(const E& e) -> std::optional<FormulaText> {
+        if constexpr (requires { e.z; } && is_of_fragment(at_pixel<E>)) {
+          Teller<E> teller{at};
+          formulas::detail::derive_depth_in_scene(e, at, teller);
+          if (!teller.found.empty()) return FormulaText{line_of(teller.found.front(), e.z), false, false};
+        }
+        return std::nullopt;
+      },
+      event);
 }
 
 std::string subject_of(const Event& event, const formulas::Situation& at) {

@@ -82,6 +82,7 @@ struct DerivedField {
   std::string_view field;
   words::Shown formula;
   std::optional<std::int32_t> within = {};  ///< of a whole number: what it is within the raster
+  std::optional<double> off = {};           ///< by how much any sensible way of computing it may be off
 };
 /// Each field for which a formula gives a number.
 std::vector<DerivedField> derived_fields(const Event& event, const formulas::Situation& at);
@@ -95,6 +96,9 @@ struct FormulaText {
 /// Its result has the digits that tell it from the recorded number. Nothing where no formula gives the field, or the
 /// trace does not have what it needs.
 std::optional<FormulaText> derived_formula(const Event& event, const formulas::Situation& at, const std::string& field);
+
+/// The same of the depth at a pixel, as the scene has it there.
+std::optional<FormulaText> formula_of_scene(const Event& event, const formulas::Situation& at);
 
 /// The vertices and edges that a step is about, so that a person finds it in a program: "edge e3 (4–7)", "pixel (3,
 /// 2)".

@@ -57,19 +57,65 @@ bool only_repeats(const std::string& formula, double value) {
   return equals != formula.npos && equals == formula.rfind(" = ") && formula.substr(equals + 3) == number(value);
 }
 
+/// How a pixel lies to a facet: "its centre lies 0.31 to the right of edge 1–2, which meets scan line 2 at x = 1.69".
+std::string place_to(const formulas::DrawnFacet& facet, const Trace::Pixel& pixel) {
+  const auto beside = facet.beside(pixel.x, pixel.y);
+  if (!beside) return fmt::format("scan line {} does not meet it", pixel.y);
+  const auto name = [](std::int32_t vertex) { return vertex < 0 ? std::string("(cut)") : fmt::format("{}", vertex); };
+  const std::string edge = fmt::format("edge {}\u2013{}", name(beside->vertex_0), name(beside->vertex_1));
+  const double distance = pixel.x - beside->x_edge;
+  if (distance == 0) {
+    const bool own = facet.cover(pixel.x, pixel.y) == formulas::DrawnFacet::Cover::inside;
+    return fmt::format("its centre lies on {}, a {} edge, {}", edge, beside->is_left ? "left" : "right",
+                       own ? "which owns it" : "which does not own it");
+  }
+  return fmt::format("its centre lies {} to the {} of {}, which meets scan line {} at x = {}",
+                     number(std::abs(distance)), distance < 0 ? "left" : "right", edge, pixel.y,
+                     tell_apart(beside->x_edge, pixel.x).first);
+}
+
+/// Where the pixel of a rule lies in the scene; empty where the rule is about none.
+std::string place_in_scene(const Fault& fault, const Event& event, const formulas::Situation& before) {
+  using formulas::Rule;
+  if (fault.rule == Rule::pixel_on_facet) {
+    const auto pixel = pixel_of(event);
+    const formulas::DrawnFacet* facet = before.drawn_facet();
+    return pixel && facet
+               ? "Of " + polygon_label(before.scene, before.method().polygon) + ", " + place_to(*facet, *pixel) + "."
+               : "";
+  }
+  if (!fault.pixel) return "";
+  std::optional<formulas::DrawnFacet> never;
+  if (fault.facet >= 0)
+    never = formulas::DrawnFacet::from_scene(before.scene, before.header, fault.facet, before.roundoff);
+  const formulas::DrawnFacet* facet = fault.facet >= 0 ? (never ? &*never : nullptr) : before.drawn_facet();
+  if (!facet) return "";
+  const std::int32_t polygon = fault.facet >= 0 ? before.scene.facets[fault.facet].polygon : before.method().polygon;
+  return fmt::format(
+      "It is pixel ({}, {}) of {}: {}{}.", fault.pixel->x, fault.pixel->y, polygon_label(before.scene, polygon),
+      place_to(*facet, *fault.pixel),
+      fault.more_pixels == 0
+          ? ""
+          : fmt::format("; {} missing, too", how_many(fault.more_pixels, "other pixel is", "other pixels are")));
+}
+
 }  // namespace
 
 FaultText fault_text(const Fault& fault, const Event& event, const formulas::Situation& before) {
-  FaultText text{subject_of(event, before), ""};
-  if (fault.field.empty()) return text;
-  if (const auto formula = derived_formula(event, before, fault.field))
+  FaultText text{.subject = subject_of(event, before)};
+  if (fault.field.empty()) {
+    text.detail = place_in_scene(fault, event, before);
+    return text;
+  }
+  if (const auto formula =
+          fault.by_scene ? formula_of_scene(event, before) : derived_formula(event, before, fault.field))
     text.formula = formula->text, text.compares = formula->compares;
   return text;
 }
 
 std::string what_is_wrong(const Fault& fault, const FaultText& text) {
   if (!fault.impossible.empty()) return fmt::format("this step is impossible: {}", fault.impossible);
-  if (fault.rule) return std::string(rule_text(*fault.rule).broken);
+  if (fault.rule) return std::string(rule_text(*fault.rule).broken) + (text.detail.empty() ? "" : " ") + text.detail;
   if (fault.no_number())
     return fmt::format("{} is {}, where a finite number must be", fault.field,
                        std::isnan(fault.recorded) ? "NaN" : number(fault.recorded));
@@ -80,7 +126,8 @@ std::string what_is_wrong(const Fault& fault, const FaultText& text) {
   if (text.formula.empty()) return fmt::format("{} = {}, but the trace has {}", fault.field, ought, is);
   if (text.compares)
     return fmt::format("{}, but the trace says {}", text.formula, fault.recorded != 0 ? "nearer" : "not nearer");
-  return fmt::format("{} = {}, but the trace has {}", fault.field, text.formula, is);
+  return fmt::format("{}{} = {}, but the trace has {}", fault.by_scene ? "by the scene, " : "", fault.field,
+                     text.formula, is);
 }
 
 std::string what_follows(const Cause& cause) {

@@ -20,8 +20,9 @@ namespace zstep {
 /// What is said of a fault beside its numbers.
 struct FaultText {
   std::string subject;    ///< "edge e1 (1–2)"
-  std::string formula;    ///< that the wrong field should follow from; may be empty
+  std::string formula{};  ///< that the wrong field should follow from; may be empty
   bool compares = false;  ///< that formula is a compare
+  std::string detail{};   ///< of a rule about pixels of the scene: where the pixel lies; may be empty
 };
 /// Made from the state before the step, which is gone later.
 FaultText fault_text(const Fault& fault, const Event& event, const formulas::Situation& before);

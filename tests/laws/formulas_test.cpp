@@ -37,6 +37,10 @@ struct Bits {
   void rule(formulas::Rule, bool) {}
 
   void gives(Follows<E, double> field, double formula) { is(field, formula); }
+  void within(Follows<E, double> field, double formula, double off) {
+    ++given[field.number];
+    if (!(std::abs(formula - e.*field.member) <= off)) wrong += std::string(field.name) + " ";
+  }
   void near(Follows<E, double> field, const formulas::Rounded& number) {
     ++given[field.number];
     const bool same = formulas::gives(number, e.*field.member, formulas::rounding_of_float64);

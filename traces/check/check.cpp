@@ -12,6 +12,7 @@
 
 #include "traces/check/inheritance.hpp"
 #include "traces/check/pixels.hpp"
+#include "traces/check/scene_pixels.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/formulas/of_events.hpp"
@@ -27,6 +28,12 @@ namespace zstep {
 namespace {
 
 using formulas::Follows, formulas::Place, formulas::Rounded, formulas::Rule, formulas::Situation;
+
+/// What is noticed only at whatever comes next.
+bool is_of_before(Rule rule) {
+  return rule == Rule::win_is_written || rule == Rule::win_is_painted || rule == Rule::pixel_is_drawn ||
+         rule == Rule::nearer_is_painted || rule == Rule::facet_is_drawn;
+}
 
 struct Checker {
   const Trace& trace;
@@ -61,14 +68,13 @@ struct Checker {
       inherited = cause;
   }
 
-  /// `what`: 0 a field, 1 a rule, 2 a step that cannot be.
+  /// `what`: 0 a field, 1 a rule, 2 a step that cannot be, 3 a field that is not what the scene has.
   void fault(int what, std::size_t number, Fault fault) {
     fault.step = step, fault.line = line;
     report.wrong_steps += !any_fault;
     any_fault = true;
     if (marks) marks->faults.push_back(fault);
-    // A win that is not written is noticed at whatever comes next.
-    const bool of_any_kind = fault.rule == Rule::win_is_written || fault.rule == Rule::win_is_painted;
+    const bool of_any_kind = fault.rule && is_of_before(*fault.rule);
     const auto [found, fresh] =
         known.try_emplace({what, of_any_kind ? std::uint8_t{0} : fault.kind, number}, report.causes.size());
     if (!fresh) {
@@ -110,15 +116,18 @@ struct Checker {
     // NaN is right nowhere, but follows from what is wrong already.
     if (std::isnan(recorded) && std::isnan(formula.value)) return inherited != Inheritance::clean;
     if (!within_rounding(formula, recorded, report.precision.amount(of_unit))) return false;
-    ++report.rounded;
     // Of a small difference of large numbers, the last digit of these: it has none of its own.
-    const double size = std::max(std::abs(recorded), formula.spread);
+    round(recorded - formula.value, std::max(std::abs(recorded), formula.spread), of_unit);
+    return true;
+  }
+  /// Counts a number that is off by so much, of this size.
+  void round(double off, double size, std::string_view of_unit) {
+    ++report.rounded;
     const bool has_own_unit = of_unit == "px" && report.precision.positions > 0;
     const double unit = has_own_unit ? 1 / fixed_positions_a_pixel : report.precision.unit;
     const double digit = report.precision.digits > 0 ? last_written_digit(size, report.precision.digits)
                                                      : formulas::last_digit(size, report.precision.format, unit);
-    report.largest_rounding = std::max(report.largest_rounding, std::abs(recorded - formula.value) / digit);
-    return true;
+    report.largest_rounding = std::max(report.largest_rounding, std::abs(off) / digit);
   }
 };
 
@@ -128,6 +137,7 @@ struct Judge {
   using Number = Rounded;
   Checker& checker;
   const E& e;
+  bool by_scene = false;  ///< what is given now is what the scene says
 
   Number number(const auto&, double value, const Place& place) {
     if (place.in != Place::In::event && place.in != Place::In::scene) checker.read(place);
@@ -189,16 +199,43 @@ struct Judge {
     judges(field.number);
     if (e.*field.member != wins) wrong(field, e.*field.member, wins);
   }
-  void rule(Rule rule, bool holds) {
+  void within(Follows<E, double> field, const Number& formula, double off) {
+    const double recorded = e.*field.member, expected = formula.value;
+    const Precision& precision = checker.report.precision;
+    const double digits =
+        precision.every_digit ? 0 : precision.relative * std::max(std::abs(recorded), std::abs(expected));
+    const bool right = std::abs(recorded - expected) <= off + digits + precision.amount(field.unit);
+    if (by_scene) {
+      if (!right) wrong(field, recorded, expected);
+      return;
+    }
+    judges(field.number);
+    ++checker.report.numbers;
+    if (recorded == expected) ++checker.report.exact;
+    else if (right) checker.round(recorded - expected, std::max(std::abs(recorded), off), field.unit);
+    else wrong(field, recorded, expected);
+  }
+  /// What a field must be by the scene, where it goes with what the run has.
+  template <class Judges>
+  void judged_by_scene(const Judges& judge) {
+    by_scene = true;
+    judge();
+    by_scene = false;
+  }
+  /// Nothing is wrong with the step, nor with what it follows from.
+  bool is_clean() const { return !checker.any_fault && checker.inherited == Inheritance::clean; }
+  bool breaks(Rule rule) const { return checker.broken == rule; }
+  void rule(Rule rule, bool holds) { this->rule(rule, holds, Fault()); }
+  /// `fault`: with what is known of it besides.
+  void rule(Rule rule, bool holds, Fault fault) {
     checker.any_judged = true;
     if (holds) return;
-    Fault fault;
     fault.kind = kind_of<E>, fault.rule = rule;
     checker.held = e, checker.broken = rule;
     const std::int32_t inherited = checker.inherited;
     checker.fault(1, static_cast<std::size_t>(rule), std::move(fault));
     // That the pixel before was not written is noticed here, and nothing of this step follows from it.
-    if (rule == Rule::win_is_written || rule == Rule::win_is_painted) {
+    if (is_of_before(rule)) {
       const auto last = checker.wins.last_compared();
       if (last && rule == Rule::win_is_written) checker.written(checker.at->depth_place(last->x, last->y));
       checker.charged = std::exchange(checker.inherited, inherited);
@@ -232,9 +269,9 @@ struct Judge {
   void wrong(std::string_view name, std::size_t number, double recorded, double expected) {
     Fault fault;
     fault.kind = kind_of<E>, fault.recorded = recorded, fault.expected = expected;
-    fault.field = name;
+    fault.field = name, fault.by_scene = by_scene;
     checker.held = e;
-    checker.fault(0, number, std::move(fault));
+    checker.fault(by_scene ? 3 : 0, number, std::move(fault));
   }
 };
 
@@ -271,9 +308,13 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
   Situation at = formulas::situation_of(trace, state, header);
   checker.at = &at;
   at.moves_ended = moves_ended_edges(trace);
+  at.roundoff = precision.format == NumberFormat::float32 ? 0x1p-24 : 0x1p-53;
+  at.is_fixed = bits_of(precision.format) > 0;
+  if (!precision.every_digit) at.written = precision.relative, at.written_off = precision.largest_amount();
 
   NoLog log;
   Filling filling(trace);
+  ScenePixels scene_pixels(trace, header);
   std::vector<bool> has_steps(trace.scene().polygons.size());
   constexpr std::int64_t now_and_then = 1 << 16;
   trace.visit(0, trace.size(), [&]<class E>(std::int64_t position, std::uint8_t line, const E& e) {
@@ -283,6 +324,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
     if constexpr (formulas::Derived<E, Judge<E>>) formulas::derive(e, at, judge);
     checker.wins.look_at(e, position, at, judge);
     filling.look_at(e, at, judge);
+    scene_pixels.look_at(e, at, judge);
     if constexpr (requires { e.polygon; })
       if (e.polygon >= 0 && e.polygon < std::ssize(has_steps)) has_steps[e.polygon] = true;
     judge.has_numbers();
@@ -335,7 +377,18 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
   });
   at.look();
   filling.end(at);
-  checker.report.coverage = filling.judges_all() && checker.wins.all_known();
+  if (trace.size() > 0 && checker.report.steps == trace.size()) {
+    const bool had_fault = checker.any_fault;
+    const RecordedEvent last = trace.event(trace.size());
+    visit_event(
+        [&](const auto& e) {
+          Judge judge{checker, e};
+          scene_pixels.end(at, judge);
+        },
+        last.event);
+    if (!had_fault && checker.any_fault) checker.mark_step();
+  }
+  checker.report.coverage = (filling.judges_all() || scene_pixels.judges_all()) && checker.wins.all_known();
   if (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceMake>))
     for (std::size_t polygon = 0; polygon < has_steps.size(); ++polygon)
       if (!has_steps[polygon]) checker.report.polygons_missing.push_back(index32(polygon));

@@ -33,6 +33,11 @@ struct Fault {
   std::optional<formulas::Rule> rule;
   double recorded = 0, expected = 0;  ///< of a field
   std::string impossible;             ///< why the step cannot be
+  bool by_scene = false;  ///< `expected` is what the scene has there, though the step goes with what the run has
+  /// Where the rule is about another pixel than the step's, and how many more are like it.
+  std::optional<Trace::Pixel> pixel;
+  std::int64_t more_pixels = 0;
+  std::int32_t facet = -1;  ///< that is never begun
   /// NaN or an infinity stands where a finite number must be, and no formula says which; then `expected` is NaN.
   bool no_number() const { return !std::isfinite(recorded) && std::isnan(expected); }
 };

@@ -135,6 +135,12 @@ struct Witness {
     // What is 0 in one run the other run is asked about: there it has a size.
     may_be_off = std::max(may_be_off, (2 * precision.relative * formula.spread + amount) / size);
   }
+  void within(Follows<E, double> field, const Number& formula, double off) {
+    if (!asks(field)) return;
+    const double value = e.*field.member, amount = precision.amount(field.unit) + off;
+    wrong = wrong || !(std::abs(value - formula.value) <= amount);
+    may_be_off = std::max(may_be_off, 2 * amount / std::max(std::abs(value), std::abs(formula.value)));
+  }
   void near(Follows<E, double> field, const Rounded& number) {
     if (in_question(field)) gives(field, number);
   }

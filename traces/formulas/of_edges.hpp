@@ -51,18 +51,11 @@ inline std::optional<bool> is_lowest(const Situation& at, std::int32_t vertex) {
   if (!method.polygons_told && !at.on_screen()) outline = {};
   const auto here = std::find(outline.begin(), outline.end(), vertex);
   if (here == outline.end() || std::find(here + 1, outline.end(), vertex) != outline.end()) return std::nullopt;
-  const auto y_of = [&](std::size_t place) { return at.on_raster(outline[place % outline.size()]); };
-  const std::size_t from = here - outline.begin();
-  const auto y = y_of(from);
-  if (!y) return std::nullopt;
-  for (const std::size_t way : {std::size_t{1}, outline.size() - 1}) {
-    std::size_t beside = 1;
-    auto other = y_of(from + way);
-    while (other && other->y == y->y && ++beside < outline.size()) other = y_of(from + beside * way);
-    if (!other || std::abs(other->y - y->y) <= rounding_of_float32 * (std::abs(y->y) + 1)) return std::nullopt;
-    if (other->y > y->y) return false;
-  }
-  return true;
+  const auto y_of = [&](std::size_t place) { return at.on_raster(outline[place]); };
+  return turns_down(outline.size(), here - outline.begin(), [&](std::size_t place) {
+    const auto corner = y_of(place);
+    return corner ? std::optional(corner->y) : std::nullopt;
+  });
 }
 
 /// Has the list of active edges no others than the program's own? Where a run never says that an edge leaves, as long

@@ -22,12 +22,32 @@ T interpolated(const Situation& at, const T& z) {
   return at.header.conventions.depth == Conventions::Depth::corrected ? T(1) / z : z;
 }
 
+/// The depth that the scene has at a pixel of the facet at work, on the plane through its vertices as they are drawn.
+template <class E, class Out>
+void derive_depth_in_scene(const E& e, const Situation& at, Out& out) {
+  const DrawnFacet* facet = at.drawn_facet();
+  if (!facet || !facet->has_depth_at(e.x, e.y)) return;
+  const DrawnCorner& corner = facet->origin();
+  const Place scene{Place::In::scene};
+  const Place from = corner.vertex >= 0 ? Place{Place::In::vertex, corner.vertex} : scene;
+  const auto z =
+      interpolated(at, along_plane(out.number("z_0", corner.z, from["z"]), out.number("dz/dx", facet->dz_dx(), scene),
+                                   out.number("x", e.x, Place{}), out.number("x_0", corner.x, from["x_s"]),
+                                   out.number("dz/dy", facet->dz_dy(), scene), out.number("y", e.y, Place{}),
+                                   out.number("y_0", corner.y, from["y_s"])));
+  // Of 1/z_v, which is what is linear, z_v is off by z_v^2 times as much.
+  const double linear = facet->linear_at(e.x, e.y);
+  const bool divides = at.header.conventions.depth == Conventions::Depth::corrected;
+  out.within(&E::z, z, divides ? facet->off() / (linear * linear) : facet->off());
+}
+
 /// The depth of a pixel from the slopes of its polygon's plane: from its left neighbour's, or from a vertex. Where
 /// slopes are added from line to line, the first one of a span follows from a line that is gone: then nothing is said.
 /// A run without spans has no such lines.
 template <class E, class Out>
 void derive_depth_on_plane(const E& e, const Situation& at, Out& out) {
   const auto& slopes = at.method().slopes;
+  if (!slopes && !at.records<SpanBegin>()) return derive_depth_in_scene(e, at, out);
   if (!slopes || (at.method().polygon != no_polygon && slopes->polygon != at.method().polygon)) return;
   const Place plane{Place::In::plane, 0}, from{Place::In::vertex, slopes->vertex_0};
   const auto dz_dx = out.number("dz/dx", slopes->dz_dx, plane["dz_dx"]);
@@ -164,12 +184,8 @@ void derive_painted_by_ray(const PixelPaint& e, const Situation& at, Out& out) {
   const Rounded z_v =
       matrix_row<Rounded>(view[0][2], view[1][2], view[2][2], view[3][2], Rounded(ray.x_0) + t * Rounded(ray.dir_x),
                           Rounded(ray.y_0) + t * Rounded(ray.dir_y), Rounded(ray.z_0) + t * Rounded(ray.dir_z));
-  const Rounded near(camera.near), far(camera.far);
-  const Conventions::Depth depth = at.header.conventions.depth;
-  if (depth != Conventions::Depth::pseudodepth)
-    return out.near(&PixelPaint::z, other_depth(depth, parallel, near, far, z_v));
-  out.near(&PixelPaint::z, parallel ? parallel_pseudodepth(near, far, z_v)
-                                    : pseudodepth(near, pseudodepth_a(near, far), pseudodepth_b(near, far), z_v));
+  out.near(&PixelPaint::z,
+           vertex_depth(at.header.conventions.depth, parallel, Rounded(camera.near), Rounded(camera.far), z_v));
 }
 
 }  // namespace detail
@@ -203,6 +219,8 @@ void derive(const DepthCompare& e, const Situation& at, Out& out) {
 template <class Out>
 void derive(const DepthWrite& e, const Situation& at, Out& out) {
   const Fragment* fragment = at.fragment(e.x, e.y);
+  if (!fragment && !at.records<DepthCompare>() && !at.records<DepthInterpolate>() && !at.records<SpanBegin>())
+    return detail::derive_depth_in_scene(e, at, out);
   if (!fragment || !fragment->nearer) return;
   out.rule(Rule::write_after_win, *fragment->nearer);
   out.gives(&DepthWrite::z, out.number("z", fragment->z, Place{Place::In::fragment, 0, "z"}));

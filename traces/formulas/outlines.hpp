@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include <glm/geometric.hpp>
@@ -105,6 +106,24 @@ T newell_z(T zero, std::size_t count, const X& x, const Y& y) {
     normal_z = normal_z + (x(i) * y(next) - x(next) * y(i));
   }
   return normal_z;
+}
+
+/// Has an outline of `count` corners its lowest point, or one of several, at this corner, also where that is a
+/// horizontal edge? y goes down; y(i) is that of a corner, nothing where it is not known. Nothing where rounding may
+/// decide.
+template <class Y>
+std::optional<bool> turns_down(std::size_t count, std::size_t corner, const Y& y) {
+  constexpr double as_high = 1e-6;  // of itself, as float32 has it
+  const std::optional<double> here = y(corner);
+  if (!here) return std::nullopt;
+  for (const std::size_t way : {std::size_t{1}, count - 1}) {
+    std::size_t beside = 1;
+    std::optional<double> other = y((corner + way) % count);
+    while (other && *other == *here && ++beside < count) other = y((corner + beside * way) % count);
+    if (!other || std::abs(*other - *here) <= as_high * (std::abs(*here) + 1)) return std::nullopt;
+    if (*other > *here) return false;
+  }
+  return true;
 }
 
 /// A plane whose normal has length 1; all zero where an outline encloses no area.

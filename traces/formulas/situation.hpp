@@ -6,6 +6,8 @@
 //   const auto x_0 = out.number("x_0", value, place);   an operand: its name, its value, and where it stands
 //   out.gives(&E::z, formula);                          a field must be what this formula gives
 //   out.whole(&E::first, formula, within);              the same of a whole number, which the raster may limit
+//   out.within(&E::z, formula, off);                    the same, but for so much, by which any sensible way of
+//                                                       computing it may be off
 //   out.near(&E::plane_a, number);                      the same of a number that other operations may have given, and
 //                                                       that words tell in another way: held to rounding, not to bits
 //   out.is(&E::polygon, value);                         a field must be this
@@ -27,6 +29,7 @@
 
 #include "traces/events/slots.hpp"
 #include "traces/file/header.hpp"
+#include "traces/formulas/drawn_facet.hpp"
 #include "traces/formulas/spans_ahead.hpp"
 #include "traces/replay/state.hpp"
 
@@ -139,6 +142,12 @@ enum class Rule : std::uint8_t {
   outline_is_closed,  ///< each edge of an outline that meets a scan line is in the edge table
   pair_has_span,      ///< each pair of active edges with pixels between them has a span
   span_is_filled,     ///< each pixel of a span has its turn
+  pixel_on_facet,     ///< a pixel that is drawn is one of its facet's
+  pixel_is_drawn,     ///< and each of the facet's pixels is drawn
+  facet_is_drawn,     ///< each facet that has pixels is drawn
+  back_is_dropped,    ///< a facet that faces away is not
+  nearest_is_kept,    ///< a pixel is not painted with what lies behind what it has
+  nearer_is_painted,  ///< and is painted with what lies before it
   count
 };
 
@@ -154,6 +163,17 @@ struct Situation {
   bool moves_ended = false;  ///< the run never says that an edge leaves, and moves some that have ended
   SpansAhead ahead = {};     ///< the last spans that no pixel came between
   bool has_passed = false;   ///< `before` is the state that the step led to
+  struct DrawnNow {
+    bool known = false;
+    std::int32_t facet = -1;
+    std::optional<DrawnFacet> drawn = {};
+    std::int64_t spent = 0;  ///< on all that were found: their corners times their scan lines
+  };
+  mutable DrawnNow drawn_now = {};  ///< see drawn_facet()
+  double roundoff = 0;              ///< of what the program computes with, where it is not what the header says; else 0
+  bool is_fixed = false;            ///< it computes in fixed point, whatever the header says
+  double written = 0;               ///< by what share of itself a number may be off that is written with fewer digits
+  double written_off = 0;           ///< and by how much besides
 
   /// Takes the camera that is at work now.
   void look() { camera = before.machine.pass != Pass::light ? &scene.camera : lamp ? &*lamp : nullptr; }
@@ -167,7 +187,7 @@ struct Situation {
   template <class E>
   void passed(std::int64_t step, const E& e) {
     constexpr bool begins = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
-    if constexpr (begins) ahead.begin(e.polygon);
+    if constexpr (begins) ahead.begin(e.polygon), drawn_now.known = false;
     if constexpr (std::is_same_v<E, EdgeTableInsert>)
       if (e.edge == 0 && !of_any()) ahead.begin(e.polygon);
     if constexpr (std::is_same_v<E, SpanBegin>) {
@@ -265,6 +285,14 @@ struct Situation {
     const std::size_t at = number;
     return number >= 0 && at < method().pieces.size() ? &method().pieces[at] : nullptr;
   }
+  /// The facet at work as the scene has it on the raster, or as the vertices that the run prints have it; nullptr where
+  /// no facet is drawn by itself, pixel by pixel, or where it has no area. Found once for each.
+  const DrawnFacet* drawn_facet() const {
+    if (!drawn_now.known || drawn_now.facet != method().facet)
+      drawn_now.known = true, drawn_now.facet = method().facet, drawn_now.drawn = draw_facet();
+    return drawn_now.drawn ? &*drawn_now.drawn : nullptr;
+  }
+  std::optional<DrawnFacet> draw_facet() const;
   /// The pixel at work, where it is this one.
   const Fragment* fragment(std::int32_t x, std::int32_t y) const {
     const auto& found = method().fragment;

@@ -59,6 +59,14 @@ T other_depth(Conventions::Depth depth, bool parallel, const T& near, const T& f
   }
 }
 
+/// Whichever of the two it is that a vertex at z_v takes along.
+template <class T>
+T vertex_depth(Conventions::Depth depth, bool parallel, const T& near, const T& far, const T& z_v) {
+  if (depth != Conventions::Depth::pseudodepth) return other_depth(depth, parallel, near, far, z_v);
+  return parallel ? parallel_pseudodepth(near, far, z_v)
+                  : pseudodepth(near, pseudodepth_a(near, far), pseudodepth_b(near, far), z_v);
+}
+
 /// What is in view: from the near to the far plane, and within a window of half width w_x and half height w_y at
 /// distance d.
 template <class T>

@@ -242,6 +242,7 @@ struct Given {
   bool equal(double one, double other) const { return one == other; }
   void rule(formulas::Rule, bool) {}
   void gives(Follows<E, double> field, double) { fields |= 1u << field.number; }
+  void within(Follows<E, double> field, double, double) { fields |= 1u << field.number; }
   void near(Follows<E, double> field, const formulas::Rounded&) { fields |= 1u << field.number; }
   void whole(Follows<E, std::int32_t> field, double, std::int32_t) { fields |= 1u << field.number; }
   template <class Value>

@@ -141,11 +141,7 @@ Point scaled(const Point& p, const Rational& by) { return {p.x * by, p.y * by, p
 Rational depth_of_view(const Camera& camera, Conventions::Depth depth, const Rational& z_v) {
   if (camera.kind == Camera::Kind::screen) return z_v;
   const Rational near = exactly(camera.near), far = exactly(camera.far);
-  const bool parallel = camera.kind == Camera::Kind::orthographic;
-  if (depth != Conventions::Depth::pseudodepth) return formulas::other_depth(depth, parallel, near, far, z_v);
-  return parallel
-             ? formulas::parallel_pseudodepth(near, far, z_v)
-             : formulas::pseudodepth(near, formulas::pseudodepth_a(near, far), formulas::pseudodepth_b(near, far), z_v);
+  return formulas::vertex_depth(depth, camera.kind == Camera::Kind::orthographic, near, far, z_v);
 }
 
 const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
@@ -225,6 +221,7 @@ struct Asked {
   bool equal(double one, double other) const { return one == other; }
   void rule(formulas::Rule, bool) {}
   void gives(formulas::Follows<E, double> field, const Number& formula) { given[field.name] = formula; }
+  void within(formulas::Follows<E, double> field, const Number& formula, double) { given[field.name] = formula; }
   void near(formulas::Follows<E, double>, const formulas::Rounded&) {}
   template <class Value>
   void is(std::type_identity_t<formulas::Follows<E, Value>>, Value) {}

@@ -48,6 +48,7 @@ struct Collector {
   void rule(formulas::Rule, bool) {}
 
   void gives(formulas::Follows<E, double> field, const Number& formula) { found.push_back({field.name, formula}); }
+  void within(formulas::Follows<E, double> field, const Number& formula, double) { gives(field, formula); }
   void near(formulas::Follows<E, double>, const formulas::Rounded&) {}
   void whole(formulas::Follows<E, std::int32_t> field, const Number& formula, std::int32_t within) {
     found.push_back({field.name, formula.within(within)});

@@ -18,13 +18,14 @@ using namespace zstep;
 
 namespace {
 
-/// Steps of a program that prints no more than what happens at pixels; `conventions`: what its header declares.
+/// Steps of a program that prints no more than what happens at pixels; `conventions`: what its header declares. Its
+/// polygons have no area, so that the scene says nothing of them.
 Trace run_of(const std::vector<std::string>& steps, const std::string& conventions) {
   test::RunLines lines{
       R"({"ztrace":1,"writer":"my program","algorithm":"z-buffer","conventions":{)" + conventions +
       R"(},"steps":[{"id":1,"name":"clear","event":"buffers_clear"},{"id":2,"name":"polygon","event":"polygon_begin"},)"
       R"({"id":3,"name":"compare","event":"depth_compare"},{"id":4,"name":"store","event":"depth_write"}],)"
-      R"("scene":{"raster":{"width":4,"height":4},"camera":{"kind":"screen"},"points":[[0,0,5],[4,0,5],[0,4,5]],)"
+      R"("scene":{"raster":{"width":4,"height":4},"camera":{"kind":"screen"},"points":[[0,0,5],[1,1,5],[2,2,5]],)"
       R"("polygons":[{"name":"A"},{"name":"B"}],)"
       R"("facets":[{"polygon":0,"points":[0,1,2]},{"polygon":1,"points":[0,1,2]}]}})"};
   lines.insert(lines.end(), steps.begin(), steps.end());

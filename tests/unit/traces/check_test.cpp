@@ -89,9 +89,9 @@ TEST_CASE("check: each step of every golden trace follows from its own operands,
 }
 
 /// A run of two triangles on a raster of 12x10, as a program prints it; `table`: the names of its steps and their
-/// events.
-std::string small_head(const std::string& interpolation,
-                       const std::vector<std::pair<const char*, const char*>>& table) {
+/// events. `thin`: A has no area, so that the scene says nothing of its pixels.
+std::string small_head(const std::string& interpolation, const std::vector<std::pair<const char*, const char*>>& table,
+                       bool thin = false) {
   std::string steps;
   for (std::size_t i = 0; i < table.size(); ++i)
     steps += fmt::format(R"({}{{"id":{},"name":"{}","event":"{}"}})", i == 0 ? "" : ",", i + 1, table[i].first,
@@ -99,11 +99,11 @@ std::string small_head(const std::string& interpolation,
   return fmt::format(
       R"({{"ztrace":1,"writer":"my program","algorithm":"z-buffer","conventions":{{"depth":"view","nearer":"smaller",)"
       R"("ties":"first","interpolation":"{}","number_format":"float64"}},"steps":[{}],"scene":{{"raster":{{"width":12,)"
-      R"("height":10}},"camera":{{"kind":"screen"}},"points":[[1,1,10],[10,2,40],[4,8,20],[2,7,50],[1,2,5],[10,6,15]],)"
+      R"("height":10}},"camera":{{"kind":"screen"}},"points":[[1,1,10],{},[4,8,20],[2,7,50],[1,2,5],[10,6,15]],)"
       R"("polygons":[{{"name":"A"}},{{"name":"B"}}],"facets":[{{"polygon":0,"points":[0,1,2]}},)"
       R"({{"polygon":1,"points":[3,4,5]}}]}}}})"
       "\n",
-      interpolation, steps);
+      interpolation, steps, thin ? "[2.5,4.5,40]" : "[10,2,40]");
 }
 const std::vector<std::pair<const char*, const char*>> whole_table{
     {"clear", "buffers_clear"},      {"polygon", "polygon_begin"}, {"slopes", "plane_slopes"},
@@ -137,9 +137,16 @@ TEST_CASE("check: what nothing in the run says is not judged, and then it is not
   CHECK(not_judged(all).empty());
   CHECK(all.coverage);
   CHECK(verdict_of(all) == Verdict::right);
-  // No spans: of a depth that is compared nothing says what it should be, nor that a pixel is missing.
-  const CheckReport without_spans = check(test::changed(whole, [](std::int64_t, const Event& event) {
+  // No spans: of a depth that is compared the scene says what it should be, and that no pixel is missing.
+  const CheckReport by_scene = check(test::changed(whole, [](std::int64_t, const Event& event) {
     return !holds<SpanBegin>(event) && !holds<DepthInterpolate>(event);
+  }));
+  CHECK_FALSE(has(not_judged(by_scene), kind_of<DepthCompare>, "z"));
+  CHECK(by_scene.coverage);
+  CHECK(verdict_of(by_scene) == Verdict::right);
+  // Nor which polygon it is: then nothing does.
+  const CheckReport without_spans = check(test::changed(whole, [](std::int64_t, const Event& event) {
+    return !holds<SpanBegin>(event) && !holds<DepthInterpolate>(event) && !holds<PolygonBegin>(event);
   }));
   CHECK(has(not_judged(without_spans), kind_of<DepthCompare>, "z"));
   CHECK_FALSE(without_spans.coverage);
@@ -213,7 +220,8 @@ TEST_CASE("check: a run without spans whose depths go by slopes is held to them"
                                    R"("dz_dx":{},"dz_dy":{}}})"
                                    "\n",
                                    dz_dx, dz_dy);
-    for (const auto& [x, y] : {std::pair(3, 3), {4, 3}, {3, 4}}) {
+    // In no order that says which others should have come before.
+    for (const auto& [x, y] : {std::pair(3, 3), {3, 4}, {4, 3}}) {
       const double z = 10 + dz_dx * (x - 1) + dz_dy * (y - 1) + (x == 4 ? off : 0);
       text += compare_at(x, y, z, true) + write_at(x, y, z);
     }
@@ -221,12 +229,12 @@ TEST_CASE("check: a run without spans whose depths go by slopes is held to them"
   };
   CHECK(causes_of(run_of(0)) == "");
   CHECK_FALSE(has(not_judged(check(run_of(0))), kind_of<DepthCompare>, "z"));
-  CHECK(causes_of(run_of(0.25)) == "compare.z@6");
+  CHECK(causes_of(run_of(0.25)) == "compare.z@9");
 }
 
 TEST_CASE("check: a pixel is written where it was compared, also in runs without spans") {
   const auto run_of = [&](const std::string& steps) {
-    return causes_of(test::trace_of(small_head("direct", whole_table) + begin_a + steps));
+    return causes_of(test::trace_of(small_head("direct", whole_table, true) + begin_a + steps));
   };
   CHECK(run_of(compare_at(2, 2, 5, true) + write_at(2, 2, 5)) == "");
   CHECK(run_of(compare_at(2, 2, 5, true) + write_at(5, 5, 5)) == "wz.write_after_win@3 wp.write_after_win@4");
@@ -247,14 +255,14 @@ TEST_CASE("check: a pixel is written where it was compared, also in runs without
                        "\n",
                        x);
   };
-  CHECK(causes_of(test::trace_of(small_head("direct", colours) + begin_a + compare_at(2, 2, 5, true) +
+  CHECK(causes_of(test::trace_of(small_head("direct", colours, true) + begin_a + compare_at(2, 2, 5, true) +
                                  compare_at(3, 2, 5, true) + colour(2) + colour(3))) == "");
 }
 
 TEST_CASE("check: steps that a run never has are not recorded, whatever its header lists") {
   const std::string compares =
       compare_at(2, 2, 5, true) + compare_at(3, 2, 5, true) + compare_at(2, 2, 4, true) + compare_at(2, 2, 4.5, false);
-  const Trace run = test::trace_of(small_head("direct", whole_table) + begin_a + compares +
+  const Trace run = test::trace_of(small_head("direct", whole_table, true) + begin_a + compares +
                                    R"({"step":"scan","y":1})"
                                    "\n"
                                    R"({"step":"scan","y":2})"
@@ -263,11 +271,11 @@ TEST_CASE("check: steps that a run never has are not recorded, whatever its head
   const std::vector<std::string_view> never = never_recorded(run.header(), check(run));
   CHECK(std::find(never.begin(), never.end(), "wz") != never.end());
   CHECK(std::find(never.begin(), never.end(), "compare") == never.end());
-  CHECK(causes_of(test::trace_of(small_head("direct", whole_table) + begin_a + compares +
+  CHECK(causes_of(test::trace_of(small_head("direct", whole_table, true) + begin_a + compares +
                                  compare_at(2, 2, 4.25, true))) == "compare.nearer@6");
   // With colours: their depths are not recorded either, unless the compares show that they are never written.
   const auto with_colours = [&](bool farther_wins) {
-    std::string text = small_head("direct", whole_table);
+    std::string text = small_head("direct", whole_table, true);
     for (const double z : {4.0, 5.0}) {
       const bool wins = z == 4.0 || farther_wins;
       text += begin_a + compare_at(2, 2, z, wins);

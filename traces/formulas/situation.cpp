@@ -1,0 +1,46 @@
+#include "traces/formulas/situation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace zstep::formulas {
+
+namespace {
+constexpr std::int32_t many_corners = 16;
+}
+
+std::optional<DrawnFacet> Situation::draw_facet() const {
+  const MethodState& now = method();
+  const std::size_t number = now.facet;
+  if (now.facet < 0 || number >= scene.facets.size() || scene.facets[number].polygon != now.polygon)
+    return std::nullopt;
+  if (now.keeps_all || now.piece >= 0 || ahead.of_all || camera != &scene.camera) return std::nullopt;
+  const NumberFormat format = header.conventions.number_format;
+  if (bits_of(format) > 0 || is_fixed || (!on_screen() && !header.declares(Convention::depth))) return std::nullopt;
+  // A run of few steps may begin a facet with many corners again and again.
+  if (const std::int32_t corners = scene.facets[number].corner_count; corners > many_corners) {
+    drawn_now.spent += std::int64_t{corners} * scene.raster.height;
+    if (drawn_now.spent > 1024 * before.position + 50'000'000) return std::nullopt;
+  }
+  const double u = roundoff > 0 ? roundoff : format == NumberFormat::float32 ? 0x1p-24 : 0x1p-53;
+  const auto by_scene = DrawnFacet::from_scene(scene, header, now.facet, u);
+  if (on_screen() || !by_scene || !records<ViewportTransform>()) return by_scene;
+  // A camera at fault is told where it is; what follows goes by the vertices that it gave.
+  std::vector<std::int32_t> vertices = now.outline;
+  if (vertices.empty())
+    for (const DrawnCorner& corner : by_scene->outline()) vertices.push_back(corner.vertex);
+  std::vector<DrawnCorner> outline;
+  for (const std::int32_t vertex : vertices) {
+    const auto at = on_raster(vertex);
+    if (!at || !has_depth(vertex)) return by_scene;
+    const auto off = [&](double value) { return written * std::abs(value) + written_off; };
+    outline.push_back({vertex, at->x, at->y, at->z, off(at->x), off(at->y), off(at->z)});
+  }
+  auto by_run = DrawnFacet::from_run(scene, header, std::move(outline), u);
+  if (by_run) by_run->faces_as(*by_scene);
+  return by_run;
+}
+
+}  // namespace zstep::formulas
