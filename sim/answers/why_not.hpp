@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "sim/words/notation.hpp"
 #include "traces/replay/replay.hpp"
@@ -62,6 +65,20 @@ struct Verdict {
   std::vector<std::string> formulas;  ///< and in numbers
   std::vector<words::Owned> owned{};  ///< whose they are
   std::vector<Link> chain;            ///< the steps that led there, in order
+
+  // Each takes a format and what stands in it.
+  template <class... Part>
+  void say(fmt::format_string<Part...> more, Part&&... part) {
+    sentence += fmt::format(more, std::forward<Part>(part)...);
+  }
+  template <class... Part>
+  void add_formula(fmt::format_string<Part...> formula, Part&&... part) {
+    formulas.push_back(fmt::format(formula, std::forward<Part>(part)...));
+  }
+  template <class... Part>
+  void add_step(std::int64_t step_, std::int32_t whose, fmt::format_string<Part...> did, Part&&... part) {
+    chain.push_back({step_, whose, fmt::format(did, std::forward<Part>(part)...)});
+  }
 };
 
 /// At a pixel. Throws InputError where the trace is damaged or tells what cannot be, std::out_of_range for a polygon or

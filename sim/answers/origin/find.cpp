@@ -12,11 +12,6 @@ std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, s
   return trace.next(from, predicate, Trace::Among({}, {}, end - 1));
 }
 
-std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t from, std::int64_t end,
-                                            const Trace::Predicate& predicate) {
-  return trace.previous(from, predicate, Trace::Among({}, {}, end + 1));
-}
-
 std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
   const std::size_t at = facet;
   return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;

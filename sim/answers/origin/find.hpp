@@ -14,11 +14,9 @@
 
 namespace zstep::answers {
 
-/// The first step in (from, end) that satisfies the predicate; the last one in (end, from) for the way back.
+/// The first step in (from, end) that satisfies the predicate.
 std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, std::int64_t end,
                                         const Trace::Predicate& predicate);
-std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t from, std::int64_t end,
-                                            const Trace::Predicate& predicate);
 
 template <class... E>
 bool is_one_of(const RecordedEvent& recorded) {
@@ -81,6 +79,37 @@ std::optional<Found<E>> next_that(const Trace& trace, std::int64_t from, std::in
 template <class E>
 std::optional<Found<E>> next_event(const Trace& trace, std::int64_t from, std::int64_t end) {
   return next_that<E>(trace, from, end, [](const E&) { return true; });
+}
+/// All of them.
+template <class E, class Meant>
+std::vector<Found<E>> all_that(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
+  std::vector<Found<E>> all;
+  while (const auto found = next_that<E>(trace, all.empty() ? from : all.back().step, end, is_meant))
+    all.push_back(*found);
+  return all;
+}
+/// The first, unless a step of one of the other kinds comes before it.
+template <class E, class... Stop, class Meant>
+std::optional<Found<E>> next_before(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
+  const auto step = next_within(trace, from, end, [&](const RecordedEvent& recorded) {
+    const auto* event = get_if<E>(&recorded.event);
+    return (event && is_meant(*event)) || is_one_of<Stop...>(recorded);
+  });
+  const auto event = step ? event_at<E>(trace, *step) : std::nullopt;
+  return event && is_meant(*event) ? std::optional(Found<E>{*step, *event}) : std::nullopt;
+}
+
+/// The last step in (end, from), the way back, whose event E is meant.
+template <class E, class Meant>
+std::optional<Found<E>> last_that(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
+  const auto step = trace.previous(
+      from, [&](const RecordedEvent& recorded) { return is_meant(get<E>(recorded.event)); },
+      Trace::Among({}, kind_of<E>, end + 1));
+  return step ? std::optional(Found<E>{*step, *event_at<E>(trace, *step)}) : std::nullopt;
+}
+template <class E>
+std::optional<Found<E>> last_event(const Trace& trace, std::int64_t from, std::int64_t end = 0) {
+  return last_that<E>(trace, from, end, [](const E&) { return true; });
 }
 
 /// The first step in (from, end) whose event E satisfies `beyond`, where all E that follow do so, too. By leaps and
