@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/answers/origin/orders.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/formulas/of_colors.hpp"
@@ -53,13 +52,13 @@ Number horizon_at(Work& work, std::int64_t step, std::int32_t x, bool upper) {
 
 }  // namespace
 
-static void tell(Datum& datum, Work& work, std::int64_t, const CurveBegin& e, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t, const CurveBegin& e, std::string_view field) {
   if (field != "constant" || !work.scene.surface) return;
   const std::int32_t sample = e.across ? e.row : e.row * work.scene.surface->columns;
   datum.same_as(e.across ? "x" : "y", work.world(sample, e.across ? Axis3::x : Axis3::y));
 }
 
-static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest& e, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest& e, std::string_view field) {
   if (field == "y_curve") return tell_on_segment(datum, work, e.x);
   if (field != "verdict") return;
   const Number y = work.field(step, "y_curve"), upper = horizon_at(work, step, e.x, true),
@@ -67,20 +66,18 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest&
   datum.comes_of("above where y is at most upper[x], below where it is at least lower[x]", {y, upper, lower});
 }
 
-static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove& e, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove& e, std::string_view field) {
   if (field != "y_curve") return;
   const std::string name = work.step_name(step);
   if (name == "clear_horizons") return datum.note("nothing is drawn yet");
   if (name == "fill") return tell_on_segment(datum, work, e.x);
-  const Step test = find_last<HorizonTest>(work.trace, step, [&](const HorizonTest& other) { return other.x == e.x; });
+  const Step test = work.last(step, &HorizonTest::x, e.x);
   if (test) datum.same_as("y", work.field(*test, "y_curve"));
 }
 
-static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, std::string_view field) {
   if (field == "upper") return;
-  const Step to = find_last<HorizonTest>(work.trace, step, [](const HorizonTest&) { return true; });
-  const Step from =
-      to ? find_last<HorizonTest>(work.trace, *to - 1, [](const HorizonTest&) { return true; }) : std::nullopt;
+  const Step to = work.last<HorizonTest>(step), from = to ? work.last<HorizonTest>(*to - 1) : std::nullopt;
   if (!from) return;
   const HorizonTest a = get<HorizonTest>(work.trace.event(*from).event),
                     b = get<HorizonTest>(work.trace.event(*to).event);
@@ -101,22 +98,16 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross
 
 namespace {
 
-const LineRow* line_at(const Work& work, std::int32_t line) {
-  const std::size_t at = line;
-  return line >= 0 && at < work.machine().lines.size() ? &work.machine().lines[at] : nullptr;
-}
-
 /// The piece that a facet became: one of its polygon, and, of several, the one whose plane the line crosses there.
 std::int32_t piece_of_facet(const Work& work, std::int32_t facet, const LineBegin& line, double t) {
-  const std::size_t at = facet;
-  if (facet < 0 || at >= work.scene.facets.size()) return -1;
+  if (!entry(work.scene.facets, facet)) return -1;
   std::int32_t best = -1;
   double least = std::numeric_limits<double>::infinity();
   const auto a = zstep::on_raster(work.scene, work.state(), line.vertex_0),
              b = zstep::on_raster(work.scene, work.state(), line.vertex_1);
   for (std::size_t i = 0; a && b && i < work.machine().pieces.size(); ++i) {
     const Piece& piece = work.machine().pieces[i];
-    if (piece.polygon != work.scene.facets[at].polygon || !piece.plane) continue;
+    if (piece.polygon != polygon_of_facet(work.scene, facet) || !piece.plane) continue;
     const double off = std::abs(formulas::plane_value(
         *piece.plane, formulas::part_of_way(glm::dvec3(a->x, a->y, a->z), glm::dvec3(b->x, b->y, b->z), t)));
     if (off < least) least = off, best = index32(i);
@@ -143,8 +134,8 @@ void tell_edge_crossing(Datum& datum, Work& work, const LineCross& e, const Line
 
 }  // namespace
 
-static void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::string_view field) {
-  const LineRow* row = line_at(work, e.line);
+void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::string_view field) {
+  const LineRow* row = entry(work.machine().lines, e.line);
   if (!row || field == "in_space") return;
   const LineBegin line = row->entry;
   if (field == "t" && !e.in_space) return tell_edge_crossing(datum, work, e, line);
@@ -157,7 +148,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e
   tell_cut(datum, d_0, d_1);
 }
 
-static void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {
   const double t = datum.number();
   const Step cross = find_last<LineCross>(
       work.trace, step,
@@ -167,7 +158,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e,
   datum.note(field == "t_0" ? "where the edge begins" : field == "t_1" ? "where the edge ends" : "");
 }
 
-static void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::string_view field) {
   if (field == "visible") return;
   const double t = datum.number();
   if (t == 0 || t == 1) return datum.note(t == 0 ? "where the edge begins" : "where the edge ends");
@@ -181,14 +172,9 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e
   datum.note(begins ? "a hidden interval begins there" : "a hidden interval ends there");
 }
 
-void tell_curves(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
-  tell_one_of<CurveBegin, HorizonTest, HorizonMove, HorizonCross, LineCross, LineHide, LinePiece>(
-      event, [&](const auto& e) { tell(datum, work, step, e, field); });
-}
-
 // The scan-line method: intervals of a line, the depths of planes on them, implied edges, shares of a pixel.
 
-static void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {
   const MethodState& m = work.machine();
   if (field == "flags") return datum.note("those that are in");
   const bool left = field == "x_left" || field == "first";
@@ -198,7 +184,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, 
     return datum.comes_of("the last whole number before x_R, within the raster", {work.field(step, "x_right")});
   if (!field.starts_with("x")) return;
   // Between the edge that was crossed last and the next of the active ones.
-  const Step flipped = find_last<FlagFlip>(work.trace, step, [](const FlagFlip&) { return true; });
+  const Step flipped = work.last<FlagFlip>(step);
   if (!flipped) return;
   const std::int32_t crossed = get<FlagFlip>(work.trace.event(*flipped).event).edge;
   for (std::size_t i = 0; i < m.active.size(); ++i) {
@@ -213,16 +199,16 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, 
   }
 }
 
-static void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::string_view field) {
   // An end of the interval of the line that is at work, or a corner or the centre of an area.
   const auto& interval = work.machine().sweep.interval;
   if (!interval || field != "x_at") return;
-  const Step flags = find_last<SpanFlags>(work.trace, work.at(), [](const SpanFlags&) { return true; });
+  const Step flags = work.last<SpanFlags>(work.at());
   if (e.x_at == interval->x_left) datum.same_as("x_left", work.field(flags, "x_left", interval->x_left));
   else if (e.x_at == interval->x_right) datum.same_as("x_right", work.field(flags, "x_right", interval->x_right));
 }
 
-static void tell(Datum& datum, Work& work, std::int64_t, const ImpliedEdge& e, std::string_view) {
+void tell(Datum& datum, Work& work, std::int64_t, const ImpliedEdge& e, std::string_view) {
   Operands of;
   const auto one = [&](char letter) { return of(fmt::format("{}_1", letter), work.plane(e.piece, letter)); };
   const auto other = [&](char letter) { return of(fmt::format("{}_2", letter), work.plane(e.other, letter)); };
@@ -247,10 +233,6 @@ bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, 
   }
   datum.is(round(sum), of);
   return true;
-}
-
-void tell_sweep(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
-  tell_one_of<SpanFlags, PlaneDepth, ImpliedEdge>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

@@ -13,8 +13,8 @@ std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, s
 }
 
 std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
-  const std::size_t at = facet;
-  return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
+  const Facet* found = entry(scene.facets, facet);
+  return found ? found->polygon : no_polygon;
 }
 
 std::int64_t begin_of_eye_pass(const Trace& trace) {
@@ -165,9 +165,9 @@ VertexSteps steps_of_vertex(const Trace& trace, const MethodState& machine, std:
 }
 
 Step step_of_edge(const Trace& trace, const MethodState& machine, std::int64_t at, std::int32_t edge) {
-  if (edge < 0 || edge >= std::ssize(machine.edge_table)) return std::nullopt;
-  const EdgeTableInsert entry = machine.edge_table[edge];
-  const auto wanted = [&](const EdgeTableInsert& e) { return same_edge(e, entry); };
+  const EdgeTableInsert* const row = entry(machine.edge_table, edge);
+  if (!row) return std::nullopt;
+  const auto wanted = [known = *row](const EdgeTableInsert& e) { return same_edge(e, known); };
   const std::int64_t soon = std::max<std::int64_t>(1, at - near);
   if (const auto found = find_last<EdgeTableInsert>(
           trace, at, wanted, [](const Event&) { return false; }, soon))
@@ -189,9 +189,8 @@ Step step_of_active_edge(const Trace& trace, const MethodState& machine, std::in
 }
 
 Step step_of_plane(const MethodState& machine, std::int32_t piece) {
-  const std::size_t number = piece;
-  const bool found = piece >= 0 && number < machine.pieces.size() && machine.pieces[number].plane_step > 0;
-  return found ? Step(machine.pieces[number].plane_step) : std::nullopt;
+  const Piece* found = entry(machine.pieces, piece);
+  return found && found->plane_step > 0 ? Step(found->plane_step) : std::nullopt;
 }
 
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light) {

@@ -50,6 +50,12 @@ bool records(const Trace& trace) {
   return zstep::records<E>(trace.header());
 }
 
+/// The entry of this number; nullptr where there is none.
+template <class All>
+auto entry(const All& all, std::int32_t number) -> decltype(&all[0]) {
+  const std::size_t at = number;
+  return number >= 0 && at < all.size() ? &all[at] : nullptr;
+}
 /// The polygon that a facet is of; none where there is no such facet.
 std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet);
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "sim/answers/origin/fields.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/scene.hpp"
@@ -96,12 +95,12 @@ std::string Work::source_line(std::int32_t line) const {
   return line > 0 ? fmt::format("{}:{}", name, line) : name;
 }
 std::string Work::source_of_polygon(std::int32_t polygon) const {
-  const std::size_t place = polygon;
-  return source_line(polygon >= 0 && place < scene.polygons.size() ? scene.polygons[place].source_line : 0);
+  const Polygon* found = entry(scene.polygons, polygon);
+  return source_line(found ? found->source_line : 0);
 }
 std::string Work::source_of_point(std::int32_t point) const {
-  const std::size_t place = point;
-  const std::int32_t line = place < scene.point_lines.size() ? scene.point_lines[place] : 0;
+  const std::int32_t* known = entry(scene.point_lines, point);
+  const std::int32_t line = known ? *known : 0;
   const Placement* placement = placement_of(scene, point);
   if (placement == nullptr) return source_line(line);
   const std::string file = std::filesystem::path(placement->source).filename().string();
