@@ -16,20 +16,7 @@
 
 namespace zstep::answers {
 
-bool does_not_cover(Why kind) {
-  switch (kind) {
-    case Why::outside:
-    case Why::edge_on:
-    case Why::degenerate:
-    case Why::not_covered:
-    case Why::flag_out:
-    case Why::apart:
-    case Why::box_missed:
-      return true;
-    default:
-      return false;
-  }
-}
+bool does_not_cover(Why kind) { return kind >= Why::outside && kind <= Why::box_missed; }
 
 Asked::Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel at)
     : trace(asked),

@@ -31,13 +31,15 @@ enum class Why : std::uint8_t {
   back_edge,     ///< its edge is left out: all faces at it face away
   culled,        ///< it faces away and is not drawn
   clipped,       ///< its part there lies before the near plane or beyond the far plane
-  outside,       ///< nothing of it lies in the view volume
-  edge_on,       ///< seen edge-on it covers no area
-  degenerate,    ///< it has no area
-  not_covered,   ///< it does not cover the pixel's centre; a line: it does not pass the pixel
-  flag_out,      ///< the same by a scan line: its in/out flag is out there
-  apart,         ///< the same by areas: it is disjoint from one around the pixel
-  box_missed,    ///< the same by rays: the ray misses a box around it, or all cells that hold it
+  // It is not at the pixel's centre in the first place:
+  outside,      ///< nothing of it lies in the view volume
+  edge_on,      ///< seen edge-on it covers no area
+  degenerate,   ///< it has no area
+  not_covered,  ///< it does not cover the pixel's centre; a line: it does not pass the pixel
+  flag_out,     ///< the same by a scan line: its in/out flag is out there
+  apart,        ///< the same by areas: it is disjoint from one around the pixel
+  box_missed,   ///< the same by rays: the ray misses a box around it, or all cells that hold it
+  // And what a trace does not make clear:
   contradicted,  ///< what the trace records of it there cannot all be so: won and not written, lost and overwritten all
                  ///< the same
   not_recorded,  ///< it covers the pixel, and the trace has no step of it there, or none after its depth was found

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/answers/origin/chain.hpp"
 #include "sim/answers/origin/find.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/visits.hpp"
@@ -19,11 +20,7 @@
 namespace zstep::answers {
 
 /// A depth with the digits that tell depths apart, and with a real minus sign.
-inline std::string told(double z) {
-  std::string text = depth_text(z);
-  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
-  return text;
-}
+inline std::string told(double z) { return with_minus_signs(depth_text(z)); }
 /// Two of them, with more digits where these are the same and the depths are not.
 inline std::pair<std::string, std::string> told_apart(double a, double b) {
   std::pair<std::string, std::string> texts{told(a), told(b)};

@@ -34,31 +34,25 @@ void tell_on_segment(Datum& datum, Work& work, std::int32_t column) {
   datum.is(formulas::on_line(y_0, y_1, x, x_0, x_1), of);
 }
 
-Step horizon_before(const Work& work, std::int64_t step, std::int32_t x, bool upper) {
-  return find_last<HorizonMove>(work.trace, step, [&](const HorizonMove& e) { return e.x == x && e.upper == upper; });
-}
-
 Number horizon_at(Work& work, std::int64_t step, std::int32_t x, bool upper) {
-  const Step moved = horizon_before(work, step, x, upper);
+  const Step moved =
+      find_last<HorizonMove>(work.trace, step, [&](const HorizonMove& e) { return e.x == x && e.upper == upper; });
   const double value = moved ? get<HorizonMove>(work.trace.event(*moved).event).y_curve : upper ? no_depth : -no_depth;
-  return work.derived(step, fmt::format("horizon {} {}", x, upper),
-                      fmt::format("{} horizon of column {}", upper ? "upper" : "lower", x), "y", value,
-                      [&](Datum& datum) {
-                        if (!moved) return datum.note("nothing was drawn there yet");
-                        datum.is("y_curve", {{"y_curve", value}});
-                        work.later(*moved, "y_curve", "y_curve");
-                      });
+  return work.kept(
+      step, fmt::format("horizon {} {}", x, upper),
+      fmt::format("{} horizon of column {}", upper ? "upper" : "lower", x), "y", value, "y_curve",
+      [&] { return moved; }, "nothing was drawn there yet");
 }
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t, const CurveBegin& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const CurveBegin& e, std::string_view field) {
   if (field != "constant" || !work.scene.surface) return;
   const std::int32_t sample = e.across ? e.row : e.row * work.scene.surface->columns;
   datum.same_as(e.across ? "x" : "y", work.world(sample, e.across ? Axis3::x : Axis3::y));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest& e, std::string_view field) {
   if (field == "y_curve") return tell_on_segment(datum, work, e.x);
   if (field != "verdict") return;
   const Number y = work.field(step, "y_curve"), upper = horizon_at(work, step, e.x, true),
@@ -66,7 +60,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest& e, std
   datum.comes_of("above where y is at most upper[x], below where it is at least lower[x]", {y, upper, lower});
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove& e, std::string_view field) {
   if (field != "y_curve") return;
   const std::string name = work.step_name(step);
   if (name == "clear_horizons") return datum.note("nothing is drawn yet");
@@ -75,18 +69,15 @@ void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove& e, std
   if (test) datum.same_as("y", work.field(*test, "y_curve"));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, std::string_view field) {
   if (field == "upper") return;
   const Step to = work.last<HorizonTest>(step), from = to ? work.last<HorizonTest>(*to - 1) : std::nullopt;
   if (!from) return;
   const HorizonTest a = get<HorizonTest>(work.trace.event(*from).event),
                     b = get<HorizonTest>(work.trace.event(*to).event);
   // Where the curve was on the column before, its own piece may have been another.
-  const Number y_0 = work.derived(*from, "column before", fmt::format("the curve at x = {}", a.x), "y", a.y_curve,
-                                  [&](Datum& datum_before) {
-                                    datum_before.is("y_curve", {{"y_curve", a.y_curve}});
-                                    work.later(*from, "y_curve", "y_curve");
-                                  });
+  const Number y_0 = work.kept(*from, "column before", fmt::format("the curve at x = {}", a.x), "y", a.y_curve,
+                               "y_curve", [&] { return from; });
   const Number y_1 = work.field(*to, "y_curve"), h_0 = horizon_at(work, *from, a.x, e.upper),
                h_1 = horizon_at(work, *to, b.x, e.upper);
   Operands of;
@@ -134,7 +125,7 @@ void tell_edge_crossing(Datum& datum, Work& work, const LineCross& e, const Line
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::string_view field) {
   const LineRow* row = entry(work.machine().lines, e.line);
   if (!row || field == "in_space") return;
   const LineBegin line = row->entry;
@@ -148,7 +139,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::
   tell_cut(datum, d_0, d_1);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {
   const double t = datum.number();
   const Step cross = find_last<LineCross>(
       work.trace, step,
@@ -158,7 +149,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::s
   datum.note(field == "t_0" ? "where the edge begins" : field == "t_1" ? "where the edge ends" : "");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::string_view field) {
   if (field == "visible") return;
   const double t = datum.number();
   if (t == 0 || t == 1) return datum.note(t == 0 ? "where the edge begins" : "where the edge ends");
@@ -174,7 +165,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::
 
 // The scan-line method: intervals of a line, the depths of planes on them, implied edges, shares of a pixel.
 
-void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {
   const MethodState& m = work.machine();
   if (field == "flags") return datum.note("those that are in");
   const bool left = field == "x_left" || field == "first";
@@ -199,7 +190,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::st
   }
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::string_view field) {
   // An end of the interval of the line that is at work, or a corner or the centre of an area.
   const auto& interval = work.machine().sweep.interval;
   if (!interval || field != "x_at") return;
@@ -208,7 +199,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::stri
   else if (e.x_at == interval->x_right) datum.same_as("x_right", work.field(flags, "x_right", interval->x_right));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const ImpliedEdge& e, std::string_view) {
+static void tell(Datum& datum, Work& work, std::int64_t, const ImpliedEdge& e, std::string_view) {
   Operands of;
   const auto one = [&](char letter) { return of(fmt::format("{}_1", letter), work.plane(e.piece, letter)); };
   const auto other = [&](char letter) { return of(fmt::format("{}_2", letter), work.plane(e.other, letter)); };
@@ -234,5 +225,9 @@ bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, 
   datum.is(round(sum), of);
   return true;
 }
+
+TellTheme* const tell_curves = tell_one_of<CurveBegin, HorizonTest, HorizonMove, HorizonCross>;
+TellTheme* const tell_lines = tell_one_of<LineCross, LineHide, LinePiece>;
+TellTheme* const tell_sweep = tell_one_of<SpanFlags, PlaneDepth, ImpliedEdge>;
 
 }  // namespace zstep::answers

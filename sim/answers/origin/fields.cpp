@@ -80,11 +80,9 @@ void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event,
   if (field->type == Type::whole && field->unit == "index")
     return tell_name(datum, work, name, field->whole_in(event), field->meaning);
   if (work.tell_derived(datum, step, event, name)) return;
-  visit_event(
-      [&]<class E>(const E& e) {
-        if constexpr (requires { static_cast<Tell<E>*>(&tell); }) tell(datum, work, step, e, name);
-      },
-      event);
+  for (TellTheme* tell : {tell_boxes, tell_curves, tell_light, tell_lines, tell_orders, tell_pixels, tell_polygons,
+                          tell_rays, tell_sweep, tell_vertices})
+    tell(datum, work, step, event, name);
   if (!datum.told()) datum.note(std::string(field->meaning));
 }
 
@@ -263,15 +261,11 @@ struct Source {
     const bool known = fragment && fragment->x == pixel.x && fragment->y == pixel.y;
     const std::int32_t of = known ? fragment->stored_polygon : no_polygon;
     const std::string what = fmt::format("stored depth at pixel ({}, {})", pixel.x, pixel.y);
-    const double stored = operand.value;
-    return work.derived(
-        step, "stored", known ? what + ", of " + work.label(of) : what, "stored", stored, [&](Datum& datum) {
-          const Step wrote = step_of_depth(work.trace, step - 1, pixel, operand.place.in == Place::In::light_buffer);
-          if (!wrote)
-            return datum.note(of == no_polygon ? "nothing was drawn there yet" : "its depth was never written there");
-          datum.is("z", {{"z", stored}});
-          work.later(*wrote, "z", "z");
-        });
+    const bool light = operand.place.in == Place::In::light_buffer;
+    return work.kept(
+        step, "stored", known ? what + ", of " + work.label(of) : what, "stored", operand.value, "z",
+        [&] { return step_of_depth(work.trace, step - 1, pixel, light); },
+        of == no_polygon ? "nothing was drawn there yet" : "its depth was never written there");
   }
 
   Number number() const {

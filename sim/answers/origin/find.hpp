@@ -14,10 +14,6 @@
 
 namespace zstep::answers {
 
-/// The first step in (from, end) that satisfies the predicate.
-std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, std::int64_t end,
-                                        const Trace::Predicate& predicate);
-
 template <class... E>
 bool is_one_of(const RecordedEvent& recorded) {
   return (holds<E>(recorded.event) || ...);
@@ -30,10 +26,6 @@ constexpr std::optional<std::uint8_t> only_kind() {
 template <class... E>
 std::optional<std::int64_t> next_of(const Trace& trace, std::int64_t from, std::int64_t end) {
   return trace.next(from, is_one_of<E...>, Trace::Among({}, only_kind<E...>(), end - 1));
-}
-template <class... E>
-std::optional<std::int64_t> previous_of(const Trace& trace, std::int64_t from, std::int64_t end = 0) {
-  return trace.previous(from, is_one_of<E...>, Trace::Among({}, only_kind<E...>(), end + 1));
 }
 
 /// The event at a step, if it is of this kind. A copy: the trace's own goes away when others are read.
@@ -97,10 +89,13 @@ std::vector<Found<E>> all_that(const Trace& trace, std::int64_t from, std::int64
 /// The first, unless a step of one of the other kinds comes before it.
 template <class E, class... Stop, class Meant>
 std::optional<Found<E>> next_before(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
-  const auto step = next_within(trace, from, end, [&](const RecordedEvent& recorded) {
-    const auto* event = get_if<E>(&recorded.event);
-    return (event && is_meant(*event)) || is_one_of<Stop...>(recorded);
-  });
+  const auto step = trace.next(
+      from,
+      [&](const RecordedEvent& recorded) {
+        const auto* event = get_if<E>(&recorded.event);
+        return (event && is_meant(*event)) || is_one_of<Stop...>(recorded);
+      },
+      Trace::Among({}, {}, end - 1));
   const auto event = step ? event_at<E>(trace, *step) : std::nullopt;
   return event && is_meant(*event) ? std::optional(Found<E>{*step, *event}) : std::nullopt;
 }

@@ -54,8 +54,8 @@ void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& 
   const Point none{Formula(0), Formula(0), Formula(0)}, normal = formulas::newell_normal(none, count, point);
   Operands sides;
   const auto side = [&](const char* name, const Formula& along) {
-    return sides(name,
-                 work.derived(step, subject, "", name, along.value(), [&](Datum& inner) { inner.is(along, of); }));
+    const auto told = [&](Datum& inner) { inner.is(along, of); };
+    return sides(name, work.derived(step, subject, "", name, along.value(), told));
   };
   const Formula x = side("n_x", normal.x), y = side("n_y", normal.y), z = side("n_z", normal.z);
   datum.is((letter == 'A' ? x : letter == 'B' ? y : z) / formulas::length_of(Point{x, y, z}), sides, false);
@@ -73,7 +73,7 @@ Number plane_value(Work& work, std::int64_t step, const char* name, std::int32_t
   Operands of;
   const Formula value = plane_at(
       of, [&](char letter) { return work.plane(piece, letter); }, point);
-  return work.derived(step, "", "", name, value.value(), [&](Datum& datum) { datum.is(value, of); });
+  return work.part(step, name, value, of);
 }
 
 void tell_cut(Datum& datum, const Number& d_0, const Number& d_1) {
@@ -106,7 +106,7 @@ Number Work::facet_plane(std::int32_t facet, char letter) {
   });
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const PlaneEquation& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const PlaneEquation& e, std::string_view field) {
   // A part lies in the plane of the whole that it was cut from.
   const Piece* whole = entry(work.machine().pieces, e.piece);
   while (whole && whole->parent >= 0 && entry(work.machine().pieces, whole->parent))
@@ -146,7 +146,7 @@ Number Work::extent(std::int32_t number, std::string_view name) {
   return field(step, name, value.value_or(0));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const Extent& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const Extent& e, std::string_view field) {
   const Piece* piece = entry(work.machine().pieces, e.piece);
   if (!piece || field == "piece") return;
   const Axis3 axis = axis_of(field);
@@ -159,7 +159,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const Extent& e, std::string_v
   }
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std::string_view field) {
   const std::string_view axis = word_of(e.axis);
   if (field == "low" || field == "other_low" || field == "high" || field == "other_high") {
     const bool least = field.ends_with("low");
@@ -178,11 +178,11 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std:
   if (e.overlap) datum.note("and other_low < high");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const VertexSide&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const VertexSide&, std::string_view field) {
   if (field == "side") datum.comes_of("by the sign of the value", {work.field(step, "value")});
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::string_view field) {
   if (field == "side")
     return datum.comes_of("by the least and the greatest value",
                           {work.field(step, "least"), work.field(step, "greatest")});
@@ -205,7 +205,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::s
   datum.note(fmt::format("at vertex {}{}", work.vertex_name(corner), own_depth ? ", with z from its own plane" : ""));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const OverlapTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const OverlapTest& e, std::string_view field) {
   if (field == "overlap" || std::isnan(datum.number()))
     return datum.comes_of("do the outlines have a point in common?",
                           {work.extent(e.piece, "x_min"), work.extent(e.other, "x_min")});
@@ -227,7 +227,7 @@ Number cut_distance(Work& work, std::int64_t step, std::int32_t vertex, const ch
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const SplitVertex& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const SplitVertex& e, std::string_view field) {
   if (field != "t") return;
   const Number d_0 = cut_distance(work, step, e.vertex_0, "d_0"), d_1 = cut_distance(work, step, e.vertex_1, "d_1");
   tell_cut(datum, d_0, d_1);
@@ -242,11 +242,11 @@ Number node_plane(Work& work, std::int32_t node, char letter) {
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const EyeSide&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const EyeSide&, std::string_view field) {
   if (field == "front") datum.holds_if("value > 0", {{"value", work.field(step, "value")}});
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std::string_view field) {
   if (field != "value") return;
   const auto plane = [&](char letter) { return node_plane(work, e.node, letter); };
   // The corner of the view volume that has this value.
@@ -259,7 +259,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std::string
   }
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::string_view field) {
   const auto* parent = entry(work.machine().areas, e.parent);
   if (!parent) return datum.note("the whole picture");
   const bool column = field.ends_with("column");
@@ -273,7 +273,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::strin
   datum.is("first + \u230a(end - first)/2\u230b", {{"first", low}, {"end", high}});
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::string_view field) {
   const Step area = work.last<AreaBegin>(step);
   if (!area || field == "piece") return;
   std::vector<Number> numbers;
@@ -284,5 +284,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::st
                                    : "the piece's edges and the corners of the area",
                  numbers);
 }
+
+TellTheme* const tell_orders = tell_one_of<PlaneEquation, Extent, ExtentTest, VertexSide, SideTest, OverlapTest,
+                                           SplitVertex, EyeSide, NodeSkip, AreaBegin, AreaBin>;
 
 }  // namespace zstep::answers

@@ -41,7 +41,7 @@ void tell_along_ray(Datum& datum, Work& work, std::int64_t step) {
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const PixelPaint&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const PixelPaint&, std::string_view field) {
   if (field == "z" && !work.machine().rays.tree.empty()) tell_along_ray(datum, work, step);
 }
 
@@ -55,14 +55,13 @@ bool names_channel(std::string_view field) { return field == "r8" || field == "g
 }  // namespace
 
 Number Work::color_of(std::int32_t polygon, int which) {
-  static constexpr const char* names[] = {"red", "green", "blue"};
   const Polygon* known = entry(scene.polygons, polygon);
   const double value = channel(known ? known->color : scene.background, which);
-  return derived(0, fmt::format("colour of {}", polygon), "colour of " + label(polygon), names[which], value,
+  return derived(0, fmt::format("colour of {}", polygon), "colour of " + label(polygon), channel_names[which], value,
                  [&](Datum& datum) { datum.at_source(known ? source_of_polygon(polygon) : source_line(0)); });
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::string_view field) {
   if (field == "opacity") {
     if (entry(work.scene.polygons, e.polygon)) datum.at_source(work.source_of_polygon(e.polygon));
     return datum.note("the material's");
@@ -79,14 +78,13 @@ void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::stri
   datum.is(round(formulas::laid_over(alpha, over, under)), of);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std::string_view field) {
   if (!names_channel(field)) return;
   const int which = channel_of(field);
   const MethodState& m = work.machine();
-  static constexpr const char* names[] = {"red", "green", "blue"};
   if (!m.rays.tree.empty()) {
     const Step end = work.last(step, &RayEnd::ray, m.rays.tree.front().entry.ray);
-    return datum.is("round(255*light)", {{"light", work.field(end, names[which], 0)}});
+    return datum.is("round(255*light)", {{"light", work.field(end, channel_names[which], 0)}});
   }
   if (m.shadow && m.shadow->x == e.x && m.shadow->y == e.y) {
     const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
@@ -149,12 +147,9 @@ struct ThroughSpace {
 
   Number depth() {
     const double z = work.buffers().picture.depth[work.buffers().picture.at(e.x, e.y)];
-    return work.derived(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z,
-                        [&](Datum& datum) {
-                          datum.is("z", {{"z", z}});
-                          if (const Step wrote = step_of_depth(work.trace, step, {e.x, e.y}, false))
-                            work.later(*wrote, "z", "z");
-                        });
+    return work.kept(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z, "z", [&] {
+      return step_of_depth(work.trace, step, {e.x, e.y}, false);
+    });
   }
   Number z_v() {
     const Number z = depth();
@@ -168,7 +163,7 @@ struct ThroughSpace {
                   window = x ? of("w_x", work.window_width(step, "w_x", eye.window_y)) : of("w_y", eye.window_y),
                   plane = x ? formulas::window_x(at, window, size) : formulas::window_y(at, window, size),
                   far = of("z_eye", z), d = of("d", eye.d), seen = eye.orthographic ? plane : plane * (far / d);
-    return value(x ? "x_eye" : "y_eye", seen.value(), [&](Datum& datum) { datum.is(seen, of); });
+    return work.part(step, x ? "x_eye" : "y_eye", seen, of);
   }
   Number world(Axis3 axis) {
     const std::array<Number, 3> at{viewed(true), viewed(false), z_v()};
@@ -196,7 +191,7 @@ double bias_of(const Conventions& conventions) {
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, std::string_view field) {
   if (!work.scene.light || field == "x" || field == "y") return;
   ThroughSpace through{work, step, e};
   const viewing::Lens& lens = through.light;
@@ -224,15 +219,10 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, s
     return datum.comes_of("false beside the light's picture", asked);
   const Trace::Pixel pixel{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
   const double stored = light.depth[light.at(pixel.x, pixel.y)];
-  const Number shadow = work.derived(
-      step, "shadow",
-      fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, work.label(light.polygon[light.at(pixel.x, pixel.y)])),
-      "shadow", stored, [&](Datum& inner) {
-        const Step wrote = step_of_depth(work.trace, step, pixel, true);
-        if (!wrote) return inner.note("the light saw nothing there");
-        inner.is("z", {{"z", stored}});
-        work.later(*wrote, "z", "z");
-      });
+  const std::string owner = work.label(light.polygon[light.at(pixel.x, pixel.y)]);
+  const Number shadow = work.kept(
+      step, "shadow", fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, owner), "shadow", stored, "z",
+      [&] { return step_of_depth(work.trace, step, pixel, true); }, "the light saw nothing there");
   // It is by how far they are from the light that the two depths are held against each other.
   const Number z_v = through.seen(Axis3::z);
   if (z_v.value < through.camera.near)
@@ -249,5 +239,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, s
   datum.holds_if(lit.text(), of.in(lit));
   datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
 }
+
+TellTheme* const tell_pixels = tell_one_of<PixelPaint, ColorBlend, ColorWrite>;
+TellTheme* const tell_light = tell_one_of<ShadowCompare>;
 
 }  // namespace zstep::answers

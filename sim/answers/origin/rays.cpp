@@ -79,16 +79,16 @@ bool tell_passage(Datum& datum, Work& work, std::int64_t step, const Sides& side
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t, const BoxMake&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const BoxMake&, std::string_view field) {
   if (field.ends_with("min") || field.ends_with("max")) tell_side(datum, work, field, 1);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const GridMake&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const GridMake&, std::string_view field) {
   if (field.ends_with("min") || field.ends_with("max")) return tell_side(datum, work, field, 2);
   datum.note("about as many cells as facets, as nearly cubes as the box allows");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const BoxTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const BoxTest& e, std::string_view field) {
   if (field == "hit") {
     const Number enter = work.field(step, "t_enter"), leave = work.field(step, "t_leave");
     if (!e.hit && enter.value <= leave.value)
@@ -109,7 +109,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const BoxTest& e, std::st
                                           : "where the ray ends");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const CellVisit& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const CellVisit& e, std::string_view field) {
   if (!field.starts_with("t_") || !work.machine().grid) return;
   const GridMake grid = *work.machine().grid;
   const Step made = find_first<GridMake>(work.trace, 1, [](const GridMake&) { return true; });
@@ -248,7 +248,7 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, std::string_view field) {
   const bool start = field == "x_0" || field == "y_0" || field == "z_0";
   if (!start && !field.starts_with("dir_")) return;
   const Axis3 axis = axis_of(field);
@@ -261,7 +261,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, std::s
   tell_secondary_direction(datum, work, *parent, *hit, e, axis);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e, std::string_view field) {
   const Step begin = work.last<RayBegin>(step);
   if (!begin || field == "facet") return;
   if (field == "t") return datum.comes_of("the ray runs along the plane", {work.field(step, "denominator")});
@@ -277,7 +277,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e, std::s
   datum.is(-formulas::plane_value(a, b, c, normal('D'), x, y, z), of);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::string_view field) {
   const Step begin = work.last<RayBegin>(step);
   if (!begin || field == "facet") return;
   if (field == "nearest") {
@@ -304,10 +304,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::str
 
 namespace {
 
-constexpr const char* light_names[] = {"red", "green", "blue"};
-
 /// Own colour, mirrored and transmitted light, by the material.
-void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, int which) {
+void tell_light_back(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, int which) {
   const std::int32_t polygon = polygon_of_facet(work.scene, e.nearest_facet);
   const bool met = polygon != no_polygon;
   const Number own = work.color_of(polygon, which);
@@ -337,7 +335,7 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
   const auto part = [&](const char* share, double value, const char* name, const Step& end) {
     if (!end) return std::optional<formulas::PartOfLight<Formula>>();
     const Formula passed = of(share, value);
-    return std::optional(formulas::PartOfLight<Formula>{passed, of(name, work.field(*end, light_names[which]))});
+    return std::optional(formulas::PartOfLight<Formula>{passed, of(name, work.field(*end, channel_names[which]))});
   };
   const auto from_mirror = part("r", mirror, "mirrored", mirrored), from_behind = part("p", passes, "through", through);
   datum.is(formulas::light_back(own_part, color, left, from_mirror, from_behind), of, false);
@@ -345,7 +343,7 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, std::string_view field) {
   if (field == "tests") return datum.note("planes that it was held against");
   const Step begin = work.last(step, &RayBegin::ray, e.ray);
   if (field == "t") {
@@ -356,13 +354,16 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, std::str
   }
   const bool is_shadow = begin && begin_at(work, *begin).role == RayRole::shadow;
   for (int which = 0; which < 3; ++which) {
-    if (field != light_names[which]) continue;
-    if (!is_shadow) return tell_light(datum, work, step, e, which);
+    if (field != channel_names[which]) continue;
+    if (!is_shadow) return tell_light_back(datum, work, step, e, which);
     const Step hit = kept_hit(work, step, *begin);
     datum.comes_of(
         hit ? "0: something lies between the point and the light" : "1: nothing lies between the point and the light",
         {work.field(hit, "t", no_depth)});
   }
 }
+
+TellTheme* const tell_boxes = tell_one_of<BoxMake, GridMake, BoxTest, CellVisit>;
+TellTheme* const tell_rays = tell_one_of<RayBegin, RayPlane, RayHit, RayEnd>;
 
 }  // namespace zstep::answers

@@ -145,7 +145,7 @@ Number Work::cutting(std::int32_t vertex, Axis3 axis) {
   return cuts_in_world(*this) ? world(vertex, axis) : on_raster(vertex, axis);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const ClipVertex&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const ClipVertex&, std::string_view field) {
   if (field == "inside") datum.holds_if("distance >= 0", {{"distance", work.field(step, "distance")}});
 }
 
@@ -163,12 +163,12 @@ std::vector<std::int32_t> corners_at_work(const Work& work) {
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const FacingTest&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const FacingTest&, std::string_view field) {
   if (field == "facing") datum.comes_of("by the sign of (p - e)·n", {work.field(step, "view_dot_normal")});
   if (field == "projected_normal_z" && std::isnan(datum.number())) datum.note("a vertex lies behind the eye");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const ClipTest&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const ClipTest&, std::string_view field) {
   std::vector<Number> numbers;
   for (const std::int32_t corner : corners_at_work(work)) {
     if (numbers.size() >= 3 * most_corners) break;
@@ -179,5 +179,8 @@ void tell(Datum& datum, Work& work, std::int64_t, const ClipTest&, std::string_v
                      : "the vertices' outcodes, and-ed; bits from the right: near, far, left, right, bottom, top",
                  numbers);
 }
+
+TellTheme* const tell_vertices = tell_one_of<ClipVertex>;
+TellTheme* const tell_polygons = tell_one_of<FacingTest, ClipTest>;
 
 }  // namespace zstep::answers

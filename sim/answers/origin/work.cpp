@@ -185,6 +185,16 @@ void Work::later(std::int64_t step, std::string_view name, const std::string& sy
   if (step >= 1) later_.push_back({step, std::string(name), symbol, current_});
 }
 
+Number Work::kept(std::int64_t step, const std::string& subject, const std::string& what, const std::string& name,
+                  double value, const char* field, const std::function<Step()>& since, const char* never) {
+  return derived(step, subject, what, name, value, [&](Datum& datum) {
+    const Step wrote = since();
+    if (!wrote && *never) return datum.note(never);
+    datum.is(field, {{field, value}});
+    if (wrote) later(*wrote, field, field);
+  });
+}
+
 void Work::also(std::int64_t step, std::string_view name) { later_.push_back({step, std::string(name), "", 0}); }
 
 void Work::run_later() {

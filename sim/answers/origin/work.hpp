@@ -17,7 +17,6 @@
 
 #include "sim/answers/origin/chain.hpp"
 #include "sim/answers/origin/find.hpp"
-#include "sim/answers/origin/formula.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -64,6 +63,7 @@ inline Axis3 axis_of(std::string_view field) {
 
 inline constexpr std::size_t most_corners = 6;  ///< of an outline that are shown one by one
 
+inline constexpr const char* channel_names[]{"red", "green", "blue"};
 inline double channel(Color color, int which) { return which == 0 ? color.red : which == 1 ? color.green : color.blue; }
 
 class Work;
@@ -177,6 +177,14 @@ class Work {
     current_ = outer;
     return {value, link, name};
   }
+  /// The same of a number with a formula.
+  Number part(std::int64_t step, const std::string& name, const Formula& formula, const Operands& of) {
+    return derived(step, "", "", name, formula.value(), [&](Datum& datum) { datum.is(formula, of); });
+  }
+  /// A number that stands since a step at which the run stood elsewhere: a field of it, told once all else is. `never`
+  /// says what it is where there is no such step.
+  Number kept(std::int64_t step, const std::string& subject, const std::string& what, const std::string& name,
+              double value, const char* field, const std::function<Step()>& since, const char* never = "");
   /// A field of a step at which the run stood elsewhere: told once all else is, and then known to the operand with this
   /// symbol of the link at work.
   void later(std::int64_t step, std::string_view name, const std::string& symbol = "");
@@ -292,44 +300,19 @@ void tell_cut(Datum& datum, const Number& d_0, const Number& d_1);
 // --- Where the fields come from that no formula of traces/formulas gives. What is not listed names something, or
 // counts.
 
-/// Explains a field of a kind of event; what it cannot explain it leaves as it is.
-template <class E>
-using Tell = void(Datum& datum, Work& work, std::int64_t step, const E& event, std::string_view field);
-Tell<AreaBegin> tell;
-Tell<AreaBin> tell;
-Tell<BoxMake> tell;
-Tell<BoxTest> tell;
-Tell<CellVisit> tell;
-Tell<ClipTest> tell;
-Tell<ClipVertex> tell;
-Tell<ColorBlend> tell;
-Tell<ColorWrite> tell;
-Tell<CurveBegin> tell;
-Tell<Extent> tell;
-Tell<ExtentTest> tell;
-Tell<EyeSide> tell;
-Tell<FacingTest> tell;
-Tell<GridMake> tell;
-Tell<HorizonCross> tell;
-Tell<HorizonMove> tell;
-Tell<HorizonTest> tell;
-Tell<ImpliedEdge> tell;
-Tell<LineCross> tell;
-Tell<LineHide> tell;
-Tell<LinePiece> tell;
-Tell<NodeSkip> tell;
-Tell<OverlapTest> tell;
-Tell<PixelPaint> tell;
-Tell<PlaneDepth> tell;
-Tell<PlaneEquation> tell;
-Tell<RayBegin> tell;
-Tell<RayEnd> tell;
-Tell<RayHit> tell;
-Tell<RayPlane> tell;
-Tell<ShadowCompare> tell;
-Tell<SideTest> tell;
-Tell<SpanFlags> tell;
-Tell<SplitVertex> tell;
-Tell<VertexSide> tell;
+/// Explains a field of an event, if it is of one of the kinds of its theme; else it leaves the datum as it is.
+using TellTheme = void(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field);
+extern TellTheme *const tell_boxes,
+    *const tell_curves, *const tell_light, *const tell_lines, *const tell_orders, *const tell_pixels,
+                                                                                      *const tell_polygons,
+                                                                                          *const tell_rays,
+                                                                                              *const tell_sweep,
+                                                                                                  *const tell_vertices;
+
+/// A theme of these kinds, each of which has a function `tell` of its own.
+template <class... E>
+void tell_one_of(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  (void)((holds<E>(event) && (tell(datum, work, step, event.as<E>(), field), true)) || ...);
+}
 
 }  // namespace zstep::answers
