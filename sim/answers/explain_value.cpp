@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/answers/origin/fields.hpp"
-#include "sim/answers/origin/find.hpp"
+#include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/scene.hpp"
@@ -51,10 +50,6 @@ Chain in_reading_order(Chain chain) {
   }
   return sorted;
 }
-
-}  // namespace
-
-namespace {
 
 Step step_of_row(const Trace& trace, const MethodState& machine, const Question& question) {
   const std::int64_t at = std::min(question.at, trace.size());
@@ -122,7 +117,7 @@ Chain explain_value(const Trace& trace, Replay& replay, const Question& question
       if (const Step shade = step_of_shade(trace, std::min(question.at, trace.size()), *question.pixel))
         for (const char* channel : {"r8", "g8", "b8"}) work.also(*shade, channel);
   } else {
-    work.world(*question.vertex, place->field[0] == 'x' ? Axis3::x : place->field[0] == 'y' ? Axis3::y : Axis3::z);
+    work.world(*question.vertex, axis_of(place->field));
   }
   work.run_later();
   return in_reading_order(std::move(work.chain));

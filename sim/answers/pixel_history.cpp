@@ -85,13 +85,8 @@ class History {
 
   /// What the eye's ray met, until it ends or casts others.
   void add_hits() {
-    const auto begin = trace_.next(
-        0,
-        [&](const RecordedEvent& recorded) {
-          const auto* ray = get_if<RayBegin>(&recorded.event);
-          return ray && ray->role == RayRole::eye;
-        },
-        pixel_);
+    const auto begin = trace_.next<RayBegin>(
+        0, [](const RayBegin& ray) { return ray.role == RayRole::eye; }, pixel_);
     if (!begin) return;
     std::optional<double> kept;
     keeper_ = no_polygon;
@@ -329,45 +324,40 @@ std::string behind_text(double gap, double z, double stored) {
                  : fmt::format("its plane is nearer by {}, and yet it was found to be behind", depth_text(-gap));
 }
 
+/// Of its own numbers alone.
+std::string own_outcome(const Trace& trace, const Visit& visit) {
+  const bool known = visit.z && visit.stored;
+  switch (visit.outcome) {
+    case Outcome::won:
+      return "nearer";
+    case Outcome::lost:
+      return known ? "behind by " + depth_text(trace.header().comparison.behind(*visit.z, *visit.stored)) : "behind";
+    case Outcome::tie:
+      return keeps_first(trace.header()) ? "a tie: the first stays" : "a tie: the trace says not nearer";
+    case Outcome::written:
+    case Outcome::painted:
+      return "painted";
+    case Outcome::mixed:
+      if (visit.opacity < 1) return "mixed in, with opacity " + depth_text(visit.opacity);
+      [[fallthrough]];
+    case Outcome::colored:
+      return "the pixel's colour";
+    case Outcome::interpolated:
+      return "interpolated; no compare of it is recorded";
+    case Outcome::behind:
+      return behind_text(*visit.z - *visit.stored, *visit.z, *visit.stored);
+    case Outcome::rejected:
+      return "not drawn: " + visit.reason;
+    case Outcome::cut_off:
+      break;
+  }
+  return visit.reason;
+}
+
 }  // namespace
 
 std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit) {
-  std::string text;
-  switch (visit.outcome) {
-    case Outcome::won:
-      text = "nearer";
-      break;
-    case Outcome::lost:
-      text = visit.z && visit.stored
-                 ? "behind by " + depth_text(trace.header().comparison.behind(*visit.z, *visit.stored))
-                 : "behind";
-      break;
-    case Outcome::tie:
-      text = keeps_first(trace.header()) ? "a tie: the first stays" : "a tie: the trace says not nearer";
-      break;
-    case Outcome::written:
-    case Outcome::painted:
-      text = "painted";
-      break;
-    case Outcome::mixed:
-      text = visit.opacity < 1 ? "mixed in, with opacity " + depth_text(visit.opacity) : "the pixel's colour";
-      break;
-    case Outcome::interpolated:
-      text = "interpolated; no compare of it is recorded";
-      break;
-    case Outcome::colored:
-      text = "the pixel's colour";
-      break;
-    case Outcome::behind:
-      text = behind_text(*visit.z - *visit.stored, *visit.z, *visit.stored);
-      break;
-    case Outcome::rejected:
-      text = "not drawn: " + visit.reason;
-      break;
-    case Outcome::cut_off:
-      text = visit.reason;
-      break;
-  }
+  std::string text = own_outcome(trace, visit);
   if (contradicts(trace, visit))
     text = contradiction_text(trace, visit.outcome == Outcome::won, *visit.z, *visit.stored);
   if (!visit.remark.empty()) text += "; " + visit.remark;

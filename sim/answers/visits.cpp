@@ -92,11 +92,10 @@ namespace {
 
 /// Where edges of all polygons stand in one table: the polygon of the edge at the left of the span.
 std::optional<AtWork> by_span(const Trace& trace, std::int64_t step) {
-  const auto span = previous_of<SpanBegin>(trace, step);
+  const auto span = last_event<SpanBegin>(trace, step);
   if (!span) return std::nullopt;
-  const std::int32_t edge = event_at<SpanBegin>(trace, *span)->left_edge;
-  const auto entry = numbered(trace, last_mark(trace), *span, &EdgeTableInsert::edge, edge);
-  return AtWork{entry ? event_at<EdgeTableInsert>(trace, *entry)->polygon : no_polygon, *span};
+  const auto row = numbered(trace, last_mark(trace), span->step, &EdgeTableInsert::edge, span->event.left_edge);
+  return AtWork{row ? event_at<EdgeTableInsert>(trace, *row)->polygon : no_polygon, span->step};
 }
 
 /// Are edges of all polygons in one table?
@@ -112,8 +111,7 @@ AtWork at_work(const Trace& trace, std::int64_t step) {
                                        [](std::int64_t at, const PolygonMark& mark) { return at < mark.position; });
   const std::int64_t mark = beyond == marks.begin() ? 0 : std::prev(beyond)->position;
   if (records<PieceDraw>(trace))
-    if (const auto draw = previous_of<PieceDraw>(trace, step, mark))
-      return {event_at<PieceDraw>(trace, *draw)->polygon, *draw};
+    if (const auto draw = last_event<PieceDraw>(trace, step, mark)) return {draw->event.polygon, draw->step};
   return mark == 0 ? AtWork{} : AtWork{std::prev(beyond)->polygon, mark};
 }
 

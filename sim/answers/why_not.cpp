@@ -16,20 +16,7 @@
 
 namespace zstep::answers {
 
-bool does_not_cover(Why kind) {
-  switch (kind) {
-    case Why::outside:
-    case Why::edge_on:
-    case Why::degenerate:
-    case Why::not_covered:
-    case Why::flag_out:
-    case Why::apart:
-    case Why::box_missed:
-      return true;
-    default:
-      return false;
-  }
-}
+bool does_not_cover(Why kind) { return kind >= Why::outside && kind <= Why::box_missed; }
 
 Asked::Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel at)
     : trace(asked),
@@ -55,8 +42,12 @@ std::vector<std::int32_t> Asked::facets() const {
 
 Verdict Asked::verdict(Why kind, std::int64_t step, const std::string& reason) const {
   Verdict verdict;
-  verdict.kind = kind, verdict.step = step, verdict.pixel = pixel;
-  verdict.sentence = fmt::format("{} is not seen {}: {}.", name, where, reason);
+  verdict.kind = kind, verdict.step = step;
+  if (!anywhere_) verdict.pixel = pixel;
+  const char* const is = kind == Why::seen    ? "what is seen"
+                         : kind == Why::mixed ? "a part of what is seen"
+                                              : "not seen";
+  verdict.sentence = fmt::format("{} is {} {}: {}.", name, is, where, reason);
   return verdict;
 }
 
@@ -75,7 +66,12 @@ void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, c
   const Explanation said = explain(trace, nearby ? *nearby : state_at(step), trace.event(step));
   verdict.formulas.insert(verdict.formulas.end(), said.formulas.begin(), said.formulas.end());
   for (const words::Owned& one : said.owned) words::add_owned(verdict.owned, one);
-  if (said.doubt) verdict.formulas.push_back(*said.doubt);
+  if (said.doubt) verdict.add_formula("{}", *said.doubt);
+}
+
+std::optional<std::int64_t> next_color(const Asked& q, std::int64_t from, std::int64_t end) {
+  const std::int64_t until = end > 0 ? end - 1 : q.trace.size();
+  return q.trace.next(from, is_one_of<ColorWrite>, Trace::Among(q.pixel, kind_of<ColorWrite>, until));
 }
 
 Verdict not_recorded(const Asked& q) {
@@ -86,17 +82,28 @@ Verdict not_recorded(const Asked& q) {
 
 Verdict not_begun(const Asked& q) {
   if (!q.trace.whole()) return not_recorded(q);
-  return q.verdict(Why::not_recorded, 0,
-                   fmt::format("the trace ends at step {}, before work on {} begins", grouped(q.trace.size()), q.name));
+  return q.verdict(Why::not_recorded, 0, "the trace ends at step {}, before work on {} begins", grouped(q.trace.size()),
+                   q.name);
 }
 
 Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::string& what) {
-  Verdict verdict;
-  verdict.kind = Why::seen, verdict.step = step, verdict.other = q.polygon, verdict.pixel = q.pixel;
-  verdict.sentence = fmt::format("{} is what is seen {}: {}.", q.name, q.where, how);
-  verdict.chain.push_back({step, q.polygon, what});
+  Verdict verdict = q.verdict(Why::seen, step, how);
+  verdict.other = q.polygon;
+  verdict.add_step(step, q.polygon, "{}", what.empty() ? "the pixel becomes " + q.name : what);
   return verdict;
 }
+
+namespace {
+
+/// Without links to steps that are not recorded, and in order.
+Verdict tidied(Verdict verdict) {
+  std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
+  std::stable_sort(verdict.chain.begin(), verdict.chain.end(),
+                   [](const Link& a, const Link& b) { return a.step < b.step; });
+  return verdict;
+}
+
+}  // namespace
 
 Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Replay* replay) {
   Asked q(trace, replay, polygon, pixel);
@@ -112,14 +119,10 @@ Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Re
               : of_sweep(trace) ? why_by_sweep(q, facets)
                                 : why_by_pixels(q, facets);
     if (facets.size() > 1 && verdict.kind != Why::seen)
-      verdict.sentence +=
-          fmt::format(" ({} has {} facets; this is {}.)", q.name, facets.size(),
-                      verdict.facet < 0 ? "the one that came nearest to it" : fmt::format("facet {}", verdict.facet));
+      verdict.say(" ({} has {} facets; this is {}.)", q.name, facets.size(),
+                  verdict.facet < 0 ? "the one that came nearest to it" : fmt::format("facet {}", verdict.facet));
   }
-  std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
-  std::stable_sort(verdict.chain.begin(), verdict.chain.end(),
-                   [](const Link& a, const Link& b) { return a.step < b.step; });
-  return verdict;
+  return tidied(std::move(verdict));
 }
 
 std::optional<std::int32_t> polygon_called(const Scene& scene, const std::string& text) {
@@ -136,27 +139,19 @@ std::optional<std::int32_t> polygon_called(const Scene& scene, const std::string
 
 namespace {
 
-/// Without links to steps that are not recorded, and in order.
-Verdict tidied(Verdict verdict) {
-  std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
-  std::stable_sort(verdict.chain.begin(), verdict.chain.end(),
-                   [](const Link& a, const Link& b) { return a.step < b.step; });
-  return verdict;
-}
-
 /// A pixel whose centre the polygon covers, and how deep it and what is seen there are.
 struct Covered {
   Trace::Pixel pixel{};
-  double gap = 0;  ///< z_v of the polygon minus that of what is seen
+  bool sure = false;  ///< beyond rounding
+  double gap = 0;     ///< z_v of the polygon minus that of what is seen
   std::int32_t owner = no_polygon;
 };
 
-std::vector<Covered> covered(const Asked& q, const std::vector<FacetThere>& facets, const Picture& picture) {
+/// By these facets, whatever way they face.
+std::vector<Covered> covered(const Asked& q, std::vector<Facet> facets, const Picture& picture) {
+  if (facets.empty()) return {};
   Scene alone = q.scene;
-  alone.facets.clear();
-  for (const FacetThere& there : facets)
-    if (!there.rejected() && !there.away) alone.facets.push_back(q.scene.facets[there.facet]);
-  if (alone.facets.empty()) return {};
+  alone.facets = std::move(facets);
   const compare::Truth truth(alone, false);
   std::vector<Covered> all;
   for (std::int32_t y = 0; y < truth.height(); ++y)
@@ -167,7 +162,7 @@ std::vector<Covered> covered(const Asked& q, const std::vector<FacetThere>& face
         const double seen = std::isinf(picture.depth[at])
                                 ? no_depth
                                 : view_depth(q.scene.camera, q.trace.header().conventions, picture.depth[at]);
-        all.push_back({{x, y}, candidate.z - seen, picture.polygon[at]});
+        all.push_back({{x, y}, candidate.sure(), candidate.z - seen, picture.polygon[at]});
         break;
       }
   return all;
@@ -199,9 +194,8 @@ std::string losses(const Asked& q, const std::vector<Covered>& all, const char* 
 
 /// "it covers 9 pixels and loses them all, to Q at 9 pixels", as far as the recording goes.
 std::string fate(const Asked& q, const std::vector<Covered>& all) {
-  std::vector<Covered> lost;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(lost),
-               [&](const Covered& one) { return !is_pending(q, one); });
+  std::vector<Covered> lost = all;
+  std::erase_if(lost, [&](const Covered& one) { return is_pending(q, one); });
   const std::size_t pending = all.size() - lost.size();
   const std::string covers = "it covers " + count_text(all.size(), "pixel", "pixels");
   if (pending == 0)
@@ -212,28 +206,18 @@ std::string fate(const Asked& q, const std::vector<Covered>& all) {
       covers, grouped(pending), lost.size() == 1 ? "other" : "others", losses(q, lost, ""));
 }
 
-/// The first pixel whose centre the facet surely covers, whatever way it faces.
-std::optional<Trace::Pixel> covered_pixel(const Asked& q, std::int32_t facet) {
-  Scene alone = q.scene;
-  alone.facets = {q.scene.facets[facet]};
-  const compare::Truth truth(alone, false);
-  for (std::int32_t y = 0; y < truth.height(); ++y)
-    for (std::int32_t x = 0; x < truth.width(); ++x)
-      for (const compare::Candidate& candidate : truth.at(x, y))
-        if (candidate.covers && candidate.sure()) return Trace::Pixel{x, y};
-  return std::nullopt;
-}
-
 /// Where its facets were rejected one and all; else nullopt.
-std::optional<Verdict> gone_as_a_whole(Asked& q, std::vector<FacetThere> facets) {
+std::optional<Verdict> gone_as_a_whole(Asked& q, std::vector<FacetThere> facets, const Picture& picture) {
   for (FacetThere& there : facets) {
     if (!there.rejected() && !there.away) return std::nullopt;
     // Over the whole picture it does not matter whether this one pixel would be covered.
     there.cut_at.reset();
-    if (there.rejected() && !there.surely) there.surely = covered_pixel(q, there.facet);
+    if (there.rejected() && !there.surely)
+      for (const Covered& one : covered(q, {q.scene.facets[there.facet]}, picture))
+        if (one.sure && !there.surely) there.surely = one.pixel;
     if (there.at) there.at->candidate.covers = there.away || there.reason == Reject::back_facing;
   }
-  q.where = "anywhere";
+  q.ask_anywhere();
   return why_by_facets(q, facets);
 }
 
@@ -251,36 +235,32 @@ Verdict filled(Asked& q, const Picture& picture) {
         q, *first, fmt::format("{} is seen at {}; the first of them:", q.name, count_text(count, "pixel", "pixels")));
 
   const std::vector<FacetThere> facets = facets_there(q);
-  if (auto verdict = gone_as_a_whole(q, facets)) {
-    verdict->pixel.reset();
-    return *verdict;
-  }
+  if (auto verdict = gone_as_a_whole(q, facets, picture)) return *verdict;
   if (q.trace.whole() &&
       std::all_of(facets.begin(), facets.end(), [&](const FacetThere& there) { return never_begun(q, there); })) {
-    q.where = "anywhere";
-    Verdict verdict = facets.empty() ? *why_by_facets(q, facets) : not_begun(q);
-    verdict.pixel.reset();
-    return verdict;
+    q.ask_anywhere();
+    return facets.empty() ? *why_by_facets(q, facets) : not_begun(q);
   }
-  std::vector<Covered> all = covered(q, facets, picture);
+  std::vector<Facet> drawn;
+  for (const FacetThere& there : facets)
+    if (!there.rejected() && !there.away) drawn.push_back(q.scene.facets[there.facet]);
+  const std::vector<Covered> all = covered(q, std::move(drawn), picture);
   if (all.empty()) {
-    q.where = "anywhere";
+    q.ask_anywhere();
     Verdict verdict = q.verdict(Why::not_covered, facets.empty() ? 0 : facets.front().mark,
                                 "as it is drawn it covers no pixel's centre");
-    verdict.pixel.reset();
-    for (const FacetThere& there : facets)
-      verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
+    for (const FacetThere& there : facets) verdict.add_step(there.mark, q.polygon, "work on {} begins", q.name);
     return verdict;
   }
   const Covered best =
       *std::min_element(all.begin(), all.end(), [](const Covered& a, const Covered& b) { return a.gap < b.gap; });
   Verdict verdict = why_not(q.trace, q.polygon, best.pixel, q.replay());
-  const std::string covers = count_text(all.size(), "pixel", "pixels");
-  verdict.sentence =
-      (verdict.kind == Why::mixed
-           ? fmt::format("{} takes no pixel for itself; it covers {}. Where it is nearest: ", q.name, covers)
-           : fmt::format("{} is not seen anywhere: {}. Where it comes nearest to being seen: ", q.name, fate(q, all))) +
-      verdict.sentence;
+  const std::string whole =
+      verdict.kind == Why::mixed
+          ? fmt::format("{} takes no pixel for itself; it covers {}. Where it is nearest:", q.name,
+                        count_text(all.size(), "pixel", "pixels"))
+          : fmt::format("{} is not seen anywhere: {}. Where it comes nearest to being seen:", q.name, fate(q, all));
+  verdict.sentence = whole + " " + verdict.sentence;
   return verdict;
 }
 

@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "sim/words/notation.hpp"
 #include "traces/replay/replay.hpp"
@@ -28,13 +31,15 @@ enum class Why : std::uint8_t {
   back_edge,     ///< its edge is left out: all faces at it face away
   culled,        ///< it faces away and is not drawn
   clipped,       ///< its part there lies before the near plane or beyond the far plane
-  outside,       ///< nothing of it lies in the view volume
-  edge_on,       ///< seen edge-on it covers no area
-  degenerate,    ///< it has no area
-  not_covered,   ///< it does not cover the pixel's centre; a line: it does not pass the pixel
-  flag_out,      ///< the same by a scan line: its in/out flag is out there
-  apart,         ///< the same by areas: it is disjoint from one around the pixel
-  box_missed,    ///< the same by rays: the ray misses a box around it, or all cells that hold it
+  // It is not at the pixel's centre in the first place:
+  outside,      ///< nothing of it lies in the view volume
+  edge_on,      ///< seen edge-on it covers no area
+  degenerate,   ///< it has no area
+  not_covered,  ///< it does not cover the pixel's centre; a line: it does not pass the pixel
+  flag_out,     ///< the same by a scan line: its in/out flag is out there
+  apart,        ///< the same by areas: it is disjoint from one around the pixel
+  box_missed,   ///< the same by rays: the ray misses a box around it, or all cells that hold it
+  // And what a trace does not make clear:
   contradicted,  ///< what the trace records of it there cannot all be so: won and not written, lost and overwritten all
                  ///< the same
   not_recorded,  ///< it covers the pixel, and the trace has no step of it there, or none after its depth was found
@@ -62,6 +67,20 @@ struct Verdict {
   std::vector<std::string> formulas;  ///< and in numbers
   std::vector<words::Owned> owned{};  ///< whose they are
   std::vector<Link> chain;            ///< the steps that led there, in order
+
+  // Each takes a format and what stands in it.
+  template <class... Part>
+  void say(fmt::format_string<Part...> more, Part&&... part) {
+    sentence += fmt::format(more, std::forward<Part>(part)...);
+  }
+  template <class... Part>
+  void add_formula(fmt::format_string<Part...> formula, Part&&... part) {
+    formulas.push_back(fmt::format(formula, std::forward<Part>(part)...));
+  }
+  template <class... Part>
+  void add_step(std::int64_t step_, std::int32_t whose, fmt::format_string<Part...> did, Part&&... part) {
+    chain.push_back({step_, whose, fmt::format(did, std::forward<Part>(part)...)});
+  }
 };
 
 /// At a pixel. Throws InputError where the trace is damaged or tells what cannot be, std::out_of_range for a polygon or

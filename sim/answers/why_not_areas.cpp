@@ -65,11 +65,12 @@ struct BinThere {
   std::size_t area = 0;  ///< in the chain
 };
 
-std::optional<std::int32_t> piece_of(const Asked& q, const FacetThere& there) {
+/// The piece that a facet became, before other work begins.
+template <class... Other>
+std::optional<Found<PieceMake>> piece_of(const Asked& q, const FacetThere& there) {
   if (there.mark == 0 || there.rejected()) return std::nullopt;
-  const auto make = next_of<PieceMake, AreaBegin>(q.trace, there.mark, next_mark(q.trace, there.mark));
-  const auto made = make ? event_at<PieceMake>(q.trace, *make) : std::nullopt;
-  return made ? std::optional(made->piece) : std::nullopt;
+  const auto any = [](const PieceMake&) { return true; };
+  return next_before<PieceMake, Other...>(q.trace, there.mark, next_mark(q.trace, there.mark), any);
 }
 
 /// Of the facets that are drawn and cover the pixel, the nearest.
@@ -88,7 +89,7 @@ std::vector<std::int32_t> pieces_of(const Asked& q, const std::vector<FacetThere
   const FacetThere* over = nearest_over_pixel(facets);
   for (const FacetThere& there : facets) {
     if (over && &there != over) continue;
-    if (const auto piece = piece_of(q, there)) pieces.push_back(*piece);
+    if (const auto piece = piece_of<AreaBegin>(q, there)) pieces.push_back(piece->event.piece);
   }
   return pieces;
 }
@@ -102,9 +103,8 @@ std::optional<BinThere> last_bin(const Asked& q, const std::vector<AreaThere>& c
     const auto is_mine = [&](const AreaBin& bin) {
       return std::find(pieces.begin(), pieces.end(), bin.piece) != pieces.end();
     };
-    for (auto bin = next_that<AreaBin>(q.trace, chain[k].begin, chain[k].decided, is_mine); bin;
-         bin = next_that<AreaBin>(q.trace, bin->step, chain[k].decided, is_mine))
-      if (!(last && bin->event.bin == Bin::disjoint)) last = BinThere{bin->step, bin->event, k};
+    for (const auto& [step, bin] : all_that<AreaBin>(q.trace, chain[k].begin, chain[k].decided, is_mine))
+      if (!(last && bin.bin == Bin::disjoint)) last = BinThere{step, bin, k};
     if (last) return last;
   }
   return std::nullopt;
@@ -115,18 +115,15 @@ std::string area_text(const AreaBegin& area) {
                      area.first_row, area.end_row - 1);
 }
 
-/// Depths that were compared in the last area: of this polygon and of the one that it was given to.
-struct Depths {
-  std::vector<std::pair<std::int64_t, PlaneDepth>> mine, its;
-};
-Depths depths_in(const Asked& q, const AreaThere& leaf, std::int32_t piece) {
-  Depths depths;
-  for (std::int64_t step = leaf.begin + 1; step < leaf.decided; ++step) {
-    const auto depth = event_at<PlaneDepth>(q.trace, step);
-    if (depth && depth->piece == piece) depths.mine.emplace_back(step, *depth);
-    if (depth && depth->piece == leaf.decide.piece) depths.its.emplace_back(step, *depth);
-  }
-  return depths;
+/// Depths of a piece that were compared in the last area.
+std::vector<Found<PlaneDepth>> depths_in(const Asked& q, const AreaThere& leaf, std::int32_t piece) {
+  return all_that<PlaneDepth>(q.trace, leaf.begin, leaf.decided,
+                              [&](const PlaneDepth& depth) { return depth.piece == piece; });
+}
+void add_depths(const Asked& q, Verdict& verdict, const std::vector<Found<PlaneDepth>>& depths, std::int32_t of) {
+  for (const auto& [step, depth] : depths)
+    verdict.add_step(step, of, "{} at ({}, {}): {} = {}", q.label(of), number(depth.x_at), number(depth.y_at), q.z,
+                     told(depth.z));
 }
 
 /// "is in front of it at all four corners", with ties said as such.
@@ -141,62 +138,53 @@ std::string before_at(const formulas::detail::AtCorners& held, const std::string
 Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const Visit& owner) {
   const bool surrounded = leaf.decide.what == AreaCase::front_surrounder;
   const std::string other = q.label(owner.shows);
-  const Depths depths = depths_in(q, leaf, bin.bin.piece);
-  if (depths.mine.empty() || depths.its.empty()) return not_recorded(q);
+  const auto of_mine = depths_in(q, leaf, bin.bin.piece), of_its = depths_in(q, leaf, leaf.decide.piece);
+  if (of_mine.empty() || of_its.empty()) return not_recorded(q);
   Verdict verdict;
   if (surrounded) {
     double least = no_depth;
     formulas::detail::AtCorners held;
-    for (std::size_t k = 0; k < std::min(depths.mine.size(), depths.its.size()); ++k)
-      held.add(depths.its[k].second.z, depths.mine[k].second.z);
+    const std::size_t compared = std::min(of_mine.size(), of_its.size());
+    for (std::size_t k = 0; k < compared; ++k) held.add(of_its[k].event.z, of_mine[k].event.z);
     const std::string corners = held.all() == 4 ? "all four corners" : "the corners where they were compared";
     verdict = q.verdict(Why::surrounded, leaf.decided,
-                        fmt::format("{} surrounds {} and {}, so all of the area became {} without a look at this pixel",
-                                    other, area_text(leaf.area), before_at(held, corners), other));
+                        "{} surrounds {} and {}, so all of the area became {} without a look at this pixel", other,
+                        area_text(leaf.area), before_at(held, corners), other);
     verdict.other = owner.shows;
-    for (std::size_t k = 0; k < std::min(depths.mine.size(), depths.its.size()); ++k) {
-      const PlaneDepth &mine = depths.mine[k].second, &its = depths.its[k].second;
-      verdict.formulas.push_back(fmt::format("at ({}, {}): {} of {} = {}, of {} = {}", number(mine.x_at),
-                                             number(mine.y_at), q.z, q.name, told(mine.z), other, told(its.z)));
+    for (std::size_t k = 0; k < compared; ++k) {
+      const PlaneDepth &mine = of_mine[k].event, &its = of_its[k].event;
+      verdict.add_formula("at ({}, {}): {} of {} = {}, of {} = {}", number(mine.x_at), number(mine.y_at), q.z, q.name,
+                          told(mine.z), other, told(its.z));
       least = std::min(least, mine.z - its.z);
     }
     verdict.gap = least;
-    if (least < -1e-9 * std::max(1.0, std::abs(depths.its.front().second.z))) {
+    if (least < -1e-9 * std::max(1.0, std::abs(of_its.front().event.z))) {
       verdict.kind = Why::contradicted;
-      verdict.sentence +=
-          fmt::format(" But at one of the corners {} is nearer by \u0394{} = {}.", q.name, q.z, told(-least));
+      verdict.say(" But at one of the corners {} is nearer by \u0394{} = {}.", q.name, q.z, told(-least));
     }
-    verdict.formulas.push_back(fmt::format("at the corner where it comes nearest: \u0394{} = {}", q.z, told(least)));
+    verdict.add_formula("at the corner where it comes nearest: \u0394{} = {}", q.z, told(least));
   } else {
-    const double z = depths.mine.back().second.z, its = depths.its.back().second.z;
+    const double z = of_mine.back().event.z, its = of_its.back().event.z;
     const bool tie = formulas::detail::equally_near(z, its);
-    const bool nearer = z < its && !tie;  // and yet the other is painted
     verdict =
-        nearer ? q.verdict(Why::contradicted, leaf.decided,
-                           fmt::format("the area is this pixel alone, and at its centre it is nearer than {} by "
-                                       "\u0394{} = {}, but the area is given to {}",
-                                       other, q.z, told(its - z), other))
-        : tie  ? q.verdict(Why::tie, leaf.decided,
-                           fmt::format("at the pixel's centre it is exactly as near as {}, which {}", other,
-                                       kept_in_tie(q.trace.header(), owner.shows < q.polygon, "is painted")))
-               : q.verdict(Why::lost, leaf.decided,
-                           fmt::format("the area is this pixel alone, and at its centre {} is nearer by \u0394{} = {}",
-                                       other, q.z, told(z - its)));
+        tie ? q.verdict(Why::tie, leaf.decided, "at the pixel's centre it is exactly as near as {}, which {}", other,
+                        kept_in_tie(q.trace.header(), owner.shows < q.polygon, "is painted"))
+        : z < its  // and yet the other is painted
+            ? q.verdict(Why::contradicted, leaf.decided,
+                        "the area is this pixel alone, and at its centre it is nearer than {} by \u0394{} = {}, but "
+                        "the area is given to {}",
+                        other, q.z, told(its - z), other)
+            : q.verdict(Why::lost, leaf.decided,
+                        "the area is this pixel alone, and at its centre {} is nearer by \u0394{} = {}", other, q.z,
+                        told(z - its));
     verdict.other = owner.shows, verdict.gap = z - its;
-    verdict.formulas.push_back(difference(q.z, q.name, other, z, its));
+    verdict.add_formula("{}", difference(q.z, q.name, other, z, its));
   }
-  verdict.chain.push_back(
-      {bin.step, q.polygon, fmt::format("{} is {} in area {}", q.name, word_of(bin.bin.bin), leaf.area.area)});
-  for (const auto& [step, depth] : depths.mine)
-    verdict.chain.push_back(
-        {step, q.polygon,
-         fmt::format("{} at ({}, {}): {} = {}", q.name, number(depth.x_at), number(depth.y_at), q.z, told(depth.z))});
-  for (const auto& [step, depth] : depths.its)
-    verdict.chain.push_back(
-        {step, owner.shows,
-         fmt::format("{} at ({}, {}): {} = {}", other, number(depth.x_at), number(depth.y_at), q.z, told(depth.z))});
-  verdict.chain.push_back({leaf.decided, owner.shows, fmt::format("area {} is given to {}", leaf.area.area, other)});
-  verdict.chain.push_back({owner.written, owner.shows, fmt::format("the pixel becomes {}", other)});
+  verdict.add_step(bin.step, q.polygon, "{} is {} in area {}", q.name, word_of(bin.bin.bin), leaf.area.area);
+  add_depths(q, verdict, of_mine, q.polygon);
+  add_depths(q, verdict, of_its, owner.shows);
+  verdict.add_step(leaf.decided, owner.shows, "area {} is given to {}", leaf.area.area, other);
+  verdict.add_step(owner.written, owner.shows, "the pixel becomes {}", other);
   return verdict;
 }
 
@@ -210,13 +198,10 @@ Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
   const Visit* owner = holder(visits, q.trace.size() + 1);
   if (owner && owner->shows == q.polygon) {
     const std::string area = chain.empty() ? "its area" : area_text(chain.back().area);
-    Verdict verdict = seen(
-        q, owner->written,
-        fmt::format("{} is filled with it{}", area, owner->z ? fmt::format(", {} = {}", q.z, told(*owner->z)) : ""),
-        fmt::format("the pixel becomes {}", q.name));
+    const std::string z = owner->z ? fmt::format(", {} = {}", q.z, told(*owner->z)) : "";
+    Verdict verdict = seen(q, owner->written, fmt::format("{} is filled with it{}", area, z));
     if (!chain.empty())
-      verdict.chain.push_back(
-          {chain.back().decided, q.polygon, fmt::format("area {} is given to {}", chain.back().area.area, q.name)});
+      verdict.add_step(chain.back().decided, q.polygon, "area {} is given to {}", chain.back().area.area, q.name);
     return verdict;
   }
   const auto bin = last_bin(q, chain, pieces_of(q, facets));
@@ -233,26 +218,22 @@ Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
   if (bin->bin.bin == Bin::disjoint) {
     verdict->kind = Why::apart;
     verdict->step = bin->step;
-    verdict->sentence +=
-        fmt::format(" It is disjoint from {}, so it is not looked at again in there.", area_text(area.area));
+    verdict->say(" It is disjoint from {}, so it is not looked at again in there.", area_text(area.area));
     q.add_formulas(*verdict, bin->step);
   } else {
     verdict->step = area.decided;
-    verdict->sentence += fmt::format(" It reaches into {}, but not to this pixel's centre.", area_text(area.area));
+    verdict->say(" It reaches into {}, but not to this pixel's centre.", area_text(area.area));
   }
-  verdict->chain.push_back(
-      {bin->step, q.polygon, fmt::format("{} is {} in area {}", q.name, word_of(bin->bin.bin), area.area.area)});
+  verdict->add_step(bin->step, q.polygon, "{} is {} in area {}", q.name, word_of(bin->bin.bin), area.area.area);
   const AreaThere& leaf = chain.back();
-  const auto given = [&]() -> std::string {
-    if (owner) return "is given to " + q.label(owner->shows);
-    return leaf.decide.what == AreaCase::background ? "stays background" : "is settled";
-  };
-  verdict->chain.push_back(
-      {leaf.decided, owner ? owner->shows : no_polygon, fmt::format("area {} {}", leaf.area.area, given())});
-  if (owner)
-    verdict->other = owner->shows,
-    verdict->chain.push_back(
-        {owner->written, owner->shows, fmt::format("the pixel becomes {}", q.label(owner->shows))});
+  if (owner) {
+    verdict->other = owner->shows;
+    verdict->add_step(leaf.decided, owner->shows, "area {} is given to {}", leaf.area.area, q.label(owner->shows));
+    verdict->add_step(owner->written, owner->shows, "the pixel becomes {}", q.label(owner->shows));
+  } else {
+    verdict->add_step(leaf.decided, no_polygon, "area {} {}", leaf.area.area,
+                      leaf.decide.what == AreaCase::background ? "stays background" : "is settled");
+  }
   return *verdict;
 }
 
@@ -260,22 +241,16 @@ Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
 
 namespace {
 
-struct Row {
-  std::int64_t step = 0;
-  PlaneEquation plane{};
-  std::int32_t piece = -1;
-};
-
 /// The polygon's rows of the polygon table.
-std::vector<Row> rows_of(const Asked& q, const std::vector<FacetThere>& facets) {
-  std::vector<Row> rows;
+std::vector<PlaneEquation> rows_of(const Asked& q, const std::vector<FacetThere>& facets) {
+  std::vector<PlaneEquation> rows;
   for (const FacetThere& there : facets) {
-    if (there.mark == 0 || there.rejected()) continue;
-    const std::int64_t end = next_mark(q.trace, there.mark);
-    const auto make = next_of<PieceMake, EdgeTableInsert, ScanLineBegin>(q.trace, there.mark, end);
-    const auto made = make ? event_at<PieceMake>(q.trace, *make) : std::nullopt;
-    const auto plane = made ? next_of<PlaneEquation>(q.trace, *make, end) : std::nullopt;
-    if (plane) rows.push_back({*make, *event_at<PlaneEquation>(q.trace, *plane), made->piece});
+    const auto made = piece_of<EdgeTableInsert, ScanLineBegin>(q, there);
+    if (!made) continue;
+    if (auto plane = next_event<PlaneEquation>(q.trace, made->step, next_mark(q.trace, there.mark))) {
+      plane->event.piece = made->event.piece;
+      rows.push_back(plane->event);
+    }
   }
   return rows;
 }
@@ -290,13 +265,13 @@ struct Line {
   std::vector<Link> links;  ///< depths and implied edges on the interval
 };
 
-Line look_along(Asked& q, const std::vector<Row>& rows) {
+Line look_along(Asked& q, const std::vector<PlaneEquation>& rows) {
   Line line;
   const std::int64_t end_of_all = q.trace.size() + 1;
   const auto begin = numbered(q.trace, last_mark(q.trace), end_of_all, &ScanLineBegin::y, q.pixel.y);
   if (!begin) return line;
   const auto is_mine = [&](std::int32_t piece) {
-    return std::any_of(rows.begin(), rows.end(), [piece](const Row& row) { return row.piece == piece; });
+    return std::any_of(rows.begin(), rows.end(), [piece](const PlaneEquation& row) { return row.piece == piece; });
   };
   const std::int64_t end = next_of<ScanLineBegin>(q.trace, *begin, end_of_all).value_or(end_of_all);
   const std::int32_t x = q.pixel.x;
@@ -338,42 +313,38 @@ Line look_along(Asked& q, const std::vector<Row>& rows) {
 
 void add_paint(const Asked& q, Verdict& verdict, const Line& line) {
   if (line.paint == 0) return;
-  verdict.chain.push_back(
-      {line.winner, line.owner, fmt::format("{} is the frontmost on this interval", q.label(line.owner))});
-  verdict.chain.push_back(
-      {line.paint, line.owner, fmt::format("the pixel becomes {}, {} = {}", q.label(line.owner), q.z, told(line.z))});
+  verdict.add_step(line.winner, line.owner, "{} is the frontmost on this interval", q.label(line.owner));
+  verdict.add_step(line.paint, line.owner, "the pixel becomes {}, {} = {}", q.label(line.owner), q.z, told(line.z));
 }
 
-Verdict why_behind(Asked& q, const Line& line, const std::vector<Row>& rows) {
-  const Row& row =
-      *std::find_if(rows.begin(), rows.end(), [&](const Row& one) { return one.piece == line.in.front(); });
-  const PlaneEquation& p = row.plane;
+Verdict why_behind(Asked& q, const Line& line, const std::vector<PlaneEquation>& rows) {
+  const PlaneEquation& p =
+      *std::find_if(rows.begin(), rows.end(), [&](const PlaneEquation& row) { return row.piece == line.in.front(); });
   const double z = formulas::plane_depth(p, q.pixel.x, q.pixel.y), gap = z - line.z;
   const std::string other = q.label(line.owner);
   // As the method has it: planes that slant give large numbers that cancel.
   const double rounding = 2e-13 *
                           (std::abs(p.plane_a * q.pixel.x) + std::abs(p.plane_b * q.pixel.y) + std::abs(p.plane_d)) /
                           std::abs(p.plane_c);
-  const bool tie = std::abs(gap) <= rounding;
-  const bool nearer = gap < 0 && !tie;  // and yet the other is painted
-  Verdict verdict = q.verdict(
-      tie      ? Why::tie
-      : nearer ? Why::contradicted
-               : Why::lost,
-      line.winner != 0 ? line.winner : line.paint,
-      nearer ? fmt::format("its flag is in and its plane is nearer than {} by \u0394{} = {}, but {} is painted", other,
-                           q.z, told(-gap), other)
-      : tie  ? fmt::format("its flag is in, but it is as near as {} to rounding, and {} {}", other, other,
-                           kept_in_tie(q.trace.header(), line.owner < q.polygon, "is painted"))
-             : fmt::format("its flag is in, but {} is in front on this interval of the line, here by \u0394{} = {}",
-                           other, q.z, told(gap)));
+  const std::int64_t decided = line.winner != 0 ? line.winner : line.paint;
+  Verdict verdict =
+      std::abs(gap) <= rounding
+          ? q.verdict(Why::tie, decided, "its flag is in, but it is as near as {} to rounding, and {} {}", other, other,
+                      kept_in_tie(q.trace.header(), line.owner < q.polygon, "is painted"))
+      : gap < 0  // and yet the other is painted
+          ? q.verdict(Why::contradicted, decided,
+                      "its flag is in and its plane is nearer than {} by \u0394{} = {}, but {} is painted", other, q.z,
+                      told(-gap), other)
+          : q.verdict(Why::lost, decided,
+                      "its flag is in, but {} is in front on this interval of the line, here by \u0394{} = {}", other,
+                      q.z, told(gap));
   verdict.other = line.owner, verdict.gap = gap;
-  verdict.formulas.push_back(fmt::format(
-      "{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", q.z, q.name,
-      factor(p.plane_a), q.pixel.x, factor(p.plane_b), q.pixel.y, number(p.plane_d), factor(p.plane_c), told(z)));
-  verdict.formulas.push_back(difference(q.z, q.name, other, z, line.z));
-  verdict.chain.push_back({line.flip_before, q.polygon, fmt::format("the flag of {} turns to in", q.name)});
-  verdict.chain.push_back({line.interval, no_polygon, "the interval of the line around the pixel"});
+  verdict.add_formula("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", q.z, q.name,
+                      factor(p.plane_a), q.pixel.x, factor(p.plane_b), q.pixel.y, number(p.plane_d), factor(p.plane_c),
+                      told(z));
+  verdict.add_formula("{}", difference(q.z, q.name, other, z, line.z));
+  verdict.add_step(line.flip_before, q.polygon, "the flag of {} turns to in", q.name);
+  verdict.add_step(line.interval, no_polygon, "the interval of the line around the pixel");
   verdict.chain.insert(verdict.chain.end(), line.links.begin(), line.links.end());
   add_paint(q, verdict, line);
   return verdict;
@@ -382,18 +353,14 @@ Verdict why_behind(Asked& q, const Line& line, const std::vector<Row>& rows) {
 /// Beside the pixel, in the scan line's own words.
 void tell_flag(Asked& q, Verdict& verdict, const Line& line) {
   verdict.kind = Why::flag_out;
-  const std::string row = fmt::format("On scan line {}", q.pixel.y);
-  verdict.step = line.flip_before != 0 ? line.flip_before : line.flip_after;
-  verdict.sentence += line.flip_before != 0 ? fmt::format(" {} its flag is out again at the pixel.", row)
-                      : line.flip_after != 0
-                          ? fmt::format(" {} its flag turns to in only beyond the pixel.", row)
-                          : fmt::format(" {} none of its edges is active, so its flag stays out.", row);
-  if (verdict.step != 0) {
-    verdict.chain.push_back({verdict.step, q.polygon,
-                             fmt::format("the flag of {} turns to {}", q.name, line.flip_before != 0 ? "out" : "in")});
-  }
-  if (line.interval != 0)
-    verdict.chain.push_back({line.interval, no_polygon, "the interval of the line at or beyond the pixel"});
+  const bool before = line.flip_before != 0;
+  verdict.step = before ? line.flip_before : line.flip_after;
+  verdict.say(" On scan line {} {}.", q.pixel.y,
+              before              ? "its flag is out again at the pixel"
+              : verdict.step != 0 ? "its flag turns to in only beyond the pixel"
+                                  : "none of its edges is active, so its flag stays out");
+  verdict.add_step(verdict.step, q.polygon, "the flag of {} turns to {}", q.name, before ? "out" : "in");
+  verdict.add_step(line.interval, no_polygon, "the interval of the line at or beyond the pixel");
   add_paint(q, verdict, line);
   verdict.other = line.owner;
 }
@@ -405,24 +372,22 @@ bool of_sweep(const Trace& trace) {
 }
 
 Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets) {
-  const std::vector<Row> rows = rows_of(q, facets);
+  const std::vector<PlaneEquation> rows = rows_of(q, facets);
   const Line line = look_along(q, rows);
   if (line.paint != 0 && line.owner == q.polygon) {
     Verdict verdict =
         seen(q, line.paint,
-             fmt::format("it is the frontmost on its interval of scan line {}, {} = {}", q.pixel.y, q.z, told(line.z)),
-             fmt::format("the pixel becomes {}", q.name));
-    verdict.chain.push_back({line.winner, q.polygon, fmt::format("{} is the frontmost on this interval", q.name)});
+             fmt::format("it is the frontmost on its interval of scan line {}, {} = {}", q.pixel.y, q.z, told(line.z)));
+    verdict.add_step(line.winner, q.polygon, "{} is the frontmost on this interval", q.name);
     return verdict;
   }
   if (line.cover != 0) {
-    Verdict verdict = q.verdict(Why::mixed, line.cover, "");
-    verdict.sentence = fmt::format(
-        "{} is a part of what is seen {}: it is seen on {} % of the pixel's area, though not at its centre.", q.name,
-        q.where, number(100 * line.share));
+    Verdict verdict =
+        q.verdict(Why::mixed, line.cover, "it is seen on {} % of the pixel's area, though not at its centre",
+                  number(100 * line.share));
     verdict.other = line.owner;
     q.add_formulas(verdict, line.cover);
-    verdict.chain.push_back({line.cover, q.polygon, fmt::format("{} is mixed in by its share", q.name)});
+    verdict.add_step(line.cover, q.polygon, "{} is mixed in by its share", q.name);
     add_paint(q, verdict, line);
     return verdict;
   }

@@ -17,18 +17,14 @@ std::span<const std::int32_t> corners_of(const Scene& scene, std::int32_t facet)
 
 bool in_space(const Scene& scene) { return scene.camera.kind != Camera::Kind::screen; }
 
-/// Where it was rejected after its mark, 0 if it was not.
-std::int64_t rejected_after(const Trace& trace, std::int64_t mark) {
-  const auto stop = trace.next(mark, [](const RecordedEvent& recorded) {
+/// Where it was rejected after its mark.
+void find_rejected(const Trace& trace, FacetThere& there) {
+  const auto stop = trace.next(there.mark, [](const RecordedEvent& recorded) {
     return is_one_of<PolygonReject, PolygonBegin, PieceMake, EdgeTableInsert, EdgeTableSkip, ScanLineBegin>(recorded) ||
            description_of_kind(recorded.event.index()).after_polygons;
   });
-  return stop && event_at<PolygonReject>(trace, *stop) ? *stop : 0;
-}
-
-void set_rejected(FacetThere& there, const Trace& trace, std::int64_t step) {
-  there.reject_step = step;
-  there.reason = event_at<PolygonReject>(trace, step)->reason;
+  const auto reject = stop ? event_at<PolygonReject>(trace, *stop) : std::nullopt;
+  if (reject) there.reject_step = *stop, there.reason = reject->reason;
 }
 
 /// Methods that reject a polygon when they come to it in a tree, after other marks, or without any (rays).
@@ -39,17 +35,15 @@ void find_rejected_elsewhere(Asked& q, std::vector<FacetThere>& facets) {
     const auto corners = corners_of(q.scene, there.facet);
     const bool nothing = clipping::degenerate(q.scene, corners);
     if (!(rays && nothing) && !(tree && there.away)) continue;
-    const std::int64_t end =
-        rays ? next_of<RayBegin>(q.trace, last_mark(q.trace), q.trace.size() + 1).value_or(q.trace.size() + 1)
-             : q.trace.size() + 1;
     // The pieces of a tree are drawn, or not, in the tree's order: others may be drawn before.
-    const std::int64_t from = rays ? last_mark(q.trace) : there.mark;
+    const std::int64_t from = rays ? last_mark(q.trace) : there.mark, all = q.trace.size() + 1;
+    const std::int64_t end = rays ? next_of<RayBegin>(q.trace, from, all).value_or(all) : all;
     const auto rejects = q.trace.rejects();
     const auto reject = std::find_if(rejects.begin(), rejects.end(), [&](const RejectMark& mark) {
       return mark.polygon == q.polygon && mark.position > from && mark.position < end &&
              (rays || mark.reason == Reject::back_facing);
     });
-    if (reject != rejects.end()) set_rejected(there, q.trace, reject->position);
+    if (reject != rejects.end()) there.reject_step = reject->position, there.reason = reject->reason;
   }
 }
 
@@ -70,29 +64,24 @@ void add_facing(Asked& q, Verdict& verdict, const FacetThere& there) {
   const glm::dvec3 n = clipping::newell_normal(q.scene, corners);
   const double value = clipping::view_dot_normal(q.scene, corners);
   if (!(value > 0)) return;
-  verdict.formulas.push_back(fmt::format("{}\u00b7n = {}\u00b7{} = {} > 0: it faces away",
-                                         parallel ? "(line of sight)" : "(p \u2212 e)", point(parallel ? -e : p - e),
-                                         point(n), number(value)));
+  verdict.add_formula("{}\u00b7n = {}\u00b7{} = {} > 0: it faces away", parallel ? "(line of sight)" : "(p \u2212 e)",
+                      point(parallel ? -e : p - e), point(n), number(value));
   if (!parallel)
-    verdict.formulas.push_back(
-        fmt::format("p = {} its first corner, e = {} the eye, n = {} its normal", point(p), point(e), point(n)));
+    verdict.add_formula("p = {} its first corner, e = {} the eye, n = {} its normal", point(p), point(e), point(n));
   if (const std::int64_t test = facing_test_of(q.trace, there))
-    verdict.chain.push_back({test, q.polygon, fmt::format("facing test: {} faces away", q.name)});
+    verdict.add_step(test, q.polygon, "facing test: {} faces away", q.name);
 }
 
-const char* dropped_as(Reject reason) {
-  switch (reason) {
-    case Reject::back_facing:
-      return "facing away";
-    case Reject::edge_on:
-      return "seen edge-on";
-    case Reject::outside:
-      return "outside the view volume";
-    case Reject::degenerate:
-      return "having no area";
-  }
-  return "";
-}
+/// What is said of what was dropped for a reason.
+struct Dropped {
+  Why kind;
+  const char *as, *because;
+};
+constexpr ByEnum<Reject, Dropped, 4> dropped{
+    Dropped{Why::culled, "facing away", "it faces away and was dropped"},
+    Dropped{Why::edge_on, "seen edge-on", "it is seen edge-on and covers no area"},
+    Dropped{Why::outside, "outside the view volume", "nothing of it lies in the view volume"},
+    Dropped{Why::degenerate, "having no area", "it has no area, or coordinates that no raster can hold"}};
 
 /// What speaks against the reason for which it was dropped.
 RejectCheck check_of(const Asked& q, const FacetThere& there) {
@@ -104,36 +93,11 @@ RejectCheck check_of(const Asked& q, const FacetThere& there) {
   return check;
 }
 
-const char* reason_text(Reject reason) {
-  switch (reason) {
-    case Reject::back_facing:
-      return "it faces away and was dropped";
-    case Reject::edge_on:
-      return "it is seen edge-on and covers no area";
-    case Reject::outside:
-      return "nothing of it lies in the view volume";
-    case Reject::degenerate:
-      return "it has no area, or coordinates that no raster can hold";
-  }
-  return "";
-}
-
-Why kind_of_reason(Reject reason) {
-  switch (reason) {
-    case Reject::back_facing:
-      return Why::culled;
-    case Reject::edge_on:
-      return Why::edge_on;
-    case Reject::outside:
-      return Why::outside;
-    case Reject::degenerate:
-      break;
-  }
-  return Why::degenerate;
-}
-
 void add_beginning(const Asked& q, Verdict& verdict, const FacetThere& there) {
-  if (there.mark > 0) verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
+  verdict.add_step(there.mark, q.polygon, "work on {} begins", q.name);
+}
+void add_drop(const Asked& q, Verdict& verdict, const FacetThere& there) {
+  verdict.add_step(there.reject_step, q.polygon, "{} is dropped", q.name);
 }
 
 /// Facing away, whether a step says so or not: a ray's plane test alone, a tree's side that is skipped, a recording
@@ -148,15 +112,15 @@ const char* away_text(const Asked& q) {
 
 /// It was dropped for a reason that the scene or the trace's own numbers contradict, or that cannot be checked.
 Verdict of_doubtful_reject(Asked& q, const FacetThere& there, const RejectCheck& check) {
-  Verdict verdict = q.verdict(
-      check.holds ? kind_of_reason(there.reason) : Why::contradicted, there.reject_step,
-      fmt::format("the trace drops it as {}{} {}", dropped_as(there.reason), check.holds ? ";" : ", but", check.text));
+  Verdict verdict =
+      q.verdict(check.holds ? dropped[there.reason].kind : Why::contradicted, there.reject_step,
+                "the trace drops it as {}{} {}", dropped[there.reason].as, check.holds ? ";" : ", but", check.text);
   add_beginning(q, verdict, there);
   if (const std::int64_t test = facing_test_of(q.trace, there)) {
     q.add_formulas(verdict, test);
-    verdict.chain.push_back({test, q.polygon, fmt::format("facing test of {}", q.name)});
+    verdict.add_step(test, q.polygon, "facing test of {}", q.name);
   }
-  verdict.chain.push_back({there.reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
+  add_drop(q, verdict, there);
   return verdict;
 }
 
@@ -166,15 +130,15 @@ Verdict of_rejected(Asked& q, const FacetThere& there) {
       return of_doubtful_reject(q, there, check);
   const Reject reason = culled(there) ? Reject::back_facing : there.reason;
   Verdict verdict =
-      q.verdict(kind_of_reason(reason), there.reject_step, there.rejected() ? reason_text(reason) : away_text(q));
+      q.verdict(dropped[reason].kind, there.reject_step, there.rejected() ? dropped[reason].because : away_text(q));
   add_beginning(q, verdict, there);
   if (reason == Reject::back_facing) add_facing(q, verdict, there);
   if (reason == Reject::outside && there.mark > 0)
     if (const auto test = next_of<ClipTest>(q.trace, there.mark, there.reject_step)) {
-      verdict.chain.push_back({*test, q.polygon, "outcodes of its vertices"});
+      verdict.add_step(*test, q.polygon, "outcodes of its vertices");
       q.add_formulas(verdict, *test);
     }
-  if (there.rejected()) verdict.chain.push_back({there.reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
+  add_drop(q, verdict, there);
   return verdict;
 }
 
@@ -188,32 +152,20 @@ Verdict of_cut(Asked& q, const FacetThere& there) {
                                         : "what would cover the pixel lies beyond the far plane and was cut off";
   Verdict verdict = q.verdict(Why::clipped, 0, reason);
   add_beginning(q, verdict, there);
-  verdict.formulas.push_back(fmt::format("on the line of sight it is at z_v = {}; near = {}, far = {}", number(z),
-                                         number(camera.near), number(camera.far)));
-  if (there.mark > 0) {
-    const std::int64_t end = next_mark(q.trace, there.mark);
-    const auto cut = next_within(q.trace, there.mark, end, [&](const RecordedEvent& recorded) {
-      const auto* held = get_if<ClipVertex>(&recorded.event);
-      return (held && !held->inside && (held->plane == ClipPlane::near) == before) ||
-             is_one_of<EdgeTableInsert, PieceMake, PolygonReject>(recorded);
-    });
-    if (cut && event_at<ClipVertex>(q.trace, *cut)) {
-      verdict.step = *cut;
-      verdict.chain.push_back(
-          {*cut, q.polygon, fmt::format("a vertex of {} lies outside the {} plane", q.name, before ? "near" : "far")});
-      q.add_formulas(verdict, *cut);
-    } else if (there.rejected()) {
-      verdict.step = there.reject_step;
-      verdict.chain.push_back({there.reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
-    }
+  verdict.add_formula("on the line of sight it is at z_v = {}; near = {}, far = {}", number(z), number(camera.near),
+                      number(camera.far));
+  if (there.mark == 0) return verdict;
+  const auto is_cut = [&](const ClipVertex& e) { return !e.inside && (e.plane == ClipPlane::near) == before; };
+  if (const auto cut = next_before<ClipVertex, EdgeTableInsert, PieceMake, PolygonReject>(
+          q.trace, there.mark, next_mark(q.trace, there.mark), is_cut)) {
+    verdict.step = cut->step;
+    verdict.add_step(cut->step, q.polygon, "a vertex of {} lies outside the {} plane", q.name, before ? "near" : "far");
+    q.add_formulas(verdict, cut->step);
+  } else {
+    verdict.step = there.reject_step;
+    add_drop(q, verdict, there);
   }
   return verdict;
-}
-
-/// Does a centre on an outline belong to the polygon on one side of it only?
-bool half_open(const Asked& q) {
-  const Header& header = q.trace.header();
-  return header.declares(Convention::coverage) && header.conventions.coverage == Conventions::Coverage::top_left;
 }
 
 /// The nearer to being seen the higher.
@@ -248,7 +200,7 @@ std::vector<FacetThere> facets_there(Asked& q) {
     for (FacetThere& there : facets) {
       if (!begin || begin->facet != there.facet) continue;
       there.mark = mark;
-      if (const std::int64_t step = rejected_after(q.trace, mark)) set_rejected(there, q.trace, step);
+      find_rejected(q.trace, there);
     }
   }
   find_rejected_elsewhere(q, facets);
@@ -269,13 +221,17 @@ std::string beside_text(const Asked& q, const FacetThere& there) {
   const double rounding =
       fixed ? 2 / fixed_positions_a_pixel
             : formulas::rounding_of(q.trace.header()) * std::max(q.scene.raster.width, q.scene.raster.height);
-  if (there.at->candidate.edge <= rounding && half_open(q))
+  const bool on_it = there.at->candidate.edge <= rounding;
+  const Header& header = q.trace.header();
+  // Does a centre on an outline belong to the polygon on one side of it only?
+  const bool declared = header.declares(Convention::coverage),
+             half_open = declared && header.conventions.coverage == Conventions::Coverage::top_left;
+  if (on_it && half_open)
     return "the pixel's centre lies on a right or last edge of it, and by the half-open rule such a centre is outside";
-  if (there.at->candidate.edge <= rounding && !q.trace.header().declares(Convention::coverage))
+  if (on_it && !declared)
     return "the pixel's centre lies on its outline or within rounding of it, and the header does not declare which "
-           "such "
-           "centres are covered";
-  if (there.at->candidate.edge <= rounding || there.covers())
+           "such centres are covered";
+  if (on_it || there.covers())
     return "the pixel's centre lies so near its outline that rounding decides, and it came to lie outside";
   if (there.at->in_square)
     return fmt::format("it covers the pixel only in part: the centre lies {} pixels outside its outline", far);
@@ -285,13 +241,10 @@ std::string beside_text(const Asked& q, const FacetThere& there) {
 std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& facets) {
   if (facets.empty())
     return q.verdict(Why::degenerate, 0, "it has fewer than three different corners, so there is no facet to draw");
-  const FacetThere* best = nullptr;
-  const auto nearer = [](const FacetThere& one, const FacetThere& other) {
+  const auto best = std::min_element(facets.begin(), facets.end(), [](const FacetThere& one, const FacetThere& other) {
     if (rank(one) != rank(other)) return rank(one) > rank(other);
     return one.at && other.at && one.at->candidate.edge < other.at->candidate.edge;
-  };
-  for (const FacetThere& there : facets)
-    if (!best || nearer(there, *best)) best = &there;
+  });
   if (rank(*best) == 5) {
     if (never_begun(q, *best)) return not_begun(q);
     // On its outline rounding decides, and the method's own arithmetic has.
@@ -310,15 +263,15 @@ std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& fa
     verdict = q.verdict(Why::not_covered, best->mark, beside_text(q, *best));
     add_beginning(q, verdict, *best);
     if (best->at)
-      verdict.formulas.push_back(fmt::format("from ({}, {}) to its nearest edge: {} pixels", q.pixel.x, q.pixel.y,
-                                             number(best->at->candidate.edge)));
+      verdict.add_formula("from ({}, {}) to its nearest edge: {} pixels", q.pixel.x, q.pixel.y,
+                          number(best->at->candidate.edge));
     if (culled(*best)) {
       const RejectCheck check = best->rejected() ? check_of(q, *best) : RejectCheck{};
       verdict.sentence += check.holds && check.shown ? " Besides, it faces away and is not drawn."
                                                      : " Besides, the trace drops it as facing away.";
-      if (!check.text.empty()) verdict.sentence += fmt::format(" ({})", check.text);
+      if (!check.text.empty()) verdict.say(" ({})", check.text);
     }
-    if (best->rejected()) verdict.chain.push_back({best->reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
+    add_drop(q, verdict, *best);
   }
   verdict.facet = best->facet;
   return verdict;

@@ -64,52 +64,46 @@ double distance_to(const DrawnEdge& line, Trace::Pixel pixel) {
   return portable::length(px - t * dx, py - t * dy);
 }
 
-/// The piece of a line at t; ends are rounded to pixels, so the nearest where none holds t.
+/// How far t is from an interval of the line: ends are rounded to pixels, so it may be beside what is drawn there.
+template <class Interval>
+double off(const Interval& interval, double t) {
+  return std::max({0.0, interval.t_0 - t, t - interval.t_1});
+}
+/// The nearest to t; of two as near a piece that is hidden.
 const LinePiece* piece_at(const DrawnEdge& line, double t) {
   const LinePiece* best = nullptr;
-  const auto off = [t](const LinePiece& piece) { return std::max({0.0, piece.t_0 - t, t - piece.t_1}); };
   for (const LinePiece& piece : line.row.pieces)
-    if (!best || off(piece) < off(*best) || (off(piece) == off(*best) && !piece.visible)) best = &piece;
+    if (!best || off(piece, t) < off(*best, t) || (off(piece, t) == off(*best, t) && !piece.visible)) best = &piece;
   return best;
 }
 
-std::string name_of(const Asked& q, const DrawnEdge& line) {
-  return fmt::format("edge {}{}{}", vertex_label(q.scene, line.row.entry.vertex_0), "\u2013",
-                     vertex_label(q.scene, line.row.entry.vertex_1));
+std::string name_of(const Asked& q, const LineBegin& line) {
+  return fmt::format("edge {}\u2013{}", vertex_label(q.scene, line.vertex_0), vertex_label(q.scene, line.vertex_1));
 }
 
 std::int64_t step_of_piece(const Asked& q, std::int64_t begin, const LinePiece& wanted) {
-  const auto step = next_within(q.trace, begin, q.trace.size() + 1, [&](const RecordedEvent& recorded) {
-    const auto* piece = get_if<LinePiece>(&recorded.event);
-    return (piece && piece->t_0 == wanted.t_0 && piece->t_1 == wanted.t_1 && piece->visible == wanted.visible) ||
-           is_one_of<LineBegin>(recorded);
+  const auto found = next_before<LinePiece, LineBegin>(q.trace, begin, q.trace.size() + 1, [&](const LinePiece& piece) {
+    return piece.t_0 == wanted.t_0 && piece.t_1 == wanted.t_1 && piece.visible == wanted.visible;
   });
-  return step && event_at<LinePiece>(q.trace, *step) ? *step : begin;
+  return found ? found->step : begin;
 }
 
 /// One of its edges was drawn through the pixel.
 std::optional<Verdict> drawn(Asked& q) {
-  const auto here = [&](const RecordedEvent& recorded) {
-    const auto* color = get_if<ColorWrite>(&recorded.event);
-    return color && color->x == q.pixel.x && color->y == q.pixel.y;
-  };
   std::optional<Verdict> verdict;
-  for (auto step = q.trace.next(0, here, q.pixel); step; step = q.trace.next(*step, here, q.pixel)) {
-    const auto begin = previous_of<LineBegin>(q.trace, *step), part = previous_of<LinePiece>(q.trace, *step);
-    if (!begin || !part) continue;
-    const LineBegin line = *event_at<LineBegin>(q.trace, *begin);
-    if (!is_edge_of(q, line)) continue;
-    const LinePiece piece = *event_at<LinePiece>(q.trace, *part);
-    verdict =
-        seen(q, *step,
-             fmt::format("its edge {}\u2013{} is drawn through it{}", vertex_label(q.scene, line.vertex_0),
-                         vertex_label(q.scene, line.vertex_1), piece.visible ? "" : ", dashed, as it is hidden there"),
-             "the pixel gets the colour of lines");
-    q.add_formulas(*verdict, *part);
-    verdict->chain.push_back({*begin, q.polygon, "work on the edge begins"});
-    verdict->chain.push_back(
-        {*part, q.polygon, piece.visible ? "a piece of it that is visible" : "a piece of it that is hidden"});
-    if (piece.visible) break;
+  for (auto step = next_color(q, 0); step; step = next_color(q, *step)) {
+    const auto line = last_event<LineBegin>(q.trace, *step);
+    const auto part = last_event<LinePiece>(q.trace, *step);
+    if (!line || !part || !is_edge_of(q, line->event)) continue;
+    const bool visible = part->event.visible;
+    verdict = seen(q, *step,
+                   fmt::format("its {} is drawn through it{}", name_of(q, line->event),
+                               visible ? "" : ", dashed, as it is hidden there"),
+                   "the pixel gets the colour of lines");
+    q.add_formulas(*verdict, part->step);
+    verdict->add_step(line->step, q.polygon, "work on the edge begins");
+    verdict->add_step(part->step, q.polygon, "a piece of it that is {}", visible ? "visible" : "hidden");
+    if (visible) break;
   }
   return verdict;
 }
@@ -136,40 +130,34 @@ bool all_away(const Asked& q, const DrawnEdge& line) {
 Verdict hidden(Asked& q, const DrawnEdge& line, const LinePiece& piece, double t) {
   const std::int64_t begin = begin_of(q, line).value_or(0);
   const std::int64_t part = begin > 0 ? step_of_piece(q, begin, piece) : 0;
-  const LineHide* by = nullptr;
-  for (const LineHide& hide : line.row.hidden)
-    if (!by || std::max({0.0, hide.t_0 - t, t - hide.t_1}) < std::max({0.0, by->t_0 - t, t - by->t_1})) by = &hide;
+  const auto by = std::min_element(line.row.hidden.begin(), line.row.hidden.end(),
+                                   [&](const LineHide& a, const LineHide& b) { return off(a, t) < off(b, t); });
+  const std::string name = name_of(q, line.row.entry);
   Verdict verdict;
-  if (!by) {
-    verdict =
-        all_away(q, line)
-            ? q.verdict(Why::back_edge, part,
-                        fmt::format("its {} passes there, but all faces at it face away, so it is left out",
-                                    name_of(q, line)))
-            : q.verdict(
-                  Why::line_hidden, part,
-                  fmt::format(
-                      "its {} passes there, but the trace takes this piece of it for hidden, and does not say by what",
-                      name_of(q, line)));
+  if (by == line.row.hidden.end()) {
+    verdict = all_away(q, line)
+                  ? q.verdict(Why::back_edge, part,
+                              "its {} passes there, but all faces at it face away, so it is left out", name)
+                  : q.verdict(Why::line_hidden, part,
+                              "its {} passes there, but the trace takes this piece of it for hidden, and does not say "
+                              "by what",
+                              name);
+    verdict.add_formula("{}", place_text(t, piece.t_0, piece.t_1));
   } else {
     const std::int32_t other = polygon_of_facet(q.scene, by->facet);
-    verdict = q.verdict(Why::line_hidden, part,
-                        fmt::format("its {} passes there, but {} hides it from t = {} to t = {}", name_of(q, line),
-                                    q.label(other), number(by->t_0), number(by->t_1)));
+    verdict = q.verdict(Why::line_hidden, part, "its {} passes there, but {} hides it from t = {} to t = {}", name,
+                        q.label(other), number(by->t_0), number(by->t_1));
     verdict.other = other;
-    const auto hide = next_within(q.trace, begin, q.trace.size() + 1, [&](const RecordedEvent& recorded) {
-      const auto* found = get_if<LineHide>(&recorded.event);
-      return (found && found->facet == by->facet && found->t_0 == by->t_0) || is_one_of<LineBegin>(recorded);
-    });
-    if (hide && event_at<LineHide>(q.trace, *hide)) {
-      verdict.step = *hide;
-      q.add_formulas(verdict, *hide);
-      verdict.chain.push_back({*hide, other, fmt::format("{} hides an interval of the edge", q.label(other))});
+    const auto is_it = [&](const LineHide& hide) { return hide.facet == by->facet && hide.t_0 == by->t_0; };
+    if (const auto hide = next_before<LineHide, LineBegin>(q.trace, begin, q.trace.size() + 1, is_it)) {
+      verdict.step = hide->step;
+      q.add_formulas(verdict, hide->step);
+      verdict.add_step(hide->step, other, "{} hides an interval of the edge", q.label(other));
     }
+    verdict.add_formula("{}", place_text(t, by->t_0, by->t_1));
   }
-  verdict.formulas.push_back(by ? place_text(t, by->t_0, by->t_1) : place_text(t, piece.t_0, piece.t_1));
-  verdict.chain.push_back({begin, q.polygon, fmt::format("work on {} begins", name_of(q, line))});
-  verdict.chain.push_back({part, q.polygon, "a piece of it that is hidden"});
+  verdict.add_step(begin, q.polygon, "work on {} begins", name);
+  verdict.add_step(part, q.polygon, "a piece of it that is hidden");
   return verdict;
 }
 
@@ -182,10 +170,9 @@ Verdict why_by_lines(Asked& q) {
   const std::vector<DrawnEdge> lines = lines_of(q);
   if (lines.empty()) {
     const std::vector<FacetThere> facets = facets_there(q);
-    const bool nothing = facets.empty() || std::none_of(facets.begin(), facets.end(), [](const FacetThere& there) {
-                           return there.at || there.cut_at;
-                         });
-    return q.verdict(nothing ? Why::outside : Why::not_covered, 0, "none of its edges is in view");
+    const bool any =
+        std::any_of(facets.begin(), facets.end(), [](const FacetThere& there) { return there.at || there.cut_at; });
+    return q.verdict(any ? Why::not_covered : Why::outside, 0, "none of its edges is in view");
   }
   const DrawnEdge* nearest = nullptr;
   for (const DrawnEdge& line : lines) {
@@ -195,11 +182,10 @@ Verdict why_by_lines(Asked& q) {
     if (piece && !piece->visible) return hidden(q, line, *piece, *t);
   }
   const std::int64_t begin = begin_of(q, *nearest).value_or(0);
-  Verdict verdict =
-      q.verdict(Why::not_covered, begin,
-                fmt::format("only edges are drawn, and the nearest of its own, {}, passes {} pixels from the centre",
-                            name_of(q, *nearest), number(distance_to(*nearest, q.pixel))));
-  verdict.chain.push_back({begin, q.polygon, fmt::format("work on {} begins", name_of(q, *nearest))});
+  Verdict verdict = q.verdict(Why::not_covered, begin,
+                              "only edges are drawn, and the nearest of its own, {}, passes {} pixels from the centre",
+                              name_of(q, nearest->row.entry), number(distance_to(*nearest, q.pixel)));
+  verdict.add_step(begin, q.polygon, "work on {} begins", name_of(q, nearest->row.entry));
   return verdict;
 }
 
@@ -214,26 +200,23 @@ Verdict lines_anywhere(Asked& q) {
     else hidden = hidden ? hidden : &line;
   }
   const DrawnEdge* picked = visible ? visible : hidden;
-  if (!picked) {
-    q.where = "anywhere";
-    Verdict verdict = why_by_lines(q);
-    verdict.pixel.reset();
-    return verdict;
-  }
+  if (!picked) q.ask_anywhere();
+  if (!picked) return why_by_lines(q);
   // A pixel on it: the first that was drawn, or for one that was not the middle of the edge.
   const std::int64_t begin = begin_of(q, *picked).value_or(0);
   Trace::Pixel pixel{nearest_int((picked->from.x + picked->to.x) / 2),
                      nearest_int((picked->from.y + picked->to.y) / 2)};
-  const auto draw = next_of<ColorWrite, LineBegin>(q.trace, begin, q.trace.size() + 1);
-  if (const auto color = draw ? event_at<ColorWrite>(q.trace, *draw) : std::nullopt) pixel = {color->x, color->y};
+  const auto any = [](const ColorWrite&) { return true; };
+  if (const auto color = next_before<ColorWrite, LineBegin>(q.trace, begin, q.trace.size() + 1, any))
+    pixel = {color->event.x, color->event.y};
   pixel.x = std::clamp(pixel.x, 0, q.scene.raster.width - 1),
   pixel.y = std::clamp(pixel.y, 0, q.scene.raster.height - 1);
+  const std::string edges = count_text(lines.size(), "edge", "edges");
   return with_pixel(q, pixel,
-                    visible ? fmt::format("Of the {} of {} in view, {} seen, in whole or in part. On one of them:",
-                                          count_text(lines.size(), "edge", "edges"), q.name,
-                                          seen_edges == 1 ? "one is" : fmt::format("{} are", seen_edges))
-                            : fmt::format("None of the {} of {} in view is seen. On one of them:",
-                                          count_text(lines.size(), "edge", "edges"), q.name));
+                    visible
+                        ? fmt::format("Of the {} of {} in view, {} seen, in whole or in part. On one of them:", edges,
+                                      q.name, seen_edges == 1 ? "one is" : fmt::format("{} are", seen_edges))
+                        : fmt::format("None of the {} of {} in view is seen. On one of them:", edges, q.name));
 }
 
 // The floating horizon: a polygon is a cell of the surface, and is seen where one of the curves along its border is.
@@ -264,14 +247,13 @@ bool is_side(const Asked& q, const std::set<std::int32_t>& corners, const CurveS
 
 /// Whose curve a step belongs to: the first cell that has the segment as a side.
 std::int32_t owner_of(const Asked& q, std::int64_t step) {
-  const auto begin = previous_of<CurveSegment>(q.trace, step);
-  if (!begin || !q.scene.surface) return no_polygon;
-  const CurveSegment segment = *event_at<CurveSegment>(q.trace, *begin);
+  const auto segment = last_event<CurveSegment>(q.trace, step);
+  if (!segment || !q.scene.surface) return no_polygon;
   for (const Facet& facet : q.scene.facets) {
     int found = 0;
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
       const std::int32_t corner = q.scene.corners[facet.first_corner + k];
-      found += corner == segment.vertex_0 || corner == segment.vertex_1;
+      found += corner == segment->event.vertex_0 || corner == segment->event.vertex_1;
     }
     if (found == 2 && facet.polygon != q.polygon) return facet.polygon;
   }
@@ -279,25 +261,24 @@ std::int32_t owner_of(const Asked& q, std::int64_t step) {
 }
 
 /// A curve in the pixel's column.
-struct There {
-  std::int64_t step = 0;
-  HorizonTest test{};
+struct There : Found<HorizonTest> {
   double low = 0, high = 0;  ///< rows that it passes within the column
-  bool passes(std::int32_t row) const { return low - 0.5 <= row && row <= high + 0.5; }
+  bool hides(std::int32_t row) const {
+    return event.verdict == Horizon::hidden && low - 0.5 <= row && row <= high + 0.5;
+  }
 };
 
 std::vector<There> tests_in_column(const Asked& q, const Segment& segment) {
   std::vector<There> all;
-  std::vector<std::pair<std::int64_t, HorizonTest>> tests;
-  for (std::int64_t step = segment.begin + 1; step < segment.end; ++step)
-    if (const auto test = event_at<HorizonTest>(q.trace, step)) tests.emplace_back(step, *test);
+  const auto tests =
+      all_that<HorizonTest>(q.trace, segment.begin, segment.end, [](const HorizonTest&) { return true; });
   for (std::size_t k = 0; k < tests.size(); ++k) {
-    const HorizonTest& test = tests[k].second;
+    const HorizonTest& test = tests[k].event;
     if (test.x != q.pixel.x) continue;
-    There there{tests[k].first, test, test.y_curve, test.y_curve};
+    There there{tests[k], test.y_curve, test.y_curve};
     for (const std::size_t next : {k - 1, k + 1}) {  // k - 1 of 0 is beyond the end
-      if (next >= tests.size() || std::abs(tests[next].second.x - test.x) != 1) continue;
-      const double halfway = (test.y_curve + tests[next].second.y_curve) / 2;
+      if (next >= tests.size() || std::abs(tests[next].event.x - test.x) != 1) continue;
+      const double halfway = (test.y_curve + tests[next].event.y_curve) / 2;
       there.low = std::min(there.low, halfway), there.high = std::max(there.high, halfway);
     }
     all.push_back(there);
@@ -305,59 +286,48 @@ std::vector<There> tests_in_column(const Asked& q, const Segment& segment) {
   return all;
 }
 
+void add_curve(const Asked& q, Verdict& verdict, const Segment& segment) {
+  verdict.add_step(segment.begin, q.polygon, "the curve from sample {} to sample {}", segment.ends.vertex_0,
+                   segment.ends.vertex_1);
+}
+
 std::optional<Verdict> drawn(Asked& q, const Segment& segment) {
-  const auto here = [&](const RecordedEvent& recorded) {
-    const auto* color = get_if<ColorWrite>(&recorded.event);
-    return color && color->x == q.pixel.x && color->y == q.pixel.y;
-  };
-  const auto step = next_within(q.trace, segment.begin, segment.end, here);
+  const auto step = next_color(q, segment.begin, segment.end);
   if (!step) return std::nullopt;
   Verdict verdict =
       seen(q, *step, "a curve along its border is drawn through it", "the pixel gets the colour of curves");
-  verdict.chain.push_back(
-      {segment.begin, q.polygon,
-       fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
-  if (const auto test = previous_of<HorizonTest>(q.trace, *step, segment.begin)) {
-    verdict.chain.push_back({*test, q.polygon, "the curve is held against the horizons of its column"});
-    q.add_formulas(verdict, *test);
+  add_curve(q, verdict, segment);
+  if (const auto test = last_event<HorizonTest>(q.trace, *step, segment.begin)) {
+    verdict.add_step(test->step, q.polygon, "the curve is held against the horizons of its column");
+    q.add_formulas(verdict, test->step);
   }
   return verdict;
 }
 
 Verdict hidden(Asked& q, const Segment& segment, const There& there) {
-  const auto moved = previous_within(q.trace, there.step, 0, [&](const RecordedEvent& recorded) {
-    const auto* move = get_if<HorizonMove>(&recorded.event);
-    return move && move->x == q.pixel.x && std::isfinite(move->y_curve);
-  });
-  Verdict verdict =
-      q.verdict(Why::horizon, there.step,
-                fmt::format("its curve passes there at y = {}, but it is hidden by the horizons of column {}",
-                            number(there.test.y_curve), q.pixel.x));
+  Verdict verdict = q.verdict(Why::horizon, there.step,
+                              "its curve passes there at y = {}, but it is hidden by the horizons of column {}",
+                              number(there.event.y_curve), q.pixel.x);
   q.add_formulas(verdict, there.step);
-  if (moved) {
-    verdict.other = owner_of(q, *moved);
-    verdict.chain.push_back({*moved, verdict.other,
-                             fmt::format("a nearer curve moves a horizon of column {} to y = {}", q.pixel.x,
-                                         number(event_at<HorizonMove>(q.trace, *moved)->y_curve))});
+  if (const auto moved = last_that<HorizonMove>(q.trace, there.step, 0, [&](const HorizonMove& move) {
+        return move.x == q.pixel.x && std::isfinite(move.y_curve);
+      })) {
+    verdict.other = owner_of(q, moved->step);
+    verdict.add_step(moved->step, verdict.other, "a nearer curve moves a horizon of column {} to y = {}", q.pixel.x,
+                     number(moved->event.y_curve));
   }
-  verdict.chain.push_back(
-      {segment.begin, q.polygon,
-       fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
-  verdict.chain.push_back({there.step, q.polygon, "its point in this column is hidden"});
+  add_curve(q, verdict, segment);
+  verdict.add_step(there.step, q.polygon, "its point in this column is hidden");
   return verdict;
 }
 
 std::vector<Segment> segments_of(const Asked& q) {
   const std::set<std::int32_t> corners = corners_of(q, q.polygon);
-  const auto of_it = [&](const RecordedEvent& recorded) {
-    const auto* segment = get_if<CurveSegment>(&recorded.event);
-    return segment && is_side(q, corners, *segment);
-  };
   const std::int64_t end = q.trace.size() + 1;
   std::vector<Segment> segments;
-  for (auto step = q.trace.next(0, of_it); step; step = q.trace.next(*step, of_it))
-    segments.push_back({*step, next_of<CurveSegment, CurveBegin>(q.trace, *step, end).value_or(end),
-                        *event_at<CurveSegment>(q.trace, *step)});
+  for (const auto& [step, ends] : all_that<CurveSegment>(
+           q.trace, 0, end, [&](const CurveSegment& segment) { return is_side(q, corners, segment); }))
+    segments.push_back({step, next_of<CurveSegment, CurveBegin>(q.trace, step, end).value_or(end), ends});
   return segments;
 }
 
@@ -367,30 +337,24 @@ bool of_curves(const Trace& trace) { return trace.has(kind_of<HorizonTest>); }
 
 Verdict why_by_curves(Asked& q) {
   const std::vector<Segment> segments = segments_of(q);
-  const There* behind = nullptr;
-  const Segment* its = nullptr;
-  std::vector<std::vector<There>> columns;
-  std::string rows;
-  for (const Segment& segment : segments) {
-    if (auto verdict = drawn(q, segment)) return *verdict;
-    columns.push_back(tests_in_column(q, segment));
-  }
-  for (std::size_t k = 0; k < segments.size(); ++k)
-    for (const There& there : columns[k]) {
-      rows += (rows.empty() ? "" : ", ") + number(there.test.y_curve);
-      if (there.test.verdict == Horizon::hidden && there.passes(q.pixel.y)) behind = &there, its = &segments[k];
-    }
-  if (behind) return hidden(q, *its, *behind);
-  const std::int64_t step = segments.empty() ? 0 : segments.front().begin;
-  Verdict verdict = q.verdict(
-      Why::not_covered, step,
-      rows.empty()
-          ? fmt::format("only curves are drawn, and none along its border meets column {}", q.pixel.x)
-          : fmt::format("only curves are drawn, and those along its border pass column {} at y = {}", q.pixel.x, rows));
   for (const Segment& segment : segments)
-    verdict.chain.push_back(
-        {segment.begin, q.polygon,
-         fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
+    if (auto verdict = drawn(q, segment)) return *verdict;
+  std::optional<Verdict> last;
+  std::string rows;
+  for (const Segment& segment : segments)
+    for (const There& there : tests_in_column(q, segment)) {
+      rows += (rows.empty() ? "" : ", ") + number(there.event.y_curve);
+      if (there.hides(q.pixel.y)) last = hidden(q, segment, there);
+    }
+  if (last) return *last;
+  const std::int64_t step = segments.empty() ? 0 : segments.front().begin;
+  Verdict verdict =
+      rows.empty()
+          ? q.verdict(Why::not_covered, step, "only curves are drawn, and none along its border meets column {}",
+                      q.pixel.x)
+          : q.verdict(Why::not_covered, step,
+                      "only curves are drawn, and those along its border pass column {} at y = {}", q.pixel.x, rows);
+  for (const Segment& segment : segments) add_curve(q, verdict, segment);
   return verdict;
 }
 

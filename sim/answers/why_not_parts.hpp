@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/answers/origin/chain.hpp"
 #include "sim/answers/origin/find.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/visits.hpp"
@@ -19,11 +20,7 @@
 namespace zstep::answers {
 
 /// A depth with the digits that tell depths apart, and with a real minus sign.
-inline std::string told(double z) {
-  std::string text = depth_text(z);
-  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
-  return text;
-}
+inline std::string told(double z) { return with_minus_signs(depth_text(z)); }
 /// Two of them, with more digits where these are the same and the depths are not.
 inline std::pair<std::string, std::string> told_apart(double a, double b) {
   std::pair<std::string, std::string> texts{told(a), told(b)};
@@ -52,9 +49,16 @@ struct Asked {
 
   std::string label(std::int32_t other) const { return polygon_label(scene, other); }
   std::vector<std::int32_t> facets() const;  ///< the polygon's
+  /// From now on verdicts are about the whole picture, and have no pixel.
+  void ask_anywhere() { where = "anywhere", anywhere_ = true; }
 
-  /// "A is not seen at pixel (3, 4): " and the reason.
+  /// "A is not seen at pixel (3, 4): " and the reason; of what is seen, how.
   Verdict verdict(Why kind, std::int64_t step, const std::string& reason) const;
+  template <class First, class... More>
+  Verdict verdict(Why kind, std::int64_t step, fmt::format_string<First, More...> reason, First&& first,
+                  More&&... more) const {
+    return verdict(kind, step, fmt::format(reason, std::forward<First>(first), std::forward<More>(more)...));
+  }
   /// Adds what the words say of a step of a polygon in numbers to the verdict's formulas; of one at a pixel by what
   /// came to the pixel there.
   void add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Visit* visit = nullptr);
@@ -65,6 +69,7 @@ struct Asked {
   const State& state_at(std::int64_t step);
 
  private:
+  bool anywhere_ = false;
   Replay* at_hand_;
   std::optional<Replay> own_;  ///< where none was at hand
 };
@@ -125,11 +130,14 @@ std::string count_text(std::size_t count, const char* one, const char* many);
 /// Why one piece was drawn before another: the tree's plane between them, or their places in the list.
 void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t later);
 
+/// The first step in (from, end) that gives the pixel a colour; with no end, of all.
+std::optional<std::int64_t> next_color(const Asked& q, std::int64_t from, std::int64_t end = 0);
 /// It covers the pixel, but the trace says no more.
 Verdict not_recorded(const Asked& q);
 /// The trace says where work on polygons begins, and of this one it never does.
 Verdict not_begun(const Asked& q);
-/// It is what is seen: "A is what is seen at pixel (3, 4): how"; `what` the step did.
-Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::string& what);
+/// It is what is seen: "A is what is seen at pixel (3, 4): how"; `what` the step did where the pixel does not become
+/// the polygon's own.
+Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::string& what = "");
 
 }  // namespace zstep::answers

@@ -54,34 +54,31 @@ void add_tree(Asked& q, const MethodState& machine, Verdict& verdict, std::int32
                 "it was drawn first.",
                 wall);
   if (parting.eye)
-    verdict.formulas.push_back(fmt::format("plane of {} at the eye: A x + B y + C z + D w = {}, the eye is {}", wall,
-                                           number(parting.eye->value), parting.eye->front ? "in front" : "behind"));
-  const auto side = previous_within(q.trace, drawn, last_mark(q.trace), [node](const RecordedEvent& recorded) {
-    const auto* eye = get_if<EyeSide>(&recorded.event);
-    return eye && eye->node == node;
-  });
-  if (side) verdict.chain.push_back({*side, no_polygon, fmt::format("the eye is held against the plane of {}", wall)});
+    verdict.add_formula("plane of {} at the eye: A x + B y + C z + D w = {}, the eye is {}", wall,
+                        number(parting.eye->value), parting.eye->front ? "in front" : "behind");
+  const auto side =
+      last_that<EyeSide>(q.trace, drawn, last_mark(q.trace), [node](const EyeSide& eye) { return eye.node == node; });
+  if (side) verdict.add_step(side->step, no_polygon, "the eye is held against the plane of {}", wall);
 }
 
 }  // namespace
 
 void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t later) {
   if (!records<PieceDraw>(q.trace)) return;
-  const auto first = previous_of<PieceDraw>(q.trace, earlier), second = previous_of<PieceDraw>(q.trace, later);
-  if (!first || !second || *first == *second) return;
-  const std::int32_t piece = event_at<PieceDraw>(q.trace, *first)->piece,
-                     other = event_at<PieceDraw>(q.trace, *second)->piece;
-  const MethodState& machine = q.state_at(*second).machine;
+  const auto first = last_event<PieceDraw>(q.trace, earlier), second = last_event<PieceDraw>(q.trace, later);
+  if (!first || !second || first->step == second->step) return;
+  const std::int32_t piece = first->event.piece, other = second->event.piece;
+  const MethodState& machine = q.state_at(second->step).machine;
   const auto label = [&](std::int32_t number) { return piece_label(q.scene, machine, number); };
-  verdict.chain.push_back({*first, q.polygon, fmt::format("{} is drawn", label(piece))});
-  verdict.chain.push_back({*second, verdict.other, fmt::format("{} is drawn", label(other))});
-  if (records<EyeSide>(q.trace)) return add_tree(q, machine, verdict, piece, other, *first);
+  verdict.add_step(first->step, q.polygon, "{} is drawn", label(piece));
+  verdict.add_step(second->step, verdict.other, "{} is drawn", label(other));
+  if (records<EyeSide>(q.trace)) return add_tree(q, machine, verdict, piece, other, first->step);
   const Piece &mine = machine.pieces[piece], &its = machine.pieces[other];
   const std::vector<std::int32_t> places = draw_places(machine);
   if (mine.extent && its.extent)
-    verdict.formulas.push_back(fmt::format("farthest {} of {} = {}, of {} = {}; drawn as number {} and {}", q.z,
-                                           label(piece), told(mine.extent->z_max), label(other),
-                                           told(its.extent->z_max), places[piece] + 1, places[other] + 1));
+    verdict.add_formula("farthest {} of {} = {}, of {} = {}; drawn as number {} and {}", q.z, label(piece),
+                        told(mine.extent->z_max), label(other), told(its.extent->z_max), places[piece] + 1,
+                        places[other] + 1);
 }
 
 namespace {
@@ -125,29 +122,28 @@ void add_gap(const Asked& q, Verdict& verdict, std::optional<double> z, std::opt
   const Comparison& comparison = q.trace.header().comparison;
   verdict.gap = comparison.behind(*z, *other);
   const bool greater = comparison.nearer == Comparison::Nearer::greater;
-  verdict.formulas.push_back(greater ? difference(q.z, q.label(verdict.other), q.name, *other, *z)
-                                     : difference(q.z, q.name, q.label(verdict.other), *z, *other));
+  verdict.add_formula("{}", greater ? difference(q.z, q.label(verdict.other), q.name, *other, *z)
+                                    : difference(q.z, q.name, q.label(verdict.other), *z, *other));
 }
 
 /// What the last owner is, when it is neither of the two that the verdict is about.
 void add_last(const Asked& q, Verdict& verdict, const std::vector<Visit>& visits) {
   const Visit* last = holder(visits, q.trace.size() + 1);
   if (!last || last->shows == verdict.other || last->shows == q.polygon) return;
-  verdict.sentence += fmt::format(" In the end {} is seen there.", q.label(last->shows));
-  verdict.chain.push_back({last->written, last->shows,
-                           fmt::format("the pixel becomes {}, which is seen in the end", q.label(last->shows))});
+  verdict.say(" In the end {} is seen there.", q.label(last->shows));
+  verdict.add_step(last->written, last->shows, "the pixel becomes {}, which is seen in the end", q.label(last->shows));
 }
 
 /// What of a polygon that took the pixel is not as the rule has it: its depth, or whose colour it is.
 void add_remarks(const Asked& q, Verdict& verdict, const Visit& visit) {
   const std::string who = q.label(visit.shows);
   if (visit.polygon != visit.shows && visit.compared())
-    verdict.sentence += fmt::format(" It is {} that was compared at {}: {} writes {} instead.", q.label(visit.polygon),
-                                    step_text(visit.step), step_text(visit.written), who);
-  if (lacks_depth(visit)) verdict.sentence += fmt::format(" The depth of {} was never written there.", who);
+    verdict.say(" It is {} that was compared at {}: {} writes {} instead.", q.label(visit.polygon),
+                step_text(visit.step), step_text(visit.written), who);
+  if (lacks_depth(visit)) verdict.say(" The depth of {} was never written there.", who);
   if (keeps_other_depth(visit))
-    verdict.sentence += fmt::format(" The depth that {} wrote for {} is {}, though {} was compared.",
-                                    step_text(visit.kept_at), who, told(*visit.kept), told(*visit.z));
+    verdict.say(" The depth that {} wrote for {} is {}, though {} was compared.", step_text(visit.kept_at), who,
+                told(*visit.kept), told(*visit.z));
 }
 
 /// Why a compare that was not followed by a write left no trace.
@@ -161,17 +157,16 @@ std::string lost_text(const Asked& q, const Visit& mine) {
     return fmt::format("at {} it was found to be nearer, but the trace does not say that it was written", step);
   if (!mine.stored) return fmt::format("at {} the trace says that it is not nearer, and does not say than what", step);
   const bool tie = mine.outcome == Outcome::tie;
-  const std::string cleared =
-      fmt::format("{}, to which the {} was cleared", told(*mine.stored),
-                  depth_buffer(q.trace.header()) == DepthBuffer::line ? "line buffer" : "depth buffer");
-  if (mine.only_cleared && mine.stored_polygon == no_polygon)
-    return fmt::format("at {} its {} is {} {}", step, q.z, tie ? "equal to" : "not nearer than", cleared);
-  if (mine.only_cleared)
-    return fmt::format("at {} its {} is {} {}; {} was drawn there, but its depth was never written", step, q.z,
-                       tie ? "equal to" : "not nearer than", cleared, other);
-  if (mine.stored_polygon == no_polygon)
-    return fmt::format("at {} its {} is {} {}, the depth written there before without a colour", step, q.z,
-                       tie ? "equal to" : "not nearer than", told(*mine.stored));
+  if (mine.only_cleared || mine.stored_polygon == no_polygon) {
+    const std::string is =
+        fmt::format("at {} its {} is {} {}", step, q.z, tie ? "equal to" : "not nearer than", told(*mine.stored));
+    if (!mine.only_cleared) return is + ", the depth written there before without a colour";
+    const bool line = depth_buffer(q.trace.header()) == DepthBuffer::line;
+    return fmt::format("{}, to which the {} was cleared{}", is, line ? "line buffer" : "depth buffer",
+                       mine.stored_polygon == no_polygon
+                           ? ""
+                           : fmt::format("; {} was drawn there, but its depth was never written", other));
+  }
   return tie ? fmt::format("at {} it is exactly as near as {}, which was there first, and {}", step, other,
                            q.trace.header().declares(Convention::ties) ? "of equals the first stays"
                                                                        : "the trace says not nearer")
@@ -189,10 +184,9 @@ Verdict why_lost(Asked& q, const std::vector<Visit>& visits, const Visit& mine) 
   if (there) {
     if (!mine.only_cleared) add_gap(q, verdict, mine.z, mine.stored);
     if (keeps_other_depth(*there)) add_remarks(q, verdict, *there);
-    verdict.chain.push_back({there->written, there->shows,
-                             fmt::format("the pixel becomes {}{}", q.label(there->shows), z_text(q, *there))});
+    verdict.add_step(there->written, there->shows, "the pixel becomes {}{}", q.label(there->shows), z_text(q, *there));
   }
-  verdict.chain.push_back({mine.step, q.polygon, compare_link(q, mine)});
+  verdict.add_step(mine.step, q.polygon, "{}", compare_link(q, mine));
   add_last(q, verdict, visits);
   return verdict;
 }
@@ -201,15 +195,15 @@ Verdict why_lost(Asked& q, const std::vector<Visit>& visits, const Visit& mine) 
 Verdict why_miswritten(Asked& q, const std::vector<Visit>& visits, const Visit& mine) {
   const std::string other = q.label(mine.shows);
   const bool compared = was_compared(mine);
-  const std::string writes = fmt::format("{} writes {} there", step_text(mine.written), other);
-  Verdict verdict = q.verdict(Why::contradicted, mine.written,
-                              compared ? fmt::format("it {} the compare at {}, but {}", mine.nearer() ? "won" : "lost",
-                                                     step_text(mine.step), writes)
-                                       : fmt::format("it is at work there, but {}", writes));
+  const std::string how = !compared       ? "is at work there"
+                          : mine.nearer() ? "won the compare at " + step_text(mine.step)
+                                          : "lost the compare at " + step_text(mine.step);
+  Verdict verdict =
+      q.verdict(Why::contradicted, mine.written, "it {}, but {} writes {} there", how, step_text(mine.written), other);
   verdict.other = mine.shows;
   q.add_formulas(verdict, mine);
-  if (compared) verdict.chain.push_back({mine.step, q.polygon, compare_link(q, mine)});
-  verdict.chain.push_back({mine.written, mine.shows, fmt::format("the pixel becomes {}", other)});
+  if (compared) verdict.add_step(mine.step, q.polygon, "{}", compare_link(q, mine));
+  verdict.add_step(mine.written, mine.shows, "the pixel becomes {}", other);
   add_last(q, verdict, visits);
   return verdict;
 }
@@ -254,17 +248,16 @@ Verdict why_gone(Asked& q, const std::vector<Visit>& visits, const Visit& mine, 
   Verdict verdict = q.verdict(kind, taken, gone_text(q, mine, next));
   verdict.other = whose(next);
   if (compared) q.add_formulas(verdict, next);
-  if (next.compared() && !follows(q.trace, next))
-    verdict.sentence += fmt::format(" There {}.", contradiction_of(q, next));
+  if (next.compared() && !follows(q.trace, next)) verdict.say(" There {}.", contradiction_of(q, next));
   if (!lacks_depth(mine)) add_gap(q, verdict, mine.z, next.z);
   if (keeps_other_depth(mine)) add_remarks(q, verdict, mine);
   if (next.takes && compared && next.polygon != next.shows) add_remarks(q, verdict, next);
   if (painted && verdict.gap && *verdict.gap < 0)
-    verdict.sentence += fmt::format(" {} is the nearer one there: the order was wrong for this pixel.", q.name);
-  verdict.chain.push_back({mine.written, q.polygon, fmt::format("the pixel becomes {}{}", q.name, z_text(q, mine))});
+    verdict.say(" {} is the nearer one there: the order was wrong for this pixel.", q.name);
+  verdict.add_step(mine.written, q.polygon, "the pixel becomes {}{}", q.name, z_text(q, mine));
   if (painted) add_order(q, verdict, mine.step, next.step);
-  else if (compared) verdict.chain.push_back({next.step, next.polygon, compare_link(q, next)});
-  verdict.chain.push_back({next.written, whose(next), fmt::format("the pixel becomes {}", other)});
+  else if (compared) verdict.add_step(next.step, next.polygon, "{}", compare_link(q, next));
+  verdict.add_step(next.written, whose(next), "the pixel becomes {}", other);
   add_last(q, verdict, visits);
   return verdict;
 }
@@ -296,29 +289,24 @@ std::optional<Verdict> why_mixed(Asked& q, const std::vector<Visit>& visits, con
   if (share.over) return std::nullopt;
   const std::string layers =
       share.layers == 0 ? "" : fmt::format(", behind {} layer{} of glass", share.layers, share.layers == 1 ? "" : "s");
-  Verdict verdict = q.verdict(Why::mixed, mine.written, "");
-  verdict.sentence = fmt::format("{} is a part of what is seen {}: {} of its colour is its own{}.", q.name, q.where,
-                                 number(share.part), layers);
+  Verdict verdict = q.verdict(Why::mixed, mine.written, "{} of its colour is its own{}", number(share.part), layers);
   if (share.part == 0) verdict.sentence = fmt::format("{} is not to be seen {}: its opacity is 0.", q.name, q.where);
   q.add_formulas(verdict, mine.written);
-  verdict.chain.push_back({mine.written, q.polygon,
-                           fmt::format("{} is laid over the pixel with opacity {}", q.name, number(mine.opacity))});
+  verdict.add_step(mine.written, q.polygon, "{} is laid over the pixel with opacity {}", q.name, number(mine.opacity));
   for (const Visit& later : visits)
     if (later.step > mine.step && later.written != 0)
-      verdict.chain.push_back(
-          {later.written, later.polygon,
-           fmt::format("{} is laid over it with opacity {}", q.label(later.polygon), number(later.opacity))});
+      verdict.add_step(later.written, later.polygon, "{} is laid over it with opacity {}", q.label(later.polygon),
+                       number(later.opacity));
   return verdict;
 }
 
 /// Front to back: what covers the pixel but found it painted already.
 Verdict why_taken(Asked& q, const Visit& first) {
-  Verdict verdict = q.verdict(Why::taken, first.written,
-                              fmt::format("{} was painted there at {}, and from front to back what is painted stays",
-                                          q.label(first.polygon), step_text(first.written)));
+  Verdict verdict =
+      q.verdict(Why::taken, first.written, "{} was painted there at {}, and from front to back what is painted stays",
+                q.label(first.polygon), step_text(first.written));
   verdict.other = first.polygon;
-  verdict.chain.push_back(
-      {first.written, first.polygon, fmt::format("the pixel becomes {}{}", q.label(first.polygon), z_text(q, first))});
+  verdict.add_step(first.written, first.polygon, "the pixel becomes {}{}", q.label(first.polygon), z_text(q, first));
   return verdict;
 }
 
@@ -329,25 +317,19 @@ std::optional<Verdict> why_wiped(Asked& q) {
       std::count_if(q.trace.clears().begin(), q.trace.clears().end(), [eye](std::int64_t step) { return step > eye; });
   if (again < 2) return std::nullopt;
   const std::vector<Visit> visits = visits_of(q.trace, q.pixel, eye);
-  const Visit* last = nullptr;
-  for (const Visit& visit : visits)
-    if (visit.takes && visit.shows == q.polygon) last = &visit;
-  if (!last) return std::nullopt;
-  Verdict verdict = q.verdict(Why::wiped, clear,
-                              fmt::format("it was there at {}, until the buffers were cleared once more at {}",
-                                          step_text(last->written), step_text(clear)));
-  verdict.chain.push_back({last->written, q.polygon, fmt::format("the pixel becomes {}", q.name)});
-  verdict.chain.push_back({clear, no_polygon, "the buffers are cleared"});
+  const auto last = std::find_if(visits.rbegin(), visits.rend(),
+                                 [&](const Visit& visit) { return visit.takes && visit.shows == q.polygon; });
+  if (last == visits.rend()) return std::nullopt;
+  Verdict verdict = q.verdict(Why::wiped, clear, "it was there at {}, until the buffers were cleared once more at {}",
+                              step_text(last->written), step_text(clear));
+  verdict.add_step(last->written, q.polygon, "the pixel becomes {}", q.name);
+  verdict.add_step(clear, no_polygon, "the buffers are cleared");
   return verdict;
 }
 
 void add_shadow(const Asked& q, Verdict& verdict) {
-  const auto dark = [&](const RecordedEvent& recorded) {
-    const auto* color = get_if<ColorWrite>(&recorded.event);
-    return color && color->x == q.pixel.x && color->y == q.pixel.y;
-  };
-  if (const auto step = q.trace.next(verdict.step, dark, q.pixel)) {
-    verdict.chain.push_back({*step, q.polygon, "it is darkened: it lies in shadow"});
+  if (const auto step = next_color(q, verdict.step)) {
+    verdict.add_step(*step, q.polygon, "it is darkened: it lies in shadow");
     verdict.sentence += " It is in shadow there.";
   }
 }
@@ -365,14 +347,13 @@ Verdict why_seen(Asked& q, const std::vector<Visit>& visits, const Visit& last) 
       : !records_owners(q.trace)
           ? fmt::format("at {} it was found to be nearer{}, and nothing was after it", step, z_text(q, last))
           : fmt::format("{} put it there{}", step, z_text(q, last));
-  Verdict verdict = seen(q, last.written, how, fmt::format("the pixel becomes {}", q.name));
-  if (was_compared(last)) verdict.chain.push_back({last.step, last.polygon, compare_link(q, last)});
-  if (compared && !follows(q.trace, last))
-    verdict.sentence += fmt::format(" At {} {}.", step_text(last.step), contradiction_of(q, last));
+  Verdict verdict = seen(q, last.written, how);
+  if (was_compared(last)) verdict.add_step(last.step, last.polygon, "{}", compare_link(q, last));
+  if (compared && !follows(q.trace, last)) verdict.say(" At {} {}.", step_text(last.step), contradiction_of(q, last));
   add_remarks(q, verdict, last);
   if (share.layers > 0 && share.over == nullptr)
-    verdict.sentence += fmt::format(" {} layer{} of glass before it leave{} it {} of the pixel's colour.", share.layers,
-                                    share.layers == 1 ? "" : "s", share.layers == 1 ? "s" : "", number(share.part));
+    verdict.say(" {} layer{} of glass before it leave{} it {} of the pixel's colour.", share.layers,
+                share.layers == 1 ? "" : "s", share.layers == 1 ? "s" : "", number(share.part));
   q.add_formulas(verdict, last);
   if (records<ShadowCompare>(q.trace)) add_shadow(q, verdict);
   return verdict;
@@ -389,10 +370,10 @@ std::string unnamed_text(const std::vector<Visit>& visits) {
 
 /// Its depth was interpolated there, and the trace does not say what came of it.
 Verdict why_interpolated(const Asked& q, const Visit& mine) {
-  Verdict verdict = q.verdict(Why::not_recorded, mine.step,
-                              fmt::format("it was interpolated there at {}{}, and no compare of it is recorded",
-                                          step_text(mine.step), z_text(q, mine)));
-  verdict.chain.push_back({mine.step, q.polygon, fmt::format("{} is interpolated{}", q.name, z_text(q, mine))});
+  Verdict verdict =
+      q.verdict(Why::not_recorded, mine.step, "it was interpolated there at {}{}, and no compare of it is recorded",
+                step_text(mine.step), z_text(q, mine));
+  verdict.add_step(mine.step, q.polygon, "{} is interpolated{}", q.name, z_text(q, mine));
   return verdict;
 }
 

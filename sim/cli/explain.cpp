@@ -74,8 +74,7 @@ using Exactness = std::optional<answers::Exactness>;
 
 /// A number that was computed here, and not taken over from another step.
 bool is_computed(const answers::ChainLink& link, const answers::ChainValue& value) {
-  const bool taken_over = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
-  return !link.given && !taken_over && !(value.formula.empty() && value.operands.empty());
+  return !link.given && !answers::is_taken_over(value) && !(value.formula.empty() && value.operands.empty());
 }
 
 /// " or 0.33 of the depth buffer's last bit"; nothing of what is no depth.

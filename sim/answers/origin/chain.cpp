@@ -161,9 +161,16 @@ std::string full_digits(double value) {
   if (std::isinf(value)) return value < 0 ? "\u2212\u221e" : "\u221e";
   std::string text = fmt::format("{}", value);
   if (text.ends_with(".0")) text.erase(text.size() - 2);
-  if (text == "-0") return "0";
+  return text == "-0" ? "0" : with_minus_signs(std::move(text));
+}
+
+std::string with_minus_signs(std::string text) {
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, minus);
   return text;
+}
+
+bool is_taken_over(const ChainValue& value) {
+  return value.operands.size() == 1 && value.operands[0].symbol == value.formula;
 }
 
 std::string result_text(const ChainValue& value) {
@@ -194,9 +201,8 @@ std::string line_text(const ChainValue& value) {
     else text += ": " + result_text(value);
   } else {
     // What was taken over as it was needs its number once.
-    const bool taken_over = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
     if (!value.formula.empty() && value.formula != value.name) text += " = " + formula_text(value);
-    if (!value.formula.empty() && !taken_over) text += " = " + numbers_text(value);
+    if (!value.formula.empty() && !is_taken_over(value)) text += " = " + numbers_text(value);
     const double computed = computed_value(value);
     text += " = " +
             (holds(value) ? as_held(computed, value.value, result_text(value), value.rounds) : full_digits(computed));
@@ -206,8 +212,7 @@ std::string line_text(const ChainValue& value) {
 }
 
 double computed_value(const ChainValue& value) {
-  const bool taken_over = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
-  return value.formula.empty() || taken_over ? value.value : evaluate(value);
+  return value.formula.empty() || is_taken_over(value) ? value.value : evaluate(value);
 }
 
 double evaluate(const ChainValue& value) { return evaluated(value).value; }
@@ -222,9 +227,8 @@ std::string doubt_text(const ChainValue& value) {
   if (value.condition)
     return fmt::format("The trace says {}, but by these numbers it is {}.", result_text(value),
                        computed != 0 ? "true" : "false");
-  const bool copied = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
   return fmt::format("The trace records {}, but {} {}.", full_digits(value.value),
-                     copied ? "it was taken from" : "this formula gives", full_digits(computed));
+                     is_taken_over(value) ? "it was taken from" : "this formula gives", full_digits(computed));
 }
 
 }  // namespace zstep::answers

@@ -1,18 +1,79 @@
 // The chain behind a number: every step, and at last every line of the mesh file, that it comes from.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "sim/answers/origin/formula.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/formulas/situation.hpp"
 
 namespace zstep::answers {
 
 // What the fields of an event follow from, by the formulas of traces/formulas.
+
+/// A number that remembers the formula it was made by, in the form that a chain has it. The text has as many
+/// parentheses as it takes to compute it in the same order, so that it gives the same bits.
+class Formula {
+ public:
+  struct Operand {
+    std::string symbol;
+    double value = 0;
+    formulas::Place place = {};
+    std::shared_ptr<const Formula> inner = {};  ///< of a number that has a name and a formula of its own
+  };
+
+  explicit Formula(double plain);
+  explicit Formula(Operand operand) : value_(operand.value), text_(operand.symbol) {
+    operands_.push_back(std::move(operand));
+  }
+
+  double value() const { return value_; }
+  const std::string& text() const { return text_; }  ///< empty where it would be longer than a person reads
+  const std::vector<Operand>& operands() const { return operands_; }  ///< in order; of a text that is too long, some
+  bool is_operand() const { return operands_.size() == 1 && text_ == operands_[0].symbol; }
+
+  /// Limited to what the raster holds, where that changes it.
+  Formula within(double limit) const;
+  /// A condition between two numbers: "z < stored".
+  static Formula compared(const Formula& a, const std::string& sign, const Formula& b, bool holds) {
+    return joined(a, b, sum, " " + sign + " ", holds);
+  }
+
+  friend Formula operator+(const Formula& a, const Formula& b) {
+    return a.text_ == "0" ? b : joined(a, b, sum, " + ", a.value_ + b.value_);
+  }
+  friend Formula operator-(const Formula& a, const Formula& b) { return joined(a, b, sum, " - ", a.value_ - b.value_); }
+  friend Formula operator*(const Formula& a, const Formula& b) {
+    return joined(a, b, product, "*", a.value_ * b.value_);
+  }
+  friend Formula operator/(const Formula& a, const Formula& b) {
+    return joined(a, b, product, "/", a.value_ / b.value_);
+  }
+  friend Formula operator-(const Formula& a) {
+    return a.wrapped(a.binding_ == sum ? "-(" : "-", a.binding_ == sum ? ")" : "", -a.value_, product);
+  }
+  friend Formula floor(const Formula& a) { return a.wrapped("\u230a", "\u230b", std::floor(a.value_), single); }
+  friend Formula ceil(const Formula& a) { return a.wrapped("\u2308", "\u2309", std::ceil(a.value_), single); }
+  friend Formula round(const Formula& a) { return a.wrapped("round(", ")", std::round(a.value_), single); }
+  friend Formula sqrt(const Formula& a) { return a.wrapped("sqrt(", ")", std::sqrt(a.value_), single); }
+  friend double value_of(const Formula& a) { return a.value_; }
+
+ private:
+  enum Binding { sum, product, single };
+  static Formula joined(const Formula& a, const Formula& b, Binding how, const std::string& sign, double result);
+  Formula wrapped(const std::string& open, const std::string& close, double result, Binding how) const;
+  void limit_length();
+
+  double value_ = 0;
+  std::string text_;
+  std::vector<Operand> operands_;
+  Binding binding_ = single;
+};
 
 struct Derivation {
   std::string_view field;  ///< of the event
@@ -72,6 +133,11 @@ std::string line_text(const ChainValue& value);
 /// As many digits as it takes to read back the same bits; "true" and "false" of a condition.
 std::string full_digits(double value);
 std::string result_text(const ChainValue& value);
+
+/// Is it what its one operand is?
+bool is_taken_over(const ChainValue& value);
+/// With a real minus sign for each hyphen.
+std::string with_minus_signs(std::string text);
 
 /// What the formula gives, in the order in which it is written: in the language of sim/classroom/expression.hpp, with
 /// sqrt, abs, round, min and max.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/answers/origin/orders.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/formulas/of_colors.hpp"
@@ -35,20 +34,14 @@ void tell_on_segment(Datum& datum, Work& work, std::int32_t column) {
   datum.is(formulas::on_line(y_0, y_1, x, x_0, x_1), of);
 }
 
-Step horizon_before(const Work& work, std::int64_t step, std::int32_t x, bool upper) {
-  return find_last<HorizonMove>(work.trace, step, [&](const HorizonMove& e) { return e.x == x && e.upper == upper; });
-}
-
 Number horizon_at(Work& work, std::int64_t step, std::int32_t x, bool upper) {
-  const Step moved = horizon_before(work, step, x, upper);
+  const Step moved =
+      find_last<HorizonMove>(work.trace, step, [&](const HorizonMove& e) { return e.x == x && e.upper == upper; });
   const double value = moved ? get<HorizonMove>(work.trace.event(*moved).event).y_curve : upper ? no_depth : -no_depth;
-  return work.derived(step, fmt::format("horizon {} {}", x, upper),
-                      fmt::format("{} horizon of column {}", upper ? "upper" : "lower", x), "y", value,
-                      [&](Datum& datum) {
-                        if (!moved) return datum.note("nothing was drawn there yet");
-                        datum.is("y_curve", {{"y_curve", value}});
-                        work.later(*moved, "y_curve", "y_curve");
-                      });
+  return work.kept(
+      step, fmt::format("horizon {} {}", x, upper),
+      fmt::format("{} horizon of column {}", upper ? "upper" : "lower", x), "y", value, "y_curve",
+      [&] { return moved; }, "nothing was drawn there yet");
 }
 
 }  // namespace
@@ -72,24 +65,19 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove&
   const std::string name = work.step_name(step);
   if (name == "clear_horizons") return datum.note("nothing is drawn yet");
   if (name == "fill") return tell_on_segment(datum, work, e.x);
-  const Step test = find_last<HorizonTest>(work.trace, step, [&](const HorizonTest& other) { return other.x == e.x; });
+  const Step test = work.last(step, &HorizonTest::x, e.x);
   if (test) datum.same_as("y", work.field(*test, "y_curve"));
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, std::string_view field) {
   if (field == "upper") return;
-  const Step to = find_last<HorizonTest>(work.trace, step, [](const HorizonTest&) { return true; });
-  const Step from =
-      to ? find_last<HorizonTest>(work.trace, *to - 1, [](const HorizonTest&) { return true; }) : std::nullopt;
+  const Step to = work.last<HorizonTest>(step), from = to ? work.last<HorizonTest>(*to - 1) : std::nullopt;
   if (!from) return;
   const HorizonTest a = get<HorizonTest>(work.trace.event(*from).event),
                     b = get<HorizonTest>(work.trace.event(*to).event);
   // Where the curve was on the column before, its own piece may have been another.
-  const Number y_0 = work.derived(*from, "column before", fmt::format("the curve at x = {}", a.x), "y", a.y_curve,
-                                  [&](Datum& datum_before) {
-                                    datum_before.is("y_curve", {{"y_curve", a.y_curve}});
-                                    work.later(*from, "y_curve", "y_curve");
-                                  });
+  const Number y_0 = work.kept(*from, "column before", fmt::format("the curve at x = {}", a.x), "y", a.y_curve,
+                               "y_curve", [&] { return from; });
   const Number y_1 = work.field(*to, "y_curve"), h_0 = horizon_at(work, *from, a.x, e.upper),
                h_1 = horizon_at(work, *to, b.x, e.upper);
   Operands of;
@@ -101,22 +89,16 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross
 
 namespace {
 
-const LineRow* line_at(const Work& work, std::int32_t line) {
-  const std::size_t at = line;
-  return line >= 0 && at < work.machine().lines.size() ? &work.machine().lines[at] : nullptr;
-}
-
 /// The piece that a facet became: one of its polygon, and, of several, the one whose plane the line crosses there.
 std::int32_t piece_of_facet(const Work& work, std::int32_t facet, const LineBegin& line, double t) {
-  const std::size_t at = facet;
-  if (facet < 0 || at >= work.scene.facets.size()) return -1;
+  if (!entry(work.scene.facets, facet)) return -1;
   std::int32_t best = -1;
   double least = std::numeric_limits<double>::infinity();
   const auto a = zstep::on_raster(work.scene, work.state(), line.vertex_0),
              b = zstep::on_raster(work.scene, work.state(), line.vertex_1);
   for (std::size_t i = 0; a && b && i < work.machine().pieces.size(); ++i) {
     const Piece& piece = work.machine().pieces[i];
-    if (piece.polygon != work.scene.facets[at].polygon || !piece.plane) continue;
+    if (piece.polygon != polygon_of_facet(work.scene, facet) || !piece.plane) continue;
     const double off = std::abs(formulas::plane_value(
         *piece.plane, formulas::part_of_way(glm::dvec3(a->x, a->y, a->z), glm::dvec3(b->x, b->y, b->z), t)));
     if (off < least) least = off, best = index32(i);
@@ -144,7 +126,7 @@ void tell_edge_crossing(Datum& datum, Work& work, const LineCross& e, const Line
 }  // namespace
 
 static void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::string_view field) {
-  const LineRow* row = line_at(work, e.line);
+  const LineRow* row = entry(work.machine().lines, e.line);
   if (!row || field == "in_space") return;
   const LineBegin line = row->entry;
   if (field == "t" && !e.in_space) return tell_edge_crossing(datum, work, e, line);
@@ -181,11 +163,6 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e
   datum.note(begins ? "a hidden interval begins there" : "a hidden interval ends there");
 }
 
-void tell_curves(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
-  tell_one_of<CurveBegin, HorizonTest, HorizonMove, HorizonCross, LineCross, LineHide, LinePiece>(
-      event, [&](const auto& e) { tell(datum, work, step, e, field); });
-}
-
 // The scan-line method: intervals of a line, the depths of planes on them, implied edges, shares of a pixel.
 
 static void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {
@@ -198,7 +175,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, 
     return datum.comes_of("the last whole number before x_R, within the raster", {work.field(step, "x_right")});
   if (!field.starts_with("x")) return;
   // Between the edge that was crossed last and the next of the active ones.
-  const Step flipped = find_last<FlagFlip>(work.trace, step, [](const FlagFlip&) { return true; });
+  const Step flipped = work.last<FlagFlip>(step);
   if (!flipped) return;
   const std::int32_t crossed = get<FlagFlip>(work.trace.event(*flipped).event).edge;
   for (std::size_t i = 0; i < m.active.size(); ++i) {
@@ -217,7 +194,7 @@ static void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, st
   // An end of the interval of the line that is at work, or a corner or the centre of an area.
   const auto& interval = work.machine().sweep.interval;
   if (!interval || field != "x_at") return;
-  const Step flags = find_last<SpanFlags>(work.trace, work.at(), [](const SpanFlags&) { return true; });
+  const Step flags = work.last<SpanFlags>(work.at());
   if (e.x_at == interval->x_left) datum.same_as("x_left", work.field(flags, "x_left", interval->x_left));
   else if (e.x_at == interval->x_right) datum.same_as("x_right", work.field(flags, "x_right", interval->x_right));
 }
@@ -249,8 +226,8 @@ bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, 
   return true;
 }
 
-void tell_sweep(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
-  tell_one_of<SpanFlags, PlaneDepth, ImpliedEdge>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
-}
+TellTheme* const tell_curves = tell_one_of<CurveBegin, HorizonTest, HorizonMove, HorizonCross>;
+TellTheme* const tell_lines = tell_one_of<LineCross, LineHide, LinePiece>;
+TellTheme* const tell_sweep = tell_one_of<SpanFlags, PlaneDepth, ImpliedEdge>;
 
 }  // namespace zstep::answers

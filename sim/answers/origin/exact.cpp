@@ -73,9 +73,7 @@ class Exactly {
         depth_unit_(depth_unit(trace.scene(), trace.header().conventions)) {
     for (const ChainLink& link : chain.links) {
       result_.of.emplace_back(link.values.size());
-      exact_.emplace_back(link.values.size(), Enclosed(0.0));
-      has_.emplace_back(link.values.size(), false);
-      states_.emplace_back(link.values.size(), State::unknown);
+      found_.emplace_back(link.values.size());
     }
   }
 
@@ -93,7 +91,12 @@ class Exactly {
 
  private:
   using Where = Exactness::Where;
-  enum class State : std::uint8_t { unknown, at_work, done };
+  struct Known {
+    bool looked_for = false;
+    std::optional<Enclosed> exact{};
+    double gain = 0;  ///< of the first number, where this one gains 1
+  };
+  Known& found_at(Where at) { return found_[at.link][at.value]; }
 
   /// Is this number one that the depth buffer gets, or is compared with?
   bool is_depth_of(std::int64_t step, const ChainValue& value) const {
@@ -125,15 +128,12 @@ class Exactly {
   }
 
   void find(Where at) {
-    State& state = states_[at.link][at.value];
-    if (state != State::unknown) return;
-    state = State::at_work;
+    if (std::exchange(found_at(at).looked_for, true)) return;
     const ChainValue& value = value_at(at);
     Exact& found = result_.of[at.link][at.value];
     try {
-      exact_[at.link][at.value] = computed(at, value);
-      const Enclosed& enclosed = exact_[at.link][at.value];
-      has_[at.link][at.value] = true;  // what follows from it may be known where it is not
+      const Enclosed enclosed = computed(at, value);
+      found_at(at).exact = enclosed;  // what follows from it may be known where it is not
       if (!enclosed.is_narrow()) throw NotExact{"so close to 0 that the digits of square roots cancel"};
       const Rational exact = enclosed.middle(), error = exact_of(value.value) - exact;
       found.known = true;
@@ -147,7 +147,6 @@ class Exactly {
       found.why = "a division by 0";
     }
     order_.push_back(at);
-    state = State::done;
   }
 
   Enclosed computed(Where at, const ChainValue& value) {
@@ -158,10 +157,9 @@ class Exactly {
                                   const auto from = source_of(operand);
                                   if (!from) return Enclosed(exact_of(operand.value));
                                   find(*from);
-                                  const Exact& exact = result_.of[from->link][from->value];
-                                  if (!has_[from->link][from->value])
-                                    throw NotExact{exact.why.empty() ? operand.name : exact.why};
-                                  return exact_[from->link][from->value];
+                                  const std::string& why = result_.of[from->link][from->value].why;
+                                  if (!found_at(*from).exact) throw NotExact{why.empty() ? operand.name : why};
+                                  return *found_at(*from).exact;
                                 })
         .run();
   }
@@ -181,11 +179,9 @@ class Exactly {
   /// How much of the first number's error comes in at each step: what rounding adds there, times how much the first
   /// number gains from it.
   void share_out() {
-    std::vector<std::vector<double>> gains;
-    for (const ChainLink& link : chain_.links) gains.emplace_back(link.values.size());
-    gains[0][0] = 1;
+    found_at({0, 0}).gain = 1;
     for (auto at = order_.rbegin(); at != order_.rend(); ++at) {
-      const double gain = gains[at->link][at->value];
+      const double gain = found_at(*at).gain;
       const ChainValue& value = value_at(*at);
       Exact& found = result_.of[at->link][at->value];
       if (gain == 0 || !found.known || chain_.links[at->link].given || value.formula.empty()) continue;
@@ -196,7 +192,7 @@ class Exactly {
         const Slope slope = Evaluation<Slope>(value, [&](const Operand& other) {
                               return Slope(other.value, other.symbol == operand.symbol ? 1 : 0);
                             }).run();
-        gains[from->link][from->value] += gain * slope.gain;
+        found_at(*from).gain += gain * slope.gain;
       }
       if (found.brought != 0 &&
           (!result_.most ||
@@ -210,21 +206,15 @@ class Exactly {
   NumberFormat format_;
   double depth_unit_;  ///< of fixed-point depths, else 0
   Exactness result_;
-  std::vector<std::vector<Enclosed>> exact_;
-  std::vector<std::vector<bool>> has_;  ///< by link and value: exact_ has it
-  std::vector<std::vector<State>> states_;
-  std::vector<Where> order_;  ///< each after what it was made of
+  std::vector<std::vector<Known>> found_;  ///< by link and value
+  std::vector<Where> order_;               ///< each after what it was made of
 };
 
 }  // namespace
 
 Exactness exactness_of(const Chain& chain, const Trace& trace) { return Exactly(chain, trace).run(); }
 
-std::string roughly(double value) {
-  std::string text = fmt::format("{:.2g}", value);
-  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
-  return text;
-}
+std::string roughly(double value) { return with_minus_signs(fmt::format("{:.2g}", value)); }
 
 std::string exact_text(const ChainValue& value, const Exact& exact) {
   if (!exact.known) return "not exact here: " + exact.why;

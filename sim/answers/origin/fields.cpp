@@ -1,12 +1,11 @@
 // What the link of a step is called.
 
-#include "sim/answers/origin/fields.hpp"
+#include "sim/answers/origin/work.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "sim/answers/origin/chain.hpp"
-#include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/formulas/walk.hpp"
@@ -17,18 +16,17 @@ namespace {
 
 /// A number that names something: what that is, and where it comes from.
 void tell_name(Datum& datum, Work& work, std::string_view field, std::int32_t number, std::string_view meaning) {
-  const std::size_t at = number;
   const bool vertex = field.starts_with("vertex");
   if (number < 0) return datum.note("none");
   if (field == "polygon" || field == "owner")
     return datum.at_source(work.source_of_polygon(number)), datum.note(work.label(number));
   if (field.find("facet") != std::string_view::npos) {
-    if (at >= work.scene.facets.size()) return;
-    const std::int32_t polygon = work.scene.facets[at].polygon;
+    const std::int32_t polygon = polygon_of_facet(work.scene, number);
+    if (!entry(work.scene.facets, number)) return;
     datum.at_source(work.source_of_polygon(polygon));
     return datum.note("of " + work.label(polygon));
   }
-  if (vertex && at < work.scene.points.size())
+  if (vertex && entry(work.scene.points, number))
     return datum.comes_of("vertex " + work.vertex_name(number),
                           {work.world(number, Axis3::x), work.world(number, Axis3::y), work.world(number, Axis3::z)});
   if (vertex) {
@@ -39,10 +37,11 @@ void tell_name(Datum& datum, Work& work, std::string_view field, std::int32_t nu
     const Step row = work.step_of_edge(number);
     if (row) return datum.comes_of("a row of the edge table", {work.field(row, "x_edge", 0)});
   }
-  if ((field == "piece" || field == "other" || field == "plane_of") && at < work.machine().pieces.size()) {
-    datum.at_source(work.source_of_polygon(work.machine().pieces[at].polygon));
-    return datum.note(work.piece(number));
-  }
+  if (field == "piece" || field == "other" || field == "plane_of")
+    if (const Piece* piece = entry(work.machine().pieces, number)) {
+      datum.at_source(work.source_of_polygon(piece->polygon));
+      return datum.note(work.piece(number));
+    }
   datum.note(std::string(meaning));
 }
 
@@ -81,7 +80,7 @@ void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event,
   if (field->type == Type::whole && field->unit == "index")
     return tell_name(datum, work, name, field->whole_in(event), field->meaning);
   if (work.tell_derived(datum, step, event, name)) return;
-  for (TellTheme* tell : {tell_boxes, tell_curves, tell_light, tell_orders, tell_pixels, tell_planes, tell_polygons,
+  for (TellTheme* tell : {tell_boxes, tell_curves, tell_light, tell_lines, tell_orders, tell_pixels, tell_polygons,
                           tell_rays, tell_sweep, tell_vertices})
     tell(datum, work, step, event, name);
   if (!datum.told()) datum.note(std::string(field->meaning));
@@ -123,9 +122,9 @@ std::string named(const Work& work, const Event& event, std::string_view field) 
   }
   if (field == "polygon") return work.label(number);
   if (field == "upper") return number != 0 ? "upper" : "lower";
-  const std::size_t facet = number;
-  if (field == "facet" && facet < work.scene.facets.size()) return work.label(work.scene.facets[facet].polygon);
-  if (field == "facet") return fmt::format("facet {}", number);
+  if (field == "facet")
+    return entry(work.scene.facets, number) ? work.label(polygon_of_facet(work.scene, number))
+                                            : fmt::format("facet {}", number);
   const std::string word = field_word(event, field);
   return word.empty() ? fmt::format("{}", number) : word;
 }
@@ -153,10 +152,7 @@ namespace {
 
 using formulas::Place;
 
-const EdgeTableInsert* row_of(const Work& work, std::int32_t edge) {
-  const std::size_t at = edge;
-  return edge >= 0 && at < work.machine().edge_table.size() ? &work.machine().edge_table[at] : nullptr;
-}
+const EdgeTableInsert* row_of(const Work& work, std::int32_t edge) { return entry(work.machine().edge_table, edge); }
 
 std::int32_t edge_of(const Event& event) {
   if (const auto* insert = get_if<EdgeTableInsert>(&event)) return insert->edge;
@@ -228,7 +224,8 @@ struct Source {
       for (; at_first && !is_of(*at_first, *own);)  // spans of several polygons may begin there
         at_first = find_last<DepthInterpolate>(work.trace, *at_first - 1, is_first);
       const bool on_plane = work.conventions.interpolation == Conventions::Interpolation::plane_increments;
-      return std::pair{work.field(at_first, "z", 0), work.field(on_plane ? last_slopes() : own->step, "dz_dx", 0)};
+      return std::pair{work.field(at_first, "z", 0),
+                       work.field(on_plane ? work.last<PlaneSlopes>(step) : own->step, "dz_dx", 0)};
     });
   }
 
@@ -250,16 +247,10 @@ struct Source {
     });
   }
 
-  template <class E>
-  Step last() const {
-    return find_last<E>(work.trace, step, [](const E&) { return true; });
-  }
   Step own_span() const {
     const auto own = work.span_of(step, event);
-    return own ? own->step : last<SpanBegin>();
+    return own ? own->step : work.last<SpanBegin>(step);
   }
-
-  Step last_slopes() const { return last<PlaneSlopes>(); }
 
   /// A depth from elsewhere in the run: its own links follow after these.
   Number of_buffer() const {
@@ -270,48 +261,31 @@ struct Source {
     const bool known = fragment && fragment->x == pixel.x && fragment->y == pixel.y;
     const std::int32_t of = known ? fragment->stored_polygon : no_polygon;
     const std::string what = fmt::format("stored depth at pixel ({}, {})", pixel.x, pixel.y);
-    const double stored = operand.value;
-    return work.derived(
-        step, "stored", known ? what + ", of " + work.label(of) : what, "stored", stored, [&](Datum& datum) {
-          const Step wrote = step_of_depth(work.trace, step - 1, pixel, operand.place.in == Place::In::light_buffer);
-          if (!wrote)
-            return datum.note(of == no_polygon ? "nothing was drawn there yet" : "its depth was never written there");
-          datum.is("z", {{"z", stored}});
-          work.later(*wrote, "z", "z");
-        });
+    const bool light = operand.place.in == Place::In::light_buffer;
+    return work.kept(
+        step, "stored", known ? what + ", of " + work.label(of) : what, "stored", operand.value, "z",
+        [&] { return step_of_depth(work.trace, step - 1, pixel, light); },
+        of == no_polygon ? "nothing was drawn there yet" : "its depth was never written there");
   }
 
   Number number() const {
     const auto number = static_cast<std::int32_t>(operand.place.number);
-    switch (operand.place.in) {
-      case Place::In::event:
-        return own();
-      case Place::In::point:
-        return work.world(number, axis_of(operand.place.field));
-      case Place::In::vertex:
-        return of_vertex();
-      case Place::In::edge_table:
-        return written_by(work.step_of_edge(number));
-      case Place::In::active_edge:
-        return of_active_edge();
-      case Place::In::plane:
-        return written_by(last_slopes());
-      case Place::In::span:
-        return written_by(own_span());
-      case Place::In::fragment:
-        return of_fragment();
-      case Place::In::attribute:
-        return written_by(last<AttributeInterpolate>());
-      case Place::In::depth_buffer:
-      case Place::In::light_buffer:
-        return of_buffer();
-      case Place::In::piece:
-        return written_by(step_of_plane(work.machine(), number));
-      case Place::In::ray:
-        return written_by(operand.place.field == "t" ? last_plane_test(work, step) : last_ray(work, step));
-      default:
-        return operand.value;
-    }
+    const std::string_view field = operand.place.field;
+    using In = Place::In;
+    const In in = operand.place.in;
+    if (in == In::event) return own();
+    if (in == In::point) return work.world(number, axis_of(field));
+    if (in == In::vertex) return of_vertex();
+    if (in == In::edge_table) return written_by(work.step_of_edge(number));
+    if (in == In::active_edge) return of_active_edge();
+    if (in == In::plane) return written_by(work.last<PlaneSlopes>(step));
+    if (in == In::span) return written_by(own_span());
+    if (in == In::fragment) return of_fragment();
+    if (in == In::attribute) return written_by(work.last<AttributeInterpolate>(step));
+    if (in == In::depth_buffer || in == In::light_buffer) return of_buffer();
+    if (in == In::piece) return written_by(step_of_plane(work.machine(), number));
+    if (in == In::ray) return written_by(field == "t" ? work.last<RayPlane>(step) : work.last<RayBegin>(step));
+    return operand.value;
   }
 };
 
@@ -339,7 +313,7 @@ Number Work::edge_end(std::int32_t edge, bool lower, Axis3 axis) {
   const Step step = step_of_edge(edge);
   if (!step) return on_raster(vertex, axis);
   const EdgeTableInsert entry = *row;
-  const std::string name = fmt::format("{}_{}", "xyz"[index_of(axis)], lower ? 1 : 0);
+  const std::string name = axis_name(axis, lower ? "_1" : "_0");
   return derived(*step, "", what_happens(*this, *step, entry), name, raster_value(vertex, axis), [&](Datum& datum) {
     const Number number = on_raster(vertex, axis);
     datum.same_as(number.name == depth_name() ? "z" : number.name, number);

@@ -7,19 +7,9 @@
 
 namespace zstep::answers {
 
-std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, std::int64_t end,
-                                        const Trace::Predicate& predicate) {
-  return trace.next(from, predicate, Trace::Among({}, {}, end - 1));
-}
-
-std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t from, std::int64_t end,
-                                            const Trace::Predicate& predicate) {
-  return trace.previous(from, predicate, Trace::Among({}, {}, end + 1));
-}
-
 std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
-  const std::size_t at = facet;
-  return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
+  const Facet* found = entry(scene.facets, facet);
+  return found ? found->polygon : no_polygon;
 }
 
 std::int64_t begin_of_eye_pass(const Trace& trace) {
@@ -28,10 +18,7 @@ std::int64_t begin_of_eye_pass(const Trace& trace) {
   const auto marks = trace.polygons();
   const std::size_t facets = trace.scene().facets.size();
   const std::int64_t from = facets > 0 && marks.size() >= facets ? marks[facets - 1].position : 0;
-  const auto step = trace.next(from, [](const RecordedEvent& recorded) {
-    const auto* pass = get_if<PassBegin>(&recorded.event);
-    return pass && pass->pass == Pass::eye;
-  });
+  const auto step = trace.next<PassBegin>(from, [](const PassBegin& pass) { return pass.pass == Pass::eye; });
   return step.value_or(trace.size() + 1);
 }
 
@@ -69,12 +56,7 @@ namespace {
 
 constexpr std::int64_t near = 4096;  // events: what is looked through before anything cleverer
 
-template <class E>
-bool is(const Event& event) {
-  return holds<E>(event);
-}
-
-bool begins_work(const Event& event) { return is<PolygonBegin>(event) || is<PieceDraw>(event); }
+bool begins_work(const Event& event) { return holds<PolygonBegin>(event) || holds<PieceDraw>(event); }
 
 /// All vertices are viewed in one go, in their order: where in the trace.
 struct Interval {
@@ -89,7 +71,7 @@ Interval viewing_interval(const Trace& trace, const MethodState& machine) {
   if (trace.scene().light && machine.pass == Pass::eye && marks.size() > facets && facets > 0)
     return between;  // the second pass of a shadow buffer
   // A tree is built of all facets before its vertices are viewed, and then its pieces are drawn.
-  if (trace.size() > 0 && is<TablesBegin>(trace.event(1).event) && !marks.empty()) return between;
+  if (trace.size() > 0 && holds<TablesBegin>(trace.event(1).event) && !marks.empty()) return between;
   return {0, marks.empty() ? trace.size() : marks.front().position};
 }
 
@@ -119,10 +101,8 @@ bool same_edge(const EdgeTableInsert& a, const EdgeTableInsert& b) {
 }  // namespace
 
 std::int64_t begin_of_work(const Trace& trace, const MethodState& machine, std::int64_t at) {
-  const auto marks = trace.polygons();
-  auto mark = std::upper_bound(marks.begin(), marks.end(), at,
-                               [](std::int64_t step, const PolygonMark& m) { return step < m.position; });
-  const auto last = mark == marks.begin() ? 1 : std::prev(mark)->position;
+  const auto beyond = mark_beyond(trace, at);
+  const auto last = beyond == trace.polygons().begin() ? 1 : std::prev(beyond)->position;
   if (machine.piece >= 0) {
     // Work on a piece begins at a mark, too.
     if (const auto* draw = get_if<PieceDraw>(&trace.event(last).event); draw && draw->piece == machine.piece)
@@ -151,7 +131,7 @@ VertexSteps steps_of_vertex(const Trace& trace, const MethodState& machine, std:
     if (machine.keeps_all && !steps.made) steps.made = numbered(trace, 0, at + 1, &ClipCross::vertex, vertex);
     if (!steps.made || *steps.made > at) steps.made = trace.previous(at + 1, made);
     if (!steps.made) return steps;
-    if (is<ClipCross>(trace.event(*steps.made).event)) {
+    if (holds<ClipCross>(trace.event(*steps.made).event)) {
       find_projection(trace, *steps.made + 1, at, vertex, steps);
       return steps;
     }
@@ -170,9 +150,9 @@ VertexSteps steps_of_vertex(const Trace& trace, const MethodState& machine, std:
 }
 
 Step step_of_edge(const Trace& trace, const MethodState& machine, std::int64_t at, std::int32_t edge) {
-  if (edge < 0 || edge >= std::ssize(machine.edge_table)) return std::nullopt;
-  const EdgeTableInsert entry = machine.edge_table[edge];
-  const auto wanted = [&](const EdgeTableInsert& e) { return same_edge(e, entry); };
+  const EdgeTableInsert* const row = entry(machine.edge_table, edge);
+  if (!row) return std::nullopt;
+  const auto wanted = [known = *row](const EdgeTableInsert& e) { return same_edge(e, known); };
   const std::int64_t soon = std::max<std::int64_t>(1, at - near);
   if (const auto found = find_last<EdgeTableInsert>(
           trace, at, wanted, [](const Event&) { return false; }, soon))
@@ -194,9 +174,8 @@ Step step_of_active_edge(const Trace& trace, const MethodState& machine, std::in
 }
 
 Step step_of_plane(const MethodState& machine, std::int32_t piece) {
-  const std::size_t number = piece;
-  const bool found = piece >= 0 && number < machine.pieces.size() && machine.pieces[number].plane_step > 0;
-  return found ? Step(machine.pieces[number].plane_step) : std::nullopt;
+  const Piece* found = entry(machine.pieces, piece);
+  return found && found->plane_step > 0 ? Step(found->plane_step) : std::nullopt;
 }
 
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light) {
@@ -215,13 +194,8 @@ Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool
 
 Step step_of_shade(const Trace& trace, std::int64_t at, Trace::Pixel pixel) {
   if (!trace.has(kind_of<AttributeInterpolate>)) return std::nullopt;
-  return trace.previous(
-      at + 1,
-      [&](const RecordedEvent& recorded) {
-        const auto* write = get_if<ColorWrite>(&recorded.event);
-        return write && write->x == pixel.x && write->y == pixel.y;
-      },
-      pixel);
+  return trace.previous<ColorWrite>(
+      at + 1, [](const ColorWrite&) { return true; }, pixel);
 }
 
 }  // namespace zstep::answers

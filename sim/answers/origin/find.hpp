@@ -14,12 +14,6 @@
 
 namespace zstep::answers {
 
-/// The first step in (from, end) that satisfies the predicate; the last one in (end, from) for the way back.
-std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, std::int64_t end,
-                                        const Trace::Predicate& predicate);
-std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t from, std::int64_t end,
-                                            const Trace::Predicate& predicate);
-
 template <class... E>
 bool is_one_of(const RecordedEvent& recorded) {
   return (holds<E>(recorded.event) || ...);
@@ -32,10 +26,6 @@ constexpr std::optional<std::uint8_t> only_kind() {
 template <class... E>
 std::optional<std::int64_t> next_of(const Trace& trace, std::int64_t from, std::int64_t end) {
   return trace.next(from, is_one_of<E...>, Trace::Among({}, only_kind<E...>(), end - 1));
-}
-template <class... E>
-std::optional<std::int64_t> previous_of(const Trace& trace, std::int64_t from, std::int64_t end = 0) {
-  return trace.previous(from, is_one_of<E...>, Trace::Among({}, only_kind<E...>(), end + 1));
 }
 
 /// The event at a step, if it is of this kind. A copy: the trace's own goes away when others are read.
@@ -52,6 +42,12 @@ bool records(const Trace& trace) {
   return zstep::records<E>(trace.header());
 }
 
+/// The entry of this number; nullptr where there is none.
+template <class All>
+auto entry(const All& all, std::int32_t number) -> decltype(&all[0]) {
+  const std::size_t at = number;
+  return number >= 0 && at < all.size() ? &all[at] : nullptr;
+}
 /// The polygon that a facet is of; none where there is no such facet.
 std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet);
 
@@ -81,6 +77,40 @@ std::optional<Found<E>> next_that(const Trace& trace, std::int64_t from, std::in
 template <class E>
 std::optional<Found<E>> next_event(const Trace& trace, std::int64_t from, std::int64_t end) {
   return next_that<E>(trace, from, end, [](const E&) { return true; });
+}
+/// All of them.
+template <class E, class Meant>
+std::vector<Found<E>> all_that(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
+  std::vector<Found<E>> all;
+  while (const auto found = next_that<E>(trace, all.empty() ? from : all.back().step, end, is_meant))
+    all.push_back(*found);
+  return all;
+}
+/// The first, unless a step of one of the other kinds comes before it.
+template <class E, class... Stop, class Meant>
+std::optional<Found<E>> next_before(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
+  const auto step = trace.next(
+      from,
+      [&](const RecordedEvent& recorded) {
+        const auto* event = get_if<E>(&recorded.event);
+        return (event && is_meant(*event)) || is_one_of<Stop...>(recorded);
+      },
+      Trace::Among({}, {}, end - 1));
+  const auto event = step ? event_at<E>(trace, *step) : std::nullopt;
+  return event && is_meant(*event) ? std::optional(Found<E>{*step, *event}) : std::nullopt;
+}
+
+/// The last step in (end, from), the way back, whose event E is meant.
+template <class E, class Meant>
+std::optional<Found<E>> last_that(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
+  const auto step = trace.previous(
+      from, [&](const RecordedEvent& recorded) { return is_meant(get<E>(recorded.event)); },
+      Trace::Among({}, kind_of<E>, end + 1));
+  return step ? std::optional(Found<E>{*step, *event_at<E>(trace, *step)}) : std::nullopt;
+}
+template <class E>
+std::optional<Found<E>> last_event(const Trace& trace, std::int64_t from, std::int64_t end = 0) {
+  return last_that<E>(trace, from, end, [](const E&) { return true; });
 }
 
 /// The first step in (from, end) whose event E satisfies `beyond`, where all E that follow do so, too. By leaps and

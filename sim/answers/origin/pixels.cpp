@@ -20,8 +20,7 @@ namespace zstep::answers {
 namespace {
 
 void tell_along_ray(Datum& datum, Work& work, std::int64_t step) {
-  const Step end = find_last<RayEnd>(
-      work.trace, step, [&](const RayEnd& e) { return e.ray == work.machine().rays.tree.front().entry.ray; });
+  const Step end = work.last(step, &RayEnd::ray, work.machine().rays.tree.front().entry.ray);
   const Number t = work.field(end, "t", datum.number());
   if (work.scene.camera.kind == Camera::Kind::screen) return datum.same_as("t", t);
   const viewing::Lens lens(work.scene.camera, work.scene.raster, work.conventions.depth);
@@ -56,18 +55,15 @@ bool names_channel(std::string_view field) { return field == "r8" || field == "g
 }  // namespace
 
 Number Work::color_of(std::int32_t polygon, int which) {
-  static constexpr const char* names[] = {"red", "green", "blue"};
-  const std::size_t at = polygon;
-  const bool known = polygon >= 0 && at < scene.polygons.size();
-  const double value = channel(known ? scene.polygons[at].color : scene.background, which);
-  return derived(0, fmt::format("colour of {}", polygon), "colour of " + label(polygon), names[which], value,
+  const Polygon* known = entry(scene.polygons, polygon);
+  const double value = channel(known ? known->color : scene.background, which);
+  return derived(0, fmt::format("colour of {}", polygon), "colour of " + label(polygon), channel_names[which], value,
                  [&](Datum& datum) { datum.at_source(known ? source_of_polygon(polygon) : source_line(0)); });
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::string_view field) {
-  const std::size_t at = e.polygon;
   if (field == "opacity") {
-    if (e.polygon >= 0 && at < work.scene.polygons.size()) datum.at_source(work.source_of_polygon(e.polygon));
+    if (entry(work.scene.polygons, e.polygon)) datum.at_source(work.source_of_polygon(e.polygon));
     return datum.note("the material's");
   }
   if (!names_channel(field)) return;
@@ -86,23 +82,20 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& 
   if (!names_channel(field)) return;
   const int which = channel_of(field);
   const MethodState& m = work.machine();
-  static constexpr const char* names[] = {"red", "green", "blue"};
   if (!m.rays.tree.empty()) {
-    const Step end = find_last<RayEnd>(work.trace, step,
-                                       [&](const RayEnd& other) { return other.ray == m.rays.tree.front().entry.ray; });
-    return datum.is("round(255*light)", {{"light", work.field(end, names[which], 0)}});
+    const Step end = work.last(step, &RayEnd::ray, m.rays.tree.front().entry.ray);
+    return datum.is("round(255*light)", {{"light", work.field(end, channel_names[which], 0)}});
   }
   if (m.shadow && m.shadow->x == e.x && m.shadow->y == e.y) {
     const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
-    const Step compare = find_last<ShadowCompare>(work.trace, step, [](const ShadowCompare&) { return true; });
+    const Step compare = work.last<ShadowCompare>(step);
     if (compare) work.later(*compare, "lit");
     return datum.is("round(colour*in_shadow)",
                     {{"colour", work.color_of(polygon, which)}, {"in_shadow", shadow_buffer::in_shadow}});
   }
   if (m.attribute && m.attribute->x == e.x && m.attribute->y == e.y) {
     const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
-    const Step found =
-        find_last<AttributeInterpolate>(work.trace, step, [](const AttributeInterpolate&) { return true; });
+    const Step found = work.last<AttributeInterpolate>(step);
     if (found) work.later(*found, "attribute");
     return datum.is("round(colour*stripe)", {{"colour", work.color_of(polygon, which)},
                                              {"stripe", formulas::stripe_shade(m.attribute->attribute)}});
@@ -111,26 +104,20 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& 
   datum.note("the ink of what is drawn there");
 }
 
-void tell_pixels(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
-  tell_one_of<PixelPaint, ColorBlend, ColorWrite>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
-}
-
 // From a pixel of the eye's picture to the light's (shadow buffer): the way of a vertex backwards, then once more
 // forwards.
 
 namespace {
 
-constexpr std::array<const char*, 3> seen_world_names{"x_w", "y_w", "z_w"}, lit_view_names{"x_v", "y_v", "z_v"};
-
 /// A row of a matrix times a point, with the entries as plain numbers.
-void tell_row(Datum& datum, const glm::dmat4& matrix, const char* letter, std::size_t row,
-              const std::array<Number, 3>& point, const std::array<const char*, 3>& names) {
+void tell_row(Datum& datum, const glm::dmat4& matrix, const char* letter, Axis3 row, const std::array<Number, 3>& point,
+              const char* names) {
   Operands of;
-  const auto entry = [&](glm::length_t column) {
-    return of(fmt::format("{}_{}{}", letter, row + 1, column + 1), matrix[column][static_cast<glm::length_t>(row)]);
+  const auto m = [&](int column) {
+    return of(fmt::format("{}_{}{}", letter, +row + 1, column + 1), matrix[column][+row]);
   };
-  const Formula m_1 = entry(0), x = of(names[0], point[0]), m_2 = entry(1), y = of(names[1], point[1]), m_3 = entry(2),
-                z = of(names[2], point[2]), m_4 = entry(3);
+  const auto p = [&](Axis3 axis) { return of(axis_name(axis, names), point[+axis]); };
+  const Formula m_1 = m(0), x = p(Axis3::x), m_2 = m(1), y = p(Axis3::y), m_3 = m(2), z = p(Axis3::z), m_4 = m(3);
   datum.is(formulas::matrix_row(m_1, m_2, m_3, m_4, x, y, z), of, false);
 }
 
@@ -160,12 +147,9 @@ struct ThroughSpace {
 
   Number depth() {
     const double z = work.buffers().picture.depth[work.buffers().picture.at(e.x, e.y)];
-    return work.derived(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z,
-                        [&](Datum& datum) {
-                          datum.is("z", {{"z", z}});
-                          if (const Step wrote = step_of_depth(work.trace, step, {e.x, e.y}, false))
-                            work.later(*wrote, "z", "z");
-                        });
+    return work.kept(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z, "z", [&] {
+      return step_of_depth(work.trace, step, {e.x, e.y}, false);
+    });
   }
   Number z_v() {
     const Number z = depth();
@@ -179,21 +163,20 @@ struct ThroughSpace {
                   window = x ? of("w_x", work.window_width(step, "w_x", eye.window_y)) : of("w_y", eye.window_y),
                   plane = x ? formulas::window_x(at, window, size) : formulas::window_y(at, window, size),
                   far = of("z_eye", z), d = of("d", eye.d), seen = eye.orthographic ? plane : plane * (far / d);
-    return value(x ? "x_eye" : "y_eye", seen.value(), [&](Datum& datum) { datum.is(seen, of); });
+    return work.part(step, x ? "x_eye" : "y_eye", seen, of);
   }
-  Number world(std::size_t axis) {
+  Number world(Axis3 axis) {
     const std::array<Number, 3> at{viewed(true), viewed(false), z_v()};
     const glm::dmat4 matrix = glm::inverse(work.scene.camera.view);
     const glm::dvec4 point = matrix * glm::dvec4(at[0].value, at[1].value, at[2].value, 1);
-    return value(seen_world_names[axis], point[static_cast<glm::length_t>(axis)], [&](Datum& datum) {
-      tell_row(datum, matrix, "V", axis, at, {"x_eye", "y_eye", "z_eye"});
-    });
+    return value(axis_name(axis, "_w"), point[+axis],
+                 [&](Datum& datum) { tell_row(datum, matrix, "V", axis, at, "_eye"); });
   }
-  Number seen(std::size_t axis) {
-    const std::array<Number, 3> at{world(0), world(1), world(2)};
+  Number seen(Axis3 axis) {
+    const std::array<Number, 3> at{world(Axis3::x), world(Axis3::y), world(Axis3::z)};
     const glm::dvec4 point = camera.view * glm::dvec4(at[0].value, at[1].value, at[2].value, 1);
-    return value(lit_view_names[axis], point[static_cast<glm::length_t>(axis)],
-                 [&](Datum& datum) { tell_row(datum, camera.view, "L", axis, at, seen_world_names); });
+    return value(axis_name(axis, "_v"), point[+axis],
+                 [&](Datum& datum) { tell_row(datum, camera.view, "L", axis, at, "_w"); });
   }
 };
 
@@ -214,17 +197,18 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   const viewing::Lens& lens = through.light;
   Operands of;
   if (field == "x_light") {
-    const Formula d = of("d", lens.d), x_v = of("x_v", through.seen(0)), z_v = of("z_v", through.seen(2)),
+    const Formula d = of("d", lens.d), x_v = of("x_v", through.seen(Axis3::x)), z_v = of("z_v", through.seen(Axis3::z)),
                   w_x = of("w_light", work.window_width(step, "w_light", lens.window_y)), width = of("W", lens.width);
     return datum.is(formulas::screen_x(formulas::projected(d, x_v, z_v), w_x, width), of, false);
   }
   if (field == "y_light") {
-    const Formula w_y = of("w_y", lens.window_y), d = of("d", lens.d), y_v = of("y_v", through.seen(1)),
-                  z_v = of("z_v", through.seen(2)), height = of("H", lens.height);
+    const Formula w_y = of("w_y", lens.window_y), d = of("d", lens.d), y_v = of("y_v", through.seen(Axis3::y)),
+                  z_v = of("z_v", through.seen(Axis3::z)), height = of("H", lens.height);
     return datum.is(formulas::screen_y(formulas::projected(d, y_v, z_v), w_y, height), of, false);
   }
   if (field == "z_light") {
-    const Formula n = of("n", lens.near), a = of("a", lens.a), z_v = of("z_v", through.seen(2)), b = of("b", lens.b);
+    const Formula n = of("n", lens.near), a = of("a", lens.a), z_v = of("z_v", through.seen(Axis3::z)),
+                  b = of("b", lens.b);
     return datum.is(lens.depth == Conventions::Depth::view ? z_v : formulas::pseudodepth(n, a, b, z_v), of, false);
   }
   const double column = std::round(e.x_light), row = std::round(e.y_light);
@@ -235,17 +219,12 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
     return datum.comes_of("false beside the light's picture", asked);
   const Trace::Pixel pixel{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
   const double stored = light.depth[light.at(pixel.x, pixel.y)];
-  const Number shadow = work.derived(
-      step, "shadow",
-      fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, work.label(light.polygon[light.at(pixel.x, pixel.y)])),
-      "shadow", stored, [&](Datum& inner) {
-        const Step wrote = step_of_depth(work.trace, step, pixel, true);
-        if (!wrote) return inner.note("the light saw nothing there");
-        inner.is("z", {{"z", stored}});
-        work.later(*wrote, "z", "z");
-      });
+  const std::string owner = work.label(light.polygon[light.at(pixel.x, pixel.y)]);
+  const Number shadow = work.kept(
+      step, "shadow", fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, owner), "shadow", stored, "z",
+      [&] { return step_of_depth(work.trace, step, pixel, true); }, "the light saw nothing there");
   // It is by how far they are from the light that the two depths are held against each other.
-  const Number z_v = through.seen(2);
+  const Number z_v = through.seen(Axis3::z);
   if (z_v.value < through.camera.near)
     return datum.comes_of("false before the light's near plane", {z_v, asked[0], asked[1], asked[2]});
   const Number behind = through.value("z_shadow", view_depth(through.camera, work.conventions, stored),
@@ -261,8 +240,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
 }
 
-void tell_light(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
-  tell_one_of<ShadowCompare>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
-}
+TellTheme* const tell_pixels = tell_one_of<PixelPaint, ColorBlend, ColorWrite>;
+TellTheme* const tell_light = tell_one_of<ShadowCompare>;
 
 }  // namespace zstep::answers

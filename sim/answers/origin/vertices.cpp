@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "sim/answers/origin/orders.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/formulas/viewing.hpp"
@@ -10,15 +9,7 @@
 namespace zstep::answers {
 namespace {
 
-constexpr ByEnum<Axis3, const char*, 3> world_names{"x", "y", "z"}, view_names{"x_v", "y_v", "z_v"},
-    cut_names{"x_cut", "y_cut", "z_cut"}, scene_names{"x_m", "y_m", "z_m"}, file_names{"x_f", "y_f", "z_f"};
-
-const VertexStages* way_of(const Work& work, std::int32_t vertex) {
-  const std::size_t at = vertex;
-  return vertex >= 0 && at < work.state().vertices.size() ? &work.state().vertices[at] : nullptr;
-}
-
-double component(const glm::dvec3& point, Axis3 axis) { return point[static_cast<glm::length_t>(axis)]; }
+const VertexStages* way_of(const Work& work, std::int32_t vertex) { return entry(work.state().vertices, vertex); }
 
 // --- From the file into the world
 
@@ -29,11 +20,10 @@ bool is_moved(const Scene& scene, std::int32_t vertex) {
 }
 
 void tell_fit(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
-  const std::string letter = world_names[axis];
   const Number before = work.in_scene(vertex, axis);
   datum.is(
-      fmt::format("({0} - c_{1})/r", before.name, letter),
-      {{before.name, before}, {"c_" + letter, component(work.scene.fit->centre, axis)}, {"r", work.scene.fit->radius}});
+      fmt::format("({} - {})/r", before.name, "c_" + axis_name(axis)),
+      {{before.name, before}, {"c_" + axis_name(axis), work.scene.fit->centre[+axis]}, {"r", work.scene.fit->radius}});
 }
 
 /// The row of the matrix times the point of the file; what is multiplied by 0 is left out.
@@ -41,21 +31,21 @@ void tell_placement(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
   const Placement& placement = *placement_of(work.scene, vertex);
   std::string formula;
   std::vector<Given> given;
-  for (const Axis3 from : {Axis3::x, Axis3::y, Axis3::z}) {
-    const double entry = placement.linear[static_cast<glm::length_t>(from)][static_cast<glm::length_t>(axis)];
+  for (const Axis3 from : all_axes) {
+    const double entry = placement.linear[+from][+axis];
     if (entry == 0) continue;
     if (!formula.empty()) formula += " + ";
     const Number coordinate = work.in_file(vertex, from);
     if (entry != 1) {
-      const std::string symbol = fmt::format("m_{}{}", index_of(axis) + 1, index_of(from) + 1);
+      const std::string symbol = fmt::format("m_{}{}", +axis + 1, +from + 1);
       given.push_back({symbol, entry});
       formula += symbol + "*";
     }
     formula += coordinate.name;
     given.push_back({coordinate.name, coordinate});
   }
-  if (const double offset = component(placement.offset, axis); offset != 0) {
-    given.push_back({fmt::format("t_{}", world_names[axis]), offset});
+  if (const double offset = placement.offset[+axis]; offset != 0) {
+    given.push_back({"t_" + axis_name(axis), offset});
     formula += (formula.empty() ? "" : " + ") + given.back().symbol;
   }
   if (formula.empty()) formula = "0";
@@ -73,7 +63,7 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
   if (number >= scene.points.size()) {
     const Step made = steps_of(vertex).made;
     const VertexStages* way = way_of(*this, vertex);
-    return is_split(*this, made) ? field(*made, cut_names[axis]) : Number(way ? component(way->world, axis) : 0);
+    return is_split(*this, made) ? field(*made, axis_name(axis, "_cut")) : Number(way ? way->world[+axis] : 0);
   }
   const bool screen = scene.camera.kind == Camera::Kind::screen;
   const std::string what =
@@ -81,7 +71,7 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
                   screen      ? ", on the raster"
                   : scene.fit ? ", fitted: c the centre of the bounding box, r how far the farthest vertex is"
                               : ", in the world");
-  return derived(0, fmt::format("point {}", vertex), what, world_names[axis], component(scene.points[number], axis),
+  return derived(0, fmt::format("point {}", vertex), what, axis_name(axis), scene.points[number][+axis],
                  [&](Datum& datum) {
                    datum.given();
                    if (scene.fit) return tell_fit(datum, *this, vertex, axis);
@@ -95,25 +85,25 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
 Number Work::in_scene(std::int32_t vertex, Axis3 axis) {
   if (!is_moved(scene, vertex)) return in_file(vertex, axis);
   const std::size_t number = vertex;
-  const double value = component((*placement_of(scene, vertex))(scene.file_points[number]), axis);
+  const double value = (*placement_of(scene, vertex))(scene.file_points[number])[+axis];
   return derived(0, fmt::format("placed {}", vertex),
-                 fmt::format("vertex {} where the scene places it", vertex_name(vertex)), scene_names[axis], value,
+                 fmt::format("vertex {} where the scene places it", vertex_name(vertex)), axis_name(axis, "_m"), value,
                  [&](Datum& datum) { datum.given(), tell_placement(datum, *this, vertex, axis); });
 }
 
 Number Work::in_file(std::int32_t vertex, Axis3 axis) {
-  const double value = component(scene.file_points[vertex], axis);
+  const double value = scene.file_points[vertex][+axis];
   return derived(0, fmt::format("file {}", vertex), fmt::format("vertex {} in its file", vertex_name(vertex)),
-                 file_names[axis], value,
+                 axis_name(axis, "_f"), value,
                  [&](Datum& datum) { datum.given(), datum.at_source(source_of_point(vertex)); });
 }
 
 Number Work::viewed(std::int32_t vertex, Axis3 axis) {
   const VertexSteps& steps = steps_of(vertex);
   const VertexStages* way = way_of(*this, vertex);
-  const double value = way ? component(way->view, axis) : 0;
-  if (!steps.viewed && steps.made && !is_split(*this, steps.made)) return field(*steps.made, view_names[axis]);
-  return field(steps.viewed, view_names[axis], value);
+  const double value = way ? way->view[+axis] : 0;
+  if (!steps.viewed && steps.made && !is_split(*this, steps.made)) return field(*steps.made, axis_name(axis, "_v"));
+  return field(steps.viewed, axis_name(axis, "_v"), value);
 }
 
 Number Work::projected(std::int32_t vertex, std::string_view name) {
@@ -137,7 +127,7 @@ Number Work::on_raster(std::int32_t vertex, Axis3 axis) {
     return world(vertex, axis);
   const VertexSteps& steps = steps_of(vertex);
   if (is_split(*this, steps.made) && get<SplitVertex>(trace.event(*steps.made).event).space == Space::raster)
-    return field(*steps.made, cut_names[axis]);
+    return field(*steps.made, axis_name(axis, "_cut"));
   if (axis == Axis3::z) return projected(vertex, "z");
   const VertexStages* way = way_of(*this, vertex);
   return field(steps.on_raster, axis == Axis3::x ? "x_s" : "y_s",
@@ -159,22 +149,16 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ClipVertex&,
   if (field == "inside") datum.holds_if("distance >= 0", {{"distance", work.field(step, "distance")}});
 }
 
-void tell_vertices(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
-  tell_one_of<ClipVertex>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
-}
-
 // The back-face test's result, and outcodes.
 
 namespace {
 
 std::vector<std::int32_t> corners_at_work(const Work& work) {
-  const std::size_t piece = work.machine().piece;
-  if (work.machine().piece >= 0 && piece < work.machine().pieces.size()) return work.machine().pieces[piece].outline;
-  const std::size_t at = work.machine().facet;
-  if (work.machine().facet < 0 || at >= work.scene.facets.size()) return {};
-  const Facet& facet = work.scene.facets[at];
-  const auto first = work.scene.corners.begin() + facet.first_corner;
-  return {first, first + facet.corner_count};
+  if (const Piece* piece = entry(work.machine().pieces, work.machine().piece)) return piece->outline;
+  const Facet* facet = entry(work.scene.facets, work.machine().facet);
+  if (!facet) return {};
+  const auto first = work.scene.corners.begin() + facet->first_corner;
+  return {first, first + facet->corner_count};
 }
 
 }  // namespace
@@ -188,7 +172,7 @@ static void tell(Datum& datum, Work& work, std::int64_t, const ClipTest&, std::s
   std::vector<Number> numbers;
   for (const std::int32_t corner : corners_at_work(work)) {
     if (numbers.size() >= 3 * most_corners) break;
-    for (const Axis3 axis : {Axis3::x, Axis3::y, Axis3::z}) numbers.push_back(work.viewed(corner, axis));
+    for (const Axis3 axis : all_axes) numbers.push_back(work.viewed(corner, axis));
   }
   datum.comes_of(field == "outside_some"
                      ? "the vertices' outcodes, or-ed; bits from the right: near, far, left, right, bottom, top"
@@ -196,8 +180,7 @@ static void tell(Datum& datum, Work& work, std::int64_t, const ClipTest&, std::s
                  numbers);
 }
 
-void tell_polygons(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
-  tell_one_of<FacingTest, ClipTest>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
-}
+TellTheme* const tell_vertices = tell_one_of<ClipVertex>;
+TellTheme* const tell_polygons = tell_one_of<FacingTest, ClipTest>;
 
 }  // namespace zstep::answers

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "sim/answers/origin/fields.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/scene.hpp"
@@ -96,12 +95,12 @@ std::string Work::source_line(std::int32_t line) const {
   return line > 0 ? fmt::format("{}:{}", name, line) : name;
 }
 std::string Work::source_of_polygon(std::int32_t polygon) const {
-  const std::size_t place = polygon;
-  return source_line(polygon >= 0 && place < scene.polygons.size() ? scene.polygons[place].source_line : 0);
+  const Polygon* found = entry(scene.polygons, polygon);
+  return source_line(found ? found->source_line : 0);
 }
 std::string Work::source_of_point(std::int32_t point) const {
-  const std::size_t place = point;
-  const std::int32_t line = place < scene.point_lines.size() ? scene.point_lines[place] : 0;
+  const std::int32_t* known = entry(scene.point_lines, point);
+  const std::int32_t line = known ? *known : 0;
   const Placement* placement = placement_of(scene, point);
   if (placement == nullptr) return source_line(line);
   const std::string file = std::filesystem::path(placement->source).filename().string();
@@ -184,6 +183,16 @@ Step Work::step_of_edge(std::int32_t edge) {
 
 void Work::later(std::int64_t step, std::string_view name, const std::string& symbol) {
   if (step >= 1) later_.push_back({step, std::string(name), symbol, current_});
+}
+
+Number Work::kept(std::int64_t step, const std::string& subject, const std::string& what, const std::string& name,
+                  double value, const char* field, const std::function<Step()>& since, const char* never) {
+  return derived(step, subject, what, name, value, [&](Datum& datum) {
+    const Step wrote = since();
+    if (!wrote && *never) return datum.note(never);
+    datum.is(field, {{field, value}});
+    if (wrote) later(*wrote, field, field);
+  });
 }
 
 void Work::also(std::int64_t step, std::string_view name) { later_.push_back({step, std::string(name), "", 0}); }

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,7 +17,6 @@
 
 #include "sim/answers/origin/chain.hpp"
 #include "sim/answers/origin/find.hpp"
-#include "sim/answers/origin/formula.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -49,8 +50,20 @@ class Operands {
   std::vector<Given> given_;
 };
 
+enum class Axis3 { x, y, z };
+inline constexpr Axis3 all_axes[]{Axis3::x, Axis3::y, Axis3::z};
+constexpr int operator+(Axis3 axis) { return static_cast<int>(axis); }
+/// What a field of an axis is called: "z_max".
+inline std::string axis_name(Axis3 axis, const char* rest = "") { return std::string(1, "xyz"[+axis]) + rest; }
+/// Of a field: "x_w", "z_max", "dir_y".
+inline Axis3 axis_of(std::string_view field) {
+  const char letter = field[field.starts_with("dir_") ? 4 : 0];
+  return letter == 'x' ? Axis3::x : letter == 'y' ? Axis3::y : Axis3::z;
+}
+
 inline constexpr std::size_t most_corners = 6;  ///< of an outline that are shown one by one
 
+inline constexpr const char* channel_names[]{"red", "green", "blue"};
 inline double channel(Color color, int which) { return which == 0 ? color.red : which == 1 ? color.green : color.blue; }
 
 class Work;
@@ -122,6 +135,16 @@ class Work {
   const std::string& piece(std::int32_t number) const;
   std::string step_name(std::int64_t step) const;
 
+  /// The last step of a kind at or before this one; where a field of it is told, that which has this value there.
+  template <class E>
+  Step last(std::int64_t step) const {
+    return find_last<E>(trace, step, [](const E&) { return true; });
+  }
+  template <class E, class Value>
+  Step last(std::int64_t step, Value E::*field, std::type_identity_t<Value> value) const {
+    return find_last<E>(trace, step, [&](const E& e) { return e.*field == value; });
+  }
+
   /// The span that the pixel of a step belongs to.
   struct SpanOfStep {
     SpanBegin span{};
@@ -154,6 +177,14 @@ class Work {
     current_ = outer;
     return {value, link, name};
   }
+  /// The same of a number with a formula.
+  Number part(std::int64_t step, const std::string& name, const Formula& formula, const Operands& of) {
+    return derived(step, "", "", name, formula.value(), [&](Datum& datum) { datum.is(formula, of); });
+  }
+  /// A number that stands since a step at which the run stood elsewhere: a field of it, told once all else is. `never`
+  /// says what it is where there is no such step.
+  Number kept(std::int64_t step, const std::string& subject, const std::string& what, const std::string& name,
+              double value, const char* field, const std::function<Step()>& since, const char* never = "");
   /// A field of a step at which the run stood elsewhere: told once all else is, and then known to the operand with this
   /// symbol of the link at work.
   void later(std::int64_t step, std::string_view name, const std::string& symbol = "");
@@ -163,7 +194,6 @@ class Work {
 
   // --- What many numbers come from (vertices.cpp, fields.cpp, orders.cpp)
 
-  enum class Axis3 { x, y, z };
   Number world(std::int32_t vertex, Axis3 axis);               ///< as the scene, or cutting in the world, has it
   Number in_scene(std::int32_t vertex, Axis3 axis);            ///< before the scene was fitted
   Number in_file(std::int32_t vertex, Axis3 axis);             ///< before the scene's file placed it
@@ -222,34 +252,67 @@ class Work {
   std::size_t numbers_ = 0;
 };
 
-using Axis3 = Work::Axis3;
-/// Of a field: "x_w", "z_max".
-inline Axis3 axis_of(std::string_view field) {
-  return field[0] == 'x' ? Axis3::x : field[0] == 'y' ? Axis3::y : Axis3::z;
-}
-
 /// Of a colour channel, the shares of a pixel that intervals of a line cover; false where the trace has none.
 bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, std::int32_t y, int which);
 
-/// The ray that is held against things at a step: the one begun last before it. And the plane it was held against last.
-Step last_ray(const Work& work, std::int64_t step);
-Step last_plane_test(const Work& work, std::int64_t step);
-
 /// What the link of a step is called: "depth at x = 9 on the span".
 std::string what_happens(Work& work, std::int64_t step, const Event& event);
+
+// --- The fields of events as numbers of a chain.
+
+/// Its value as a number: that of a word is its place among the words, true is 1. Nothing where the event has no such
+/// field.
+std::optional<double> field_number(const Event& event, std::string_view name);
+/// Of a field that is one of several words, the word; else "".
+std::string field_word(const Event& event, std::string_view name);
+/// What it is called in a chain: "x_L" for x_left, "1/m" for dx_dy. `depth` is what depths are called.
+std::string shown_name(const Event& event, std::string_view name, const std::string& depth);
+/// Tells where it comes from.
+void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view name);
+
+/// All of an event's fields, by name.
+std::vector<std::string> fields_in(const Event& event);
+/// Those that are numbers with a point.
+std::vector<std::string> real_fields_in(const Event& event);
+/// The one that is asked about where none is named; "" where the event has none.
+std::string main_field(const Event& event);
+
+// --- Planes of pieces, and planes through corners (orders.cpp).
+
+/// Are pieces cut in the world, as those of a tree are?
+bool cuts_in_world(const Work& work);
+
+/// Tells a letter of the plane A x + B y + C z + D = 0 through corners: Newell's normal of length 1, through the mean.
+/// The numbers on the way stand at the link of `step` and `subject`. `corner(i, axis)` is a coordinate of the i-th of
+/// `count`.
+using Corner = std::function<Number(std::size_t, Axis3)>;
+void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& subject, char letter, std::size_t count,
+                const Corner& corner);
+
+/// A x + B y + C z + D at a point.
+Formula plane_at(Operands& of, const std::function<Number(char)>& plane, const std::function<Number(Axis3)>& point);
+/// The same of a piece's plane, as a number with a name of its own at a step's link.
+Number plane_value(Work& work, std::int64_t step, const char* name, std::int32_t piece,
+                   const std::function<Number(Axis3)>& point);
+/// Where a line is cut by a plane that has these values at its ends.
+void tell_cut(Datum& datum, const Number& d_0, const Number& d_1);
 
 // --- Where the fields come from that no formula of traces/formulas gives. What is not listed names something, or
 // counts.
 
 /// Explains a field of an event, if it is of one of the kinds of its theme; else it leaves the datum as it is.
 using TellTheme = void(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field);
-TellTheme tell_boxes, tell_curves, tell_light, tell_orders, tell_pixels, tell_planes, tell_polygons, tell_rays,
-    tell_sweep, tell_vertices;
+extern TellTheme *const tell_boxes,
+    *const tell_curves, *const tell_light, *const tell_lines, *const tell_orders, *const tell_pixels,
+                                                                                      *const tell_polygons,
+                                                                                          *const tell_rays,
+                                                                                              *const tell_sweep,
+                                                                                                  *const tell_vertices;
 
-/// Calls tell(e) where the event is of one of these kinds.
-template <class... E, class Tell>
-void tell_one_of(const Event& event, Tell&& tell) {
-  (void)((holds<E>(event) && (tell(event.as<E>()), true)) || ...);
+/// A theme of these kinds, each of which has a function `tell` of its own.
+template <class... E>
+void tell_one_of(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  (void)((holds<E>(event) && (tell(datum, work, step, event.as<E>(), field), true)) || ...);
 }
 
 }  // namespace zstep::answers
