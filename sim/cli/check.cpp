@@ -163,8 +163,10 @@ std::int64_t first_place(const Trace& trace, const CheckedRun& checked, const Sh
     return touched && touched->x == pixel->x && touched->y == pixel->y;
   };
   const std::vector<CheckMarks::Step>& marks = checked.marks.steps;
+  const auto wrong = std::find_if(marks.begin(), marks.end(),
+                                  [&](const CheckMarks::Step& mark) { return mark.wrong && at_pixel(mark); });
+  if (wrong != marks.end()) return say(wrong->step, "the first there that is wrong");
   const auto mark = std::find_if(marks.begin(), marks.end(), at_pixel);
-  if (mark != marks.end() && mark->wrong) return say(mark->step, "the first there that is wrong");
   if (mark != marks.end())
     return say(checked.report.causes[static_cast<std::size_t>(mark->cause)].first.step,
                "the cause of what is not right there");
