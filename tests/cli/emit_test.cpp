@@ -107,7 +107,7 @@ TEST_CASE("emit: in each language a program prints a run that check takes, with 
     CHECK(steps[6]["at"] == main + ":9");
     // A mistake is told with the line of the program.
     const Outcome wrong =
-        shell(folder, "sed 's/\"z\": *5\\(.0\\)\\{0,1\\}, *\"at\"/\"z\":6,\"at\"/' run.jsonl | $zstep check -");
+        shell(folder, "sed 's/\\(\"z\": *\\)5\\(.0\\)\\{0,1\\}\\(, *\"at\"\\)/\\16\\3/' run.jsonl | $zstep check -");
     CHECK(has(wrong.out, "printed at " + main + ":7: write_depth, pixel (1, 2)"));
     // Switched off it prints nothing.
     const Outcome off = shell(folder, std::string(language.off) + "; " + language.build + " && ./run");
