@@ -182,7 +182,7 @@ void add_diff(CLI::App& app, Action& action) {
       "Examples:\n"
       "  zstep diff right.ztrace run.jsonl\n"
       "  zstep diff right.ztrace run.jsonl --view\n"
-      "  ./my_program | zstep diff right.ztrace -\n"
+      "  zstep diff right.ztrace - < run.jsonl\n"
       "  zstep diff run.ztrace depths.npy --html page.html");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

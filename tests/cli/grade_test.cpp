@@ -285,9 +285,9 @@ TEST_CASE("grade: few digits do not turn errors into rounding, and the report sa
     const std::string before = "    out.write(json.dumps(";
     REQUIRE(has(emitter, before));
     emitter.insert(emitter.find(before),
-                   "    for key in fields:\n        if isinstance(fields[key], float) and "
-                   "math.isfinite(fields[key]):\n            fields[key] = float('" +
-                       format + "' % (fields[key] + (" + off + " if 'z' in key else 0)))\n");
+                   "    for one in fields:\n        if isinstance(fields[one], float) and "
+                   "math.isfinite(fields[one]):\n            fields[one] = float('" +
+                       format + "' % (fields[one] + (" + off + " if 'z' in one else 0)))\n");
     REQUIRE(in(folder, "cp -r hw/solution printing"));
     write_text(folder / "printing/emit.py", emitter);
     REQUIRE(in(folder, "python3 printing/zbuffer.py hw/hidden/overlap.txt > overlap.jsonl && rm -r printing"));
