@@ -233,6 +233,7 @@ void add_all_commands(CLI::App& app, Action& action) {
   add_grade(app, action);
   add_error(app, action);
   add_header(app, action);
+  add_emit(app, action);
   add_query(app, action);
   add_export(app, action);
   add_import(app, action);

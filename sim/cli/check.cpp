@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/cli/commands.hpp"
+#include "sim/cli/editor.hpp"
 #include "sim/cli/long_work.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
@@ -78,30 +79,30 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
              counted(report.wrong_steps, "step is", "steps are"), grouped(report.inherited),
              report.causes.size() == 1 ? "it" : "them");
   if (!hint.empty()) fmt::print("{}\n\n", hint);
-  FileLines lines(options.trace);
   const std::size_t shown = options.all ? report.causes.size() : std::min(most_causes, report.causes.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const Cause& cause = report.causes[i];
-    fmt::print("{}. {}: {}\n   {}\n", i + 1, place_of_step(options.trace, lines, cause.first.step),
+    fmt::print("{}. {}: {}\n   {}\n", i + 1, place_of_step(trace, cause.first.step),
                step_and_subject(trace, cause.first.line, checked.texts[i].subject),
                what_is_wrong(cause.first, checked.texts[i]));
     if (const std::string more = what_follows(cause); !more.empty()) fmt::print("   {}\n", more);
-    fmt::print("   zstep view {} --at {}\n", printable(shell_word(options.trace)), cause.first.step);
+    if (!is_standard_input(options.trace))
+      fmt::print("   zstep view {} --at {}\n", printable(shell_word(options.trace)), cause.first.step);
   }
   if (shown < report.causes.size())
     fmt::print("… and {} more: --all prints them\n", grouped(report.causes.size() - shown));
   fmt::print("{}", end);
 }
 
-void print_json(const Trace& trace, const CheckOptions& options, const CheckedRun& checked, const std::string& hint) {
+void print_json(const Trace& trace, const CheckedRun& checked, const std::string& hint) {
   const CheckReport& report = checked.report;
   Json causes = Json::array();
-  FileLines lines(options.trace);
   for (std::size_t i = 0; i < report.causes.size(); ++i) {
     const Cause& cause = report.causes[i];
     const Fault& fault = cause.first;
     Json one{{"step", fault.step}};
-    if (const std::int64_t line = lines.of(fault.step); line > 0) one["line"] = line;
+    if (const std::int64_t line = trace.line_of(fault.step); line > 0) one["line"] = line;
+    if (const std::string_view place = trace.printed_at(fault.step); !place.empty()) one[place_key] = place;
     one["name"] = step_and_subject(trace, fault.line, "");
     one["subject"] = checked.texts[i].subject;
     if (fault.rule) one["rule"] = rule_text(*fault.rule).name;
@@ -144,9 +145,35 @@ std::string other_convention(const Trace& trace, const CheckReport& report) {
 }
 
 /// The step at which the window opens: the first cause, or the end of what could be judged.
-std::string first_place(const Trace& trace, const CheckedRun& checked) {
-  if (!checked.report.causes.empty()) return std::to_string(checked.report.causes.front().first.step);
-  return checked.impossible.empty() ? "0" : std::to_string(trace.size());
+std::int64_t first_place(const Trace& trace, const CheckedRun& checked) {
+  if (!checked.report.causes.empty()) return checked.report.causes.front().first.step;
+  return checked.impossible.empty() ? 0 : trace.size();
+}
+
+/// The same for a pixel: what is wrong there, or the cause of what is; else its last step. Says which it is.
+std::int64_t first_place(const Trace& trace, const CheckedRun& checked, const ShowOptions& show) {
+  const auto pixel = pixel_selected(show, trace.scene().raster);
+  if (!pixel) return first_place(trace, checked);
+  const auto say = [&](std::int64_t step, std::string_view what) {
+    fmt::print("Pixel ({}, {}): opened at step {}, {}\n", pixel->x, pixel->y, grouped(step), what);
+    return step;
+  };
+  const auto at_pixel = [&](const CheckMarks::Step& mark) {
+    const auto touched = pixel_of(trace.event(mark.step).event);
+    return touched && touched->x == pixel->x && touched->y == pixel->y;
+  };
+  const std::vector<CheckMarks::Step>& marks = checked.marks.steps;
+  const auto wrong = std::find_if(marks.begin(), marks.end(),
+                                  [&](const CheckMarks::Step& mark) { return mark.wrong && at_pixel(mark); });
+  if (wrong != marks.end()) return say(wrong->step, "the first there that is wrong");
+  const auto mark = std::find_if(marks.begin(), marks.end(), at_pixel);
+  if (mark != marks.end())
+    return say(checked.report.causes[static_cast<std::size_t>(mark->cause)].first.step,
+               "the cause of what is not right there");
+  const auto any = [](const RecordedEvent&) { return true; };
+  if (const auto last = trace.previous(trace.size() + 1, any, {*pixel}))
+    return say(*last, "the last there: none of its steps is known to be wrong");
+  return say(first_place(trace, checked), "as no step is about it");
 }
 
 int run(const CheckOptions& options) {
@@ -172,12 +199,14 @@ int run(const CheckOptions& options) {
   checked.impossible = impossible;
   const std::string hint = other_convention(trace, checked.report);
   watch.clear_line();
-  if (options.json) print_json(trace, options, checked, hint);
+  if (options.json) print_json(trace, checked, hint);
   else print_text(trace, options, checked, hint);
   const bool right = checked.report.causes.empty() && impossible.empty();
   if (options.view) {
     ShowOptions show_options = options.show;
-    if (show_options.at.empty()) show_options.at = first_place(trace, checked);
+    if (show_options.at.empty()) show_options.at = std::to_string(first_place(trace, checked, options.show));
+    if (options.show.screenshot.empty() && !checked.report.causes.empty())
+      open_in_editor(trace.printed_at(checked.report.causes.front().first.step));
     if (const int code = show(trace, show_options, {.checked = &checked, .kept = judged}); code != exit_code::done)
       return code;
   }
@@ -189,20 +218,27 @@ int run(const CheckOptions& options) {
 void add_check(CLI::App& app, Action& action) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Does each step follow from its own operands?");
-  command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  command->add_option("trace", options->trace, "A .ztrace or .jsonl file, or - for standard input")
+      ->type_name("FILE.ztrace")
+      ->required();
   command->add_flag("--all", options->all, "Print all causes, not ten");
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
-  command->add_flag("--view", options->view, "Then open the viewer at the first cause, with all causes marked")
+  command
+      ->add_flag("--view", options->view,
+                 "Then open the viewer at the first cause (with --pixel: that pixel's), with all causes marked")
       ->excludes(json);
   add_show_options(*command, options->show);
   command->footer(
       "Compares every number with what its formula gives for the trace's own operands, under the conventions in its\n"
       "header, and checks every step against the rules of the method. What nothing in the run says is listed as not\n"
-      "judged. Exit code 0: nothing that can be judged is wrong; 1: something is.\n"
+      "judged. Exit code 0: nothing that can be judged is wrong; 1: something is. Where steps say where in the "
+      "program\n"
+      "they were printed, --view opens the first cause's place with ZSTEP_EDITOR, as ZSTEP_EDITOR=\"code -g {}\".\n"
       "\n"
       "Examples:\n"
       "  zstep check run.jsonl\n"
       "  zstep check run.ztrace --json\n"
+      "  ./my_program | zstep check -\n"
       "  zstep check run.jsonl --view");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -30,6 +30,7 @@ void add_header(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_import(CLI::App& app, Action& action);
+void add_emit(CLI::App& app, Action& action);
 void add_publish(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);
 void add_lesson(CLI::App& app, Action& action);

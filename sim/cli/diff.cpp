@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/cli/commands.hpp"
+#include "sim/cli/editor.hpp"
 #include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/outputs.hpp"
@@ -120,6 +121,10 @@ int runs(const DiffOptions& options) {
   if (options.json) print_diff_json(text, report, pictures.difference);
   else print_diff(text, report, pictures.difference, options.all);
   if (options.view) {
+    if (options.show.screenshot.empty() && !text.causes.empty()) {
+      const CauseText& first = text.causes.front();
+      open_in_editor(first.b.at.empty() ? first.a.at : first.b.at);
+    }
     if (const int code = show_both(both, options.show, options.show.at.empty()); code != exit_code::done) return code;
   }
   if (!report.alignment.complete) {
@@ -136,6 +141,7 @@ int runs(const DiffOptions& options) {
 }
 
 int run(const DiffOptions& options) {
+  check_reads_once(options.a, options.b);
   check_outputs({}, {options.a, options.b},
                 options.page.empty() ? std::vector<std::string>{} : std::vector<std::string>{options.page});
   const std::string extension = std::filesystem::path(options.b).extension().string();
@@ -156,7 +162,9 @@ int view_against(const std::string& a, const std::string& b, const ShowOptions& 
 void add_diff(CLI::App& app, Action& action) {
   const auto options = std::make_shared<DiffOptions>();
   CLI::App* command = app.add_subcommand("diff", "Where do two runs part, and what follows from it?");
-  command->add_option("a", options->a, "A .ztrace or .jsonl file")->type_name("A.ztrace")->required();
+  command->add_option("a", options->a, "A .ztrace or .jsonl file, or - for standard input")
+      ->type_name("A.ztrace")
+      ->required();
   command->add_option("b", options->b, "Another; or a picture (.png), or depths (.npy, .pfm), of any program")
       ->type_name("B")
       ->required();
@@ -174,6 +182,7 @@ void add_diff(CLI::App& app, Action& action) {
       "Examples:\n"
       "  zstep diff right.ztrace run.jsonl\n"
       "  zstep diff right.ztrace run.jsonl --view\n"
+      "  zstep diff right.ztrace - < run.jsonl\n"
       "  zstep diff run.ztrace depths.npy --html page.html");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
@@ -208,7 +217,7 @@ std::string diff_page(const DiffText& text, const diff::DiffReport& report, cons
                         cause.follows.empty() ? "" : " " + markup(cause.follows), cause.follows.empty() ? "" : ".",
                         side("A", cause.a), side("B", cause.b));
     for (const CauseSide* of : {&cause.a, &cause.b})
-      if (of->step != 0) page += fmt::format("<p><code>{}</code></p>\n", markup(of->command));
+      if (!of->command.empty()) page += fmt::format("<p><code>{}</code></p>\n", markup(of->command));
   }
   if (text.causes.size() < report.causes.size())
     page += fmt::format("<p>… and {} more.</p>\n", grouped(report.causes.size() - text.causes.size()));

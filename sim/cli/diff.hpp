@@ -22,9 +22,10 @@ struct DiffOptions {
 /// One run's side of a cause.
 struct CauseSide {
   std::int64_t step = 0;            ///< 0: the run has no such step
-  std::string where;                ///< "run.jsonl:12"
+  std::string where;                ///< "run.jsonl:12, printed at raster.cpp:417"
+  std::string at;                   ///< "raster.cpp:417"; empty where the run does not say
   std::vector<std::string> fields;  ///< of each field that parts: "dx_dy = (x_1 − x_0)/(y_1 − y_0) = … = 1.5"
-  std::string command;              ///< that opens the viewer there
+  std::string command;              ///< that opens the viewer there; empty of standard input
 };
 struct CauseText {
   std::string step, subject;  ///< "insert_edge", "edge e1 (1–2)"

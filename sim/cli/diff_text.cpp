@@ -28,13 +28,14 @@ using diff::DiffReport, diff::Part;
 constexpr std::size_t causes_shown = 10;
 
 /// One side of a cause: the state before the step is what its formulas are of.
-CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, FileLines& lines, std::int64_t step,
-                  std::uint16_t fields, std::string& subject) {
+CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, std::int64_t step, std::uint16_t fields,
+                  std::string& subject) {
   CauseSide side;
   side.step = step;
   if (step == 0) return side;
-  side.where = place_of_step(path, lines, step);
-  side.command = fmt::format("zstep view {} --at {}", printable(shell_word(path)), step);
+  side.where = place_of_step(trace, step);
+  side.at = trace.printed_at(step);
+  if (!is_standard_input(path)) side.command = fmt::format("zstep view {} --at {}", printable(shell_word(path)), step);
   const Event event = trace.event(step).event;
   formulas::look_before(trace, replay, step, [&](const formulas::Situation& before) {
     subject = subject_of(event, before);
@@ -192,9 +193,8 @@ DiffText diff_text(const Trace& a, const Trace& b, const DiffOptions& options, c
                    const diff::BufferDifference& pictures) {
   DiffText text{printable(a.name()), printable(b.name()), notes_of(a, b, report), {}, pictures_text(pictures)};
   Replay replay_a(a), replay_b(b);
-  FileLines lines_a(options.a), lines_b(options.b);
   const std::size_t shown = options.all ? report.causes.size() : std::min(causes_shown, report.causes.size());
-  // Lines of a file are counted from its beginning: in the order of the steps.
+  // In the order of the steps: a replay goes forwards with less work.
   std::vector<std::size_t> order(shown);
   for (std::size_t i = 0; i < shown; ++i) order[i] = i;
   text.causes.resize(shown);
@@ -203,11 +203,11 @@ DiffText diff_text(const Trace& a, const Trace& b, const DiffOptions& options, c
   };
   by([&](std::size_t i) { return report.causes[i].first.a; });
   for (const std::size_t i : order)
-    text.causes[i].a = side_of(a, options.a, replay_a, lines_a, report.causes[i].first.a, report.causes[i].first.fields,
+    text.causes[i].a = side_of(a, options.a, replay_a, report.causes[i].first.a, report.causes[i].first.fields,
                                text.causes[i].subject);
   by([&](std::size_t i) { return report.causes[i].first.b; });
   for (const std::size_t i : order)
-    text.causes[i].b = side_of(b, options.b, replay_b, lines_b, report.causes[i].first.b, report.causes[i].first.fields,
+    text.causes[i].b = side_of(b, options.b, replay_b, report.causes[i].first.b, report.causes[i].first.fields,
                                text.causes[i].subject);
   for (std::size_t i = 0; i < shown; ++i) {
     const diff::Cause& cause = report.causes[i];
@@ -253,7 +253,8 @@ void print_diff(const DiffText& text, const DiffReport& report, const diff::Buff
     print_side("A", cause.a);
     print_side("B", cause.b);
     if (!cause.follows.empty()) fmt::print("   {}\n", cause.follows);
-    fmt::print("   {}\n", cause.b.step != 0 ? cause.b.command : cause.a.command);
+    if (const std::string& command = cause.b.step != 0 ? cause.b.command : cause.a.command; !command.empty())
+      fmt::print("   {}\n", command);
   }
   if (text.causes.size() < report.causes.size() && !all)
     fmt::print("… and {} more: --all prints them\n", grouped(report.causes.size() - text.causes.size()));
@@ -264,7 +265,9 @@ void print_diff(const DiffText& text, const DiffReport& report, const diff::Buff
 void print_diff_json(const DiffText& text, const DiffReport& report, const diff::BufferDifference& pictures) {
   const auto side = [](const CauseSide& of) -> Json {
     if (of.step == 0) return nullptr;
-    return Json{{"step", of.step}, {"where", of.where}, {"fields", of.fields}};
+    Json json{{"step", of.step}, {"where", of.where}, {"fields", of.fields}};
+    if (!of.at.empty()) json[place_key] = of.at;
+    return json;
   };
   Json causes = Json::array(), kinds = Json::object();
   for (std::size_t i = 0; i < text.causes.size(); ++i) {

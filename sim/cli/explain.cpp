@@ -21,6 +21,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/judged.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/file/visit.hpp"
@@ -120,7 +121,7 @@ std::string most_text(const answers::Chain& chain, const answers::Exactness& exa
                      part(*exactness.most));
 }
 
-std::string text_of(const answers::Chain& chain, const Exactness& exactness) {
+std::string text_of(const Trace& trace, const answers::Chain& chain, const Exactness& exactness) {
   std::size_t width = 5;
   for (const answers::ChainLink& link : chain.links) width = std::max(width, grouped(link.step).size());
   std::string text = fmt::format("{:>{}}\n", "STEP", width);
@@ -128,8 +129,10 @@ std::string text_of(const answers::Chain& chain, const Exactness& exactness) {
     const answers::ChainLink& link = chain.links[at];
     const std::string indent(static_cast<std::size_t>(2 * link.depth), ' '),
         step = link.step == 0 ? "scene" : grouped(link.step);
-    text +=
-        fmt::format("{:>{}}  {}{}{}\n", step, width, indent, link.what, link.source.empty() ? "" : "   " + link.source);
+    text += fmt::format("{:>{}}  {}{}", step, width, indent, link.what);
+    for (const std::string& from : {link.source, printed_at(trace, link.step)})
+      if (!from.empty()) text += "   " + from;
+    text += '\n';
     for (std::size_t i = 0; i < link.values.size(); ++i) {
       const answers::ChainValue& value = link.values[i];
       const bool asked = at == 0 && i == 0;
@@ -157,7 +160,7 @@ nlohmann::ordered_json json_of(const answers::Exact& exact) {
           {"enclosed", exact.enclosed}};
 }
 
-nlohmann::ordered_json json_of(const answers::Chain& chain, const Exactness& exactness) {
+nlohmann::ordered_json json_of(const Trace& trace, const answers::Chain& chain, const Exactness& exactness) {
   nlohmann::ordered_json links = nlohmann::ordered_json::array();
   for (std::size_t at = 0; at < chain.links.size(); ++at) {
     const answers::ChainLink& link = chain.links[at];
@@ -183,6 +186,7 @@ nlohmann::ordered_json json_of(const answers::Chain& chain, const Exactness& exa
                      {"what", link.what},
                      {"source", link.source},
                      {"values", values}});
+    if (const std::string_view place = trace.printed_at(link.step); !place.empty()) links.back()[place_key] = place;
   }
   nlohmann::ordered_json all{{"links", links}, {"cut", chain.cut}};
   if (exactness && exactness->buffer_unit > 0)
@@ -227,8 +231,8 @@ int explain(const ExplainOptions& options) {
   if (chain.links.empty()) return exit_code::done;
   Exactness exactness;
   if (options.exact) exactness = answers::exactness_of(chain, trace);
-  if (options.json) fmt::print("{}\n", printable_json(json_of(chain, exactness).dump(2)));
-  else fmt::print("{}", text_of(chain, exactness));
+  if (options.json) fmt::print("{}\n", printable_json(json_of(trace, chain, exactness).dump(2)));
+  else fmt::print("{}", text_of(trace, chain, exactness));
   return exit_code::done;
 }
 
@@ -268,6 +272,24 @@ void add_explain(CLI::App& app, Action& action) {
 
 namespace {
 
+/// A table of steps: of a run that says where they were printed, with that beside them.
+class PrintedTable {
+ public:
+  PrintedTable(const Trace& trace, std::vector<Table::Align> columns)
+      : trace_(trace), table_((columns.push_back(Table::Align::left), std::move(columns))) {}
+  void head(std::vector<std::string> cells) { add(std::move(cells), trace_.has_places() ? "PRINTED AT" : ""); }
+  void row(std::int64_t step, std::vector<std::string> cells) { add(std::move(cells), trace_.printed_at(step)); }
+  std::string text() const { return table_.text(0); }
+
+ private:
+  void add(std::vector<std::string> cells, std::string_view place) {
+    cells.emplace_back(place);
+    table_.row(std::move(cells));
+  }
+  const Trace& trace_;
+  Table table_;
+};
+
 struct HistoryOptions {
   std::string trace;
   std::string x, y;
@@ -285,21 +307,22 @@ int history(const HistoryOptions& options) {
     return exit_code::done;
   }
   using enum Table::Align;
-  Table table({right, left, right, right, left, left});
+  PrintedTable table(trace, {right, left, right, right, left, left});
   const bool rays = trace.has(kind_of<RayBegin>);
-  table.row({"STEP", "POLYGON", rays ? "T" : "DEPTH", "AGAINST", "OF", "OUTCOME"});
+  table.head({"STEP", "POLYGON", rays ? "T" : "DEPTH", "AGAINST", "OF", "OUTCOME"});
   std::string why;
   Replay replay(trace);
   for (answers::Visit& visit : all) {
     if (options.why) answers::tell(replay, visit);
     const std::string polygon = visit.polygon == no_polygon ? "" : polygon_label(trace.scene(), visit.polygon);
     const std::string of = !visit.stored ? "" : polygon_label(trace.scene(), visit.stored_polygon);
-    table.row({grouped(visit.step), polygon, visit.z ? answers::depth_text(*visit.z) : "",
+    table.row(visit.step,
+              {grouped(visit.step), polygon, visit.z ? answers::depth_text(*visit.z) : "",
                visit.stored ? answers::depth_text(*visit.stored) : "", of, answers::outcome_text(trace, all, visit)});
     why += fmt::format("\n{}: {}\n", grouped(visit.step), visit.sentence);
     for (const std::string& formula : visit.formulas) why += "  " + formula + "\n";
   }
-  fmt::print("{}", table.text(0));
+  fmt::print("{}", table.text());
   if (options.why) fmt::print("{}", why);
   return exit_code::done;
 }
@@ -364,12 +387,12 @@ int why_not(const WhyNotOptions& options) {
   for (const std::string& formula : verdict.formulas) fmt::print("  {}\n", formula);
   if (verdict.chain.empty()) return exit_code::done;
   using enum Table::Align;
-  Table table({right, left, left});
-  table.row({"STEP", "POLYGON", "WHAT"});
+  PrintedTable table(trace, {right, left, left});
+  table.head({"STEP", "POLYGON", "WHAT"});
   for (const answers::Link& link : verdict.chain)
-    table.row(
-        {grouped(link.step), link.polygon == no_polygon ? "" : polygon_label(trace.scene(), link.polygon), link.text});
-  fmt::print("\n{}", table.text(0));
+    table.row(link.step, {grouped(link.step),
+                          link.polygon == no_polygon ? "" : polygon_label(trace.scene(), link.polygon), link.text});
+  fmt::print("\n{}", table.text());
   return exit_code::done;
 }
 

@@ -18,6 +18,7 @@
 #include "sim/cli/words.hpp"
 #include "sim/places/search.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/judged.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
@@ -62,7 +63,9 @@ int find(const FindOptions& options) {
     const RecordedEvent& event = *replay.current();
     const StepInfo* step = find_step(trace.header().page, event.step);
     const Explanation said = explain(trace, replay.state(), event);
-    fmt::print("{}  {}  {}\n", search.step(), step ? step->name : "", said.sentence);
+    const std::string printed = printed_at(trace, search.step());
+    fmt::print("{}  {}  {}{}\n", search.step(), step ? step->name : "", said.sentence,
+               printed.empty() ? "" : "   " + printed);
     if (most == 1)
       for (const std::string& formula : said.formulas) fmt::print("  {}\n", formula);
     if (!said.besides.empty()) fmt::print("  {}\n", said.besides);
@@ -217,13 +220,14 @@ int dump(const DumpOptions& options) {
     const std::size_t digits = fmt::format("{}", std::min(to, trace.size())).size();
     const auto print = [&](std::int64_t position, const RecordedEvent& recorded) {
       if (!filter.shows(recorded.step)) return true;
+      const std::string_view place = trace.printed_at(position, recorded.step);
       if (options.jsonl) {
-        std::cout << jsonl_event(page, recorded) + '\n';
+        std::cout << jsonl_event(page, recorded, place) + '\n';
       } else {
         const StepInfo* info = find_step(page, recorded.step);
         const std::string fields = fields_text(recorded.event);
-        std::cout << fmt::format("{:>{}}  {:<{}}  {}\n", position, digits, info == nullptr ? "?" : info->name, widest,
-                                 fields);
+        std::cout << fmt::format("{:>{}}  {:<{}}  {}{}\n", position, digits, info == nullptr ? "?" : info->name, widest,
+                                 fields, place.empty() ? "" : fmt::format("  {}={}", place_key, place));
         if (const std::string doubt = doubts ? doubts->of(position) : ""; !doubt.empty())
           std::cout << fmt::format("{:>{}}  {}\n", "", digits, doubt);
       }

@@ -278,8 +278,10 @@ namespace {
   return race;
 }
 
-/// The pixel that --pixel names; nothing where it is not given. Throws InputError where the raster has no such pixel.
-[[maybe_unused]] std::optional<Trace::Pixel> pixel_of(const std::string& text, const Raster& raster) {
+}  // namespace
+
+std::optional<Trace::Pixel> pixel_selected(const ShowOptions& options, const Raster& raster) {
+  const std::string& text = options.pixel;
   if (text.empty()) return std::nullopt;
   const std::vector<std::string> parts = parts_of(text, ',');
   if (parts.size() != 2) throw InputError("--pixel " + text, "is no pixel", "write --pixel X,Y, as 13,6");
@@ -289,8 +291,6 @@ namespace {
                      "they count from 0");
   return Trace::Pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
 }
-
-}  // namespace
 
 #if ZSTEP_HAS_VIEWER
 namespace {
@@ -327,7 +327,7 @@ ViewerOptions viewer_options(const Trace& trace, const ShowOptions& options, con
   viewer.open = open_offer;
   viewer.at_start = with.at_start;
   viewer.kept = with.kept;
-  viewer.pixel = pixel_of(options.pixel, trace.scene().raster);
+  viewer.pixel = pixel_selected(options, trace.scene().raster);
   viewer.lead = options.lead;
   if (!with.whole)
     viewer.note = fmt::format("Cut off after {} steps, so the picture is not done.", grouped(trace.size()));

@@ -67,6 +67,9 @@ struct ShownWith {
 /// display, when the step is not in the trace, and when this zstep was built without the viewer.
 int show(const Trace& trace, const ShowOptions& options, const ShownWith& with = {});
 
+/// The pixel that --pixel names; nothing where it is not given. Throws InputError where the raster has no such pixel.
+std::optional<Trace::Pixel> pixel_selected(const ShowOptions& options, const Raster& raster);
+
 /// Throws what show() would throw for a place that the trace does not have.
 void check_opens(const Trace& trace, const ShowOptions& options);
 

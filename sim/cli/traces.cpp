@@ -1,5 +1,6 @@
 #include "sim/cli/traces.hpp"
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -36,21 +37,48 @@ void check_strictly(const Trace& trace) {
 
 }  // namespace
 
-bool is_trace(const std::string& path) { return has_extension(path, ".ztrace") || has_extension(path, ".jsonl"); }
+void check_reads_once(const std::string& one, const std::string& other) {
+  if (is_standard_input(one) && is_standard_input(other))
+    throw InputError("-", "standard input can be read once", "write one of the two runs to a file");
+}
+
+bool is_trace(const std::string& path) {
+  return is_standard_input(path) || has_extension(path, ".ztrace") || has_extension(path, ".jsonl");
+}
 
 namespace {
 
+/// As much of standard input as a trace may be that is kept in memory.
+constexpr std::size_t most_from_input = std::size_t{1} << 30;
+
+Trace read_standard_input(std::string* impossible) {
+  InputStream in(InputFile::standard_input());
+  const std::string name = "standard input";
+  if (in.peek() != trace_signature[0]) return open_jsonl(in, name, impossible);
+  Bytes bytes;
+  for (std::array<char, 1 << 16> piece; in.read(piece.data(), piece.size()) || in.gcount() > 0;) {
+    bytes.insert(bytes.end(), piece.begin(), piece.begin() + in.gcount());
+    if (bytes.size() > most_from_input)
+      throw InputError(name, "has more than a GiB of a trace", "write it to a file, and name that");
+  }
+  return Trace::from_bytes(std::move(bytes), name);
+}
+
 Trace open(const std::string& path, Cost cost, std::string* impossible) {
   std::error_code ignored;
-  if (!fs::exists(path, ignored))
+  const bool from_input = is_standard_input(path);
+  if (!from_input && !fs::exists(path, ignored))
     throw InputError(path, "there is no such file",
                      is_trace(path) ? "check its name, or make one: zstep record SCENE -o run.ztrace"
                                     : "give a trace: zstep record SCENE -o run.ztrace makes one");
-  for (const fs::path& own : {fs::path(path), journal_of(path), places::marks_file(path)}) note_input(own);
-  const std::uintmax_t bytes = fs::file_size(path, ignored);
+  for (const fs::path& own : {fs::path(path), journal_of(path), places::marks_file(path)})
+    if (!from_input) note_input(own);
+  const std::uintmax_t bytes = from_input ? most_from_input : fs::file_size(path, ignored);
   if (cost == Cost::limited) begin_budget(ignored ? 0 : bytes);
   try {
-    Trace trace = has_extension(path, ".jsonl") ? open_jsonl(path, impossible) : Trace::open(path);
+    Trace trace = from_input                      ? read_standard_input(impossible)
+                  : has_extension(path, ".jsonl") ? open_jsonl(path, impossible)
+                                                  : Trace::open(path);
     if (is_strict()) check_strictly(trace);
     for (const std::string& warning : trace.warnings())
       trace.whole() ? complain(warning) : complain_incomplete(warning);

@@ -11,12 +11,19 @@
 
 namespace zstep::cli {
 
-/// Whether the argument names a trace (a .ztrace or .jsonl file, or any file that begins like a trace) and not a scene.
+/// "-", for which a trace or JSON Lines are read from standard input.
+inline bool is_standard_input(const std::string& path) { return path == "-"; }
+/// Throws InputError where it is asked for twice: it can be read once.
+void check_reads_once(const std::string& one, const std::string& other);
+
+/// Whether the argument names a trace (standard input, a .ztrace or .jsonl file, or any file that begins like a trace)
+/// and not a scene.
 bool is_trace(const std::string& path);
 
 /// Whether what is done with a file is limited by its size, or a person sits before it and can end it.
 enum class Cost : std::uint8_t { limited, free };
-/// Opens a .ztrace or .jsonl file and prints its warnings on stderr, and later what is found to be lost in it.
+/// Opens a .ztrace or .jsonl file, or standard input, and prints its warnings on stderr, and later what is found to be
+/// lost in it.
 Trace open_trace(const std::string& path, Cost cost = Cost::limited);
 /// The same for who judges a run: JSON Lines are read up to a step that cannot be, of which `impossible` then tells.
 Trace open_to_judge(const std::string& path, std::string& impossible, Cost cost = Cost::limited);

@@ -42,6 +42,7 @@ int view(const ViewOptionsOfCommand& options) {
     throw InputError(given, fmt::format("{} was recorded already, with options of its own", what),
                      "record the scene again with other ones");
   if (!options.against.empty()) {
+    check_reads_once(what, options.against);
     note_input(what), note_input(options.against);
     return view_against(what, options.against, options.show);
   }

@@ -89,7 +89,7 @@ grade::Numbering numbering_of(const Runs& runs, const Task& task, const fs::path
   return told;
 }
 
-FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std::string& file) {
+FirstWrong in_words(const Runs& runs, const grade::Divergence& first) {
   FirstWrong words;
   words.at = std::min(first.step, runs.submission.size());
   if (const auto& parts = first.parts) {
@@ -128,10 +128,7 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
   }
   if (const std::string_view numbers = text_of(runs.numbering); !numbers.empty())
     words.what += " " + std::string(numbers);
-  if (!first.parts || !first.parts->only_a()) {
-    FileLines lines(file, runs.had_header, runs.passed_over.lines);
-    words.where = place_of_step(file, lines, words.at);
-  }
+  if (!first.parts || !first.parts->only_a()) words.where = place_of_step(runs.submission, words.at);
   return words;
 }
 
@@ -241,7 +238,7 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
       // Nothing is wrong before the step that cannot be.
       graded.ends = std::move(found.ends);
     } else if (found.first) {
-      graded.first = in_words(runs, *found.first, graded.file);
+      graded.first = in_words(runs, *found.first);
       graded.first->mistake = grade::mistake_in(*runs.reference, runs.submission, found, &graded.first->either);
       graded.ends = std::move(found.ends);
     }
@@ -350,7 +347,7 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, L
   check_run(*homework.method, task.scene, conventions, file.string());
   std::shared_ptr<const Trace> reference = known ? known->find(task, conventions) : nullptr;
   if (!reference) reference = std::make_shared<const Trace>(reference_run(*homework.method, task.scene, conventions));
-  Runs runs{std::move(reference), std::move(submission), !given.without_header, impossible, left_out, passed_over};
+  Runs runs{std::move(reference), std::move(submission), impossible, left_out, passed_over};
   runs.numbering = numbering_of(runs, task, file, given);
   return runs;
 }

@@ -94,11 +94,10 @@ class References {
   std::map<std::string, std::shared_ptr<const Trace>> by_task_;
 };
 
-/// The two runs of a task. `had_header`: whether the submission's has one.
+/// The two runs of a task.
 struct Runs {
   std::shared_ptr<const Trace> reference;
   Trace submission;
-  bool had_header = true;
   std::string impossible;             ///< why the run's next step cannot be
   std::vector<std::string> left_out;  ///< the parts that are not looked at, as the submission has no step of them
   PassedOver passed_over;             ///< lines of the submission

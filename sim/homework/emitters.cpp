@@ -1,10 +1,16 @@
 
 #include "sim/homework/emitters.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/homework/emitter_texts.hpp"
 #include "traces/conventions.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/file/source_places.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::homework {
@@ -38,6 +44,10 @@ Json schema_of(const StepFields& step) {
     properties[std::string(field.name)] = schema_of(field);
     required.push_back(field.name);
   }
+  properties[place_key] = {{"description", "the place in the program that printed the step, as raster.cpp:417"},
+                           {"type", "string"},
+                           {"minLength", 1},
+                           {"maxLength", SourcePlaces::longest}};
   return {{"description", step.meaning},
           {"type", "object"},
           {"properties", properties},
@@ -80,6 +90,19 @@ std::string run_schema(const std::vector<StepInfo>& steps) {
 
 namespace {
 
+/// A step's function.
+struct Call {
+  std::string function, label;  ///< "compare", and how a run names the step: with its module where two have the name
+  StepFields of;
+  std::span<const std::string_view> reserved;  ///< words of the language that fields may be called
+
+  /// The name of a field's parameter.
+  std::string parameter(const FieldOfKind& field) const {
+    const bool taken = std::find(reserved.begin(), reserved.end(), field.name) != reserved.end();
+    return std::string(field.name) + (taken ? "_" : "");
+  }
+};
+
 /// "int x, int y, double z" — or without types.
 template <class Text>
 std::string listed(std::span<const FieldOfKind> parameters, Text&& text, std::string_view between = ", ") {
@@ -88,144 +111,164 @@ std::string listed(std::span<const FieldOfKind> parameters, Text&& text, std::st
   return all;
 }
 std::string name_of(const FieldOfKind& one) { return std::string(one.name); }
+/// ", x, y, z": behind other arguments.
+template <class Text>
+std::string listed_behind(std::span<const FieldOfKind> parameters, Text&& text) {
+  return (parameters.empty() ? "" : ", ") + listed(parameters, text);
+}
+using Texts = ByEnum<FieldOfKind::Type, std::string_view, 4>;
 
-std::string in_c(const StepFields& f) {
-  constexpr ByEnum<FieldOfKind::Type, std::string_view, 4> types{"int", "double", "int", "const char*"};
-  const std::string parameters =
-      listed(f.fields, [&](const FieldOfKind& one) { return fmt::format("{} {}", types[one.type], one.name); });
+std::string in_c(const Call& call) {
+  constexpr Texts types{"int", "double", "int", "const char*"};
   const std::string fields = listed(
-      f.fields, [](const FieldOfKind& one) { return fmt::format("{}:{}", one.name, "irbw"[index_of(one.type)]); }, " ");
-  const std::string head =
-                        fmt::format("static inline void emit_{}({})", f.step, parameters.empty() ? "void" : parameters),
-                    body = fmt::format("emit_step(\"{}\", \"{}\"{}{});", f.step, fields, f.fields.empty() ? "" : ", ",
-                                       listed(f.fields, name_of));
-  const bool short_enough = head.size() + body.size() + 5 <= 120;
-  return head + (short_enough ? " { " + body + " }\n" : " {\n  " + body + " }\n");
+      call.of.fields, [](const FieldOfKind& one) { return fmt::format("{}:{}", one.name, "irbw"[index_of(one.type)]); },
+      " ");
+  return fmt::format("#define $name_{}({}) $NAME_STEP(\"{}\", \"{}\"{})\n", call.function,
+                     listed(call.of.fields, name_of), call.label, fields,
+                     listed_behind(call.of.fields, [&](const FieldOfKind& one) {
+                       return fmt::format("({})({})", types[one.type], one.name);
+                     }));
 }
 
-std::string in_python(const StepFields& f) {
-  return fmt::format("def {}({}):  # {}\n    _step(\"{}\"{}{})\n", f.step, listed(f.fields, name_of), f.meaning, f.step,
-                     f.fields.empty() ? "" : ", ",
-                     listed(f.fields, [](const FieldOfKind& one) { return fmt::format("{0}={0}", one.name); }));
+std::string in_cpp(const Call& call) {
+  constexpr Texts types{"int", "double", "bool", "const char*"};
+  std::string parameters =
+      listed(call.of.fields, [&](const FieldOfKind& one) { return fmt::format("{} {}", types[one.type], one.name); });
+  parameters += parameters.empty() ? "" : ", ";
+  return fmt::format(
+      "/// {}\ninline void {}({}Place at = {{__builtin_FILE(), __builtin_LINE()}}) {{\n"
+      "  if (on) step(\"{}\", at{});\n}}\n",
+      call.of.meaning, call.function, parameters, call.label, listed_behind(call.of.fields, [](const FieldOfKind& one) {
+        return fmt::format("Field{{\"{0}\", {0}}}", one.name);
+      }));
 }
 
-std::string in_javascript(const StepFields& f) {
-  return fmt::format("exports.{} = ({}) => step(\"{}\", {{ {} }});\n", f.step, listed(f.fields, name_of), f.step,
-                     listed(f.fields, name_of));
+/// On one line where there is room.
+std::string on_one_line(const std::string& head, std::string_view between, const std::string& body) {
+  const bool fits = head.size() + 1 + body.size() <= 120;
+  return head + (fits ? " " : std::string(between)) + body + "\n";
 }
 
-std::string in_java(const StepFields& f) {
-  constexpr ByEnum<FieldOfKind::Type, std::string_view, 4> types{"int", "double", "boolean", "String"};
+std::string in_python(const Call& call) {
+  constexpr Texts values{"_whole({})", "_real({})", "bool({})", "{}"};
+  const auto parameter = [&](const FieldOfKind& one) { return call.parameter(one); };
+  const std::string fields = listed(call.of.fields, [&](const FieldOfKind& one) {
+    return fmt::format("\"{}\": {}", one.name, fmt::format(fmt::runtime(values[one.type]), parameter(one)));
+  });
+  return on_one_line(fmt::format("def {}({}):", call.function, listed(call.of.fields, parameter)),
+                     fmt::format("  # {}\n    ", call.of.meaning),
+                     fmt::format("_step(\"{}\", {{{}}})", call.label, fields));
+}
+
+std::string in_javascript(const Call& call) {
+  return fmt::format("exports.{} = ({}) => step(\"{}\", {{ {} }});\n", call.function, listed(call.of.fields, name_of),
+                     call.label, listed(call.of.fields, name_of));
+}
+
+std::string in_java(const Call& call) {
+  constexpr Texts types{"int", "double", "boolean", "String"};
   std::string name;
-  for (std::size_t i = 0; i < f.step.size(); ++i)
-    if (f.step[i] != '_') name += i > 0 && f.step[i - 1] == '_' ? upper_case(f.step[i]) : f.step[i];
+  for (std::size_t i = 0; i < call.function.size(); ++i)
+    if (call.function[i] != '_')
+      name += i > 0 && call.function[i - 1] == '_' ? upper_case(call.function[i]) : call.function[i];
   const std::string parameters =
-      listed(f.fields, [&](const FieldOfKind& one) { return fmt::format("{} {}", types[one.type], one.name); });
-  return fmt::format("  static void {}({}) {{\n    step(\"{}\"{}{}); }}\n", name, parameters, f.step,
-                     f.fields.empty() ? "" : ", ",
-                     listed(f.fields, [](const FieldOfKind& one) { return fmt::format("\"{0}\", {0}", one.name); }));
+      listed(call.of.fields, [&](const FieldOfKind& one) { return fmt::format("{} {}", types[one.type], one.name); });
+  const std::string values =
+      listed_behind(call.of.fields, [](const FieldOfKind& one) { return fmt::format("\"{0}\", {0}", one.name); });
+  return on_one_line(fmt::format("  static void {}({}) {{", name, parameters), "\n    ",
+                     fmt::format("step(\"{}\"{}); }}", call.label, values));
 }
 
-constexpr std::string_view c_begin =
-    R"(/* Writes a run, a line a step, to standard output; zstep grades it. Depths may be INFINITY. C99 and C++. */
-#ifndef EMIT_H
-#define EMIT_H
-#include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-
-/* fields: "x:i z:r nearer:b why:w": int, double, 0 or 1, text */
-static inline void emit_step(const char* step, const char* fields, ...) {
-  va_list values;
-  va_start(values, fields);
-  printf("{\"step\":\"%s\"", step);
-  while (*fields) {
-    printf(",\"");
-    while (*fields != ':') putchar(*fields++);
-    printf("\":");
-    if (fields[1] == 'i') printf("%d", va_arg(values, int));
-    if (fields[1] == 'b') printf(va_arg(values, int) ? "true" : "false");
-    if (fields[1] == 'w') printf("\"%s\"", va_arg(values, const char*));
-    if (fields[1] == 'r') {
-      double value = va_arg(values, double);
-      if (isinf(value)) printf(value > 0 ? "\"inf\"" : "\"-inf\"");
-      else if (isnan(value)) printf("\"nan\"");
-      else printf("%.17g", value);
-    }
-    fields += fields[2] == ' ' ? 3 : 2;
-  }
-  va_end(values);
-  printf("}\n");
+std::string in_rust(const Call& call) {
+  constexpr Texts types{"i32", "f64", "bool", "&str"}, values{"Whole", "Real", "Truth", "Word"};
+  const std::string parameters = listed(call.of.fields, [&](const FieldOfKind& one) {
+    return fmt::format("{}: {}", call.parameter(one), types[one.type]);
+  });
+  return fmt::format("/// {}\n#[track_caller]\npub fn {}({}) {{\n    step(\"{}\", &[{}]);\n}}\n", call.of.meaning,
+                     call.function, parameters, call.label, listed(call.of.fields, [&](const FieldOfKind& one) {
+                       return fmt::format("(\"{}\", Value::{}({}))", one.name, values[one.type], call.parameter(one));
+                     }));
 }
 
-)";
-constexpr std::string_view python_begin =
-    R"("""Writes a run, a line a step, to standard output; zstep grades it. Depths may be math.inf."""
-import json
-import math
-
-def _step(name, **fields):
-    for key, value in fields.items():
-        if isinstance(value, float) and not math.isfinite(value):
-            fields[key] = str(value)
-    print(json.dumps({"step": name, **fields}))
-
-)";
-constexpr std::string_view javascript_begin =
-    R"(// Writes a run, a line a step, to standard output; zstep grades it. Depths may be Infinity.
-const numbers = { Infinity: "inf", "-Infinity": "-inf", NaN: "nan" };
-
-function step(name, fields) {
-  const line = JSON.stringify({ step: name, ...fields }, (key, value) =>
-    typeof value === "number" && !Number.isFinite(value) ? numbers[value] : value);
-  process.stdout.write(line + "\n");
+/// A text as a language writes it, in pieces: no compiler has to take a long one. What is beyond ASCII is written as
+/// JSON does, which the text is.
+std::string in_pieces(const std::string& json) {
+  constexpr std::size_t most = 80;
+  std::string pieces;
+  for (std::size_t at = 0; at < json.size(); at += most) {
+    std::string piece;
+    for (const char c : json.substr(at, most))
+      piece += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    pieces += fmt::format("\n  \"{}\",", piece);
+  }
+  return pieces;
 }
 
-)";
-constexpr std::string_view java_begin =
-    R"(/** Writes a run, a line a step, to standard output; zstep grades it. Depths may be infinite. */
-final class Emit {
-  private Emit() {}
-
-  private static String text(Object value) {
-    if (value instanceof String) return "\"" + value + "\"";
-    if (!(value instanceof Double)) return value.toString();
-    double real = (Double) value;
-    if (Double.isNaN(real)) return "\"nan\"";
-    return Double.isInfinite(real) ? (real > 0 ? "\"inf\"" : "\"-inf\"") : value.toString();
+struct LanguageParts {
+  std::string_view begin, header, header_given, end;
+  std::string (*function)(const Call&);
+  std::vector<std::string_view> reserved;  ///< that a step or a field may be called
+};
+LanguageParts parts_of(Language language) {
+  using namespace emitter_texts;
+  switch (language) {
+    case Language::c:
+      return {c_begin, c_header, "", "#endif\n", in_c, {}};
+    case Language::cpp:
+      return {cpp_begin, cpp_header, "", "\n}  // namespace $name\n", in_cpp, {}};
+    case Language::javascript:
+      return {javascript_begin, javascript_header, "", "", in_javascript, {}};
+    case Language::java:
+      return {java_begin, java_header, java_header_given, "}\n", in_java, {}};
+    case Language::rust:
+      return {rust_begin, rust_header, rust_header_given, "", in_rust, {"box", "move"}};
+    case Language::python:
+      break;
   }
-  private static void step(String name, Object... fields) {
-    StringBuilder line = new StringBuilder("{\"step\":\"" + name + "\"");
-    for (int i = 0; i < fields.length; i += 2) line.append(",\"" + fields[i] + "\":" + text(fields[i + 1]));
-    System.out.println(line.append("}"));
-  }
+  return {python_begin, python_header, "", "", in_python, {"pass"}};
+}
 
-)";
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
+std::vector<Call> calls_of(const std::vector<StepInfo>& steps, std::span<const std::string_view> reserved) {
+  std::vector<Call> calls;
+  for (const StepInfo& step : steps) {
+    const auto same = std::count_if(steps.begin(), steps.end(), [&](const StepInfo& s) { return s.name == step.name; });
+    Call call{step.name, step_label(steps, step), fields_of_step(step), reserved};
+    if (same > 1) call.function = step.module + "_" + step.name;
+    if (std::find(reserved.begin(), reserved.end(), call.function) != reserved.end()) call.function += "_";
+    calls.push_back(std::move(call));
+  }
+  return calls;
+}
 
 }  // namespace
 
-std::string emitter(Language language, const std::vector<StepInfo>& steps) {
-  std::string text;
-  const auto all = [&](std::string_view begin, auto function, std::string_view end) {
-    text = begin;
-    for (const StepInfo& step : steps) text += function(fields_of_step(step));
-    text += end;
-  };
-  switch (language) {
-    case Language::c:
-      all(c_begin, in_c, "\n#endif\n");
-      break;
-    case Language::python:
-      all(python_begin, in_python, "");
-      break;
-    case Language::javascript:
-      all(javascript_begin, in_javascript, "");
-      break;
-    case Language::java:
-      all(java_begin, in_java, "}\n");
-      break;
-  }
-  while (text.ends_with("\n\n")) text.pop_back();
+std::string emitter_file(Language language, std::string_view name) {
+  const std::string file = fmt::format("{}.{}", name, languages[index_of(language)].extension);
+  return language == Language::java ? with_capital(file) : file;
+}
+
+std::string emitter(Language language, const std::vector<StepInfo>& steps, const std::optional<std::string>& header,
+                    std::string_view name) {
+  const LanguageParts parts = parts_of(language);
+  std::string text(parts.begin);
+  for (const Call& call : calls_of(steps, parts.reserved)) text += parts.function(call);
+  if (header) text += parts.header;
+  if (header && !header->empty()) text += parts.header_given;
+  text += parts.end;
+  std::string upper, title(name);
+  for (const char c : name) upper += upper_case(c);
+  title[0] = upper[0];
+  replace_all(text, "$name", name);
+  replace_all(text, "$NAME", upper);
+  replace_all(text, "$Name", title);
+  const std::string pieces = in_pieces(header.value_or(""));
+  replace_all(text, "$header0", pieces + "0");
+  replace_all(text, "$header", pieces);
   return text;
 }
 

@@ -150,8 +150,10 @@ std::vector<std::pair<fs::path, std::string>> made_files(const Homework& homewor
   // Students write what is asked for; the solution may print more, and is not touched where less is asked.
   for (const auto& [place, steps] : {std::pair("starter", &homework.steps), std::pair("solution", &homework.page)}) {
     if (!fs::is_directory(homework.folder / place)) continue;
-    for (std::size_t k = 0; k < languages.size(); ++k)
-      files.emplace_back(homework.folder / place / languages[k].file, emitter(static_cast<Language>(k), *steps));
+    for (std::size_t k = 0; k < homework_languages; ++k) {
+      const auto language = static_cast<Language>(k);
+      files.emplace_back(homework.folder / place / emitter_file(language, "emit"), emitter(language, *steps));
+    }
   }
   const fs::path starter = homework.folder / "starter";
   if (fs::is_directory(starter)) {

@@ -7,7 +7,9 @@
 
 #include "sim/viewer/commands.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/judged.hpp"
 #include "sim/words/spoken.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -17,6 +19,9 @@ class Text {
   void title(const std::string& words) { text_ += (text_.empty() ? "" : "\n") + words::spoken(words) + "\n"; }
   void line(const std::string& words) {
     if (!words.empty()) text_ += words::spoken(words) + "\n";
+  }
+  void as_it_stands(const std::string& words) {
+    if (!words.empty()) text_ += words + "\n";
   }
   void formula(const std::string& line) { text_ += words::spoken_formula(line) + "\n"; }
   void markdown(const std::string& source) {
@@ -48,6 +53,7 @@ void tell_step(Text& text, App& app) {
   text.line(told.sentence);
   for (const std::string& formula : told.formulas) text.formula(formula);
   if (!told.besides.empty() && found.lines.empty()) text.line(told.besides);
+  text.as_it_stands(with_capital(printed_at(s.trace(), s.position())));
 }
 
 void tell_lesson(Text& text, const Session& s) {

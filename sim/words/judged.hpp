@@ -1,5 +1,5 @@
-// What `zstep check` and `zstep diff` say of a step, on the command line and in the window, and the line of a file that
-// it stands at.
+// What `zstep check` and `zstep diff` say of a step, on the command line and in the window, and where it comes from:
+// its line of a file, and the place in the program's source.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,6 @@
 
 #include "traces/check/check.hpp"
 #include "traces/diff/diff.hpp"
-#include "traces/file/files.hpp"
-#include "traces/file/lenient.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep {
@@ -66,27 +64,9 @@ std::vector<FieldText> fields_in_words(const Event& event, const formulas::Situa
 /// "dx_dy = 1.25   by its formula: … = 1.5".
 std::vector<std::string> field_texts(const Event& event, const formulas::Situation& before, std::uint16_t fields);
 
-// The line of a JSON Lines file that a step stands at.
-
-class FileLines {
- public:
-  /// `header`: whether the first object is one, and not a step. What was `passed_over` holds no steps.
-  explicit FileLines(const std::string& path, bool header = true, std::vector<PassedOver::Range> passed_over = {});
-  /// 0 in a file of another kind. Steps must be asked for in order.
-  std::int64_t of(std::int64_t step);
-
- private:
-  void look_at(char c);
-
-  std::optional<InputStream> in_;  ///< none of a file of another kind
-  std::vector<PassedOver::Range> passed_over_;
-  std::size_t next_ = 0;             ///< of these
-  std::int64_t line_ = 0, objects_;  ///< objects: the header, there or not, is one
-  int depth_ = 0;
-  bool in_text_ = false, escaped_ = false;
-};
-
-/// "run.jsonl:12" for step 11, or "run.ztrace, step 11".
-std::string place_of_step(const std::string& path, FileLines& lines, std::int64_t step);
+/// "printed at raster.cpp:417": the place in the program's source; empty where the run does not say.
+std::string printed_at(const Trace& trace, std::int64_t step);
+/// "run.jsonl:12" for step 11, or "run.ztrace, step 11", and where it was printed.
+std::string place_of_step(const Trace& trace, std::int64_t step);
 
 }  // namespace zstep

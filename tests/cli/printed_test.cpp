@@ -22,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::set<std::string> commands{
-    "list",     "lesson",  "view",   "render", "record",          "info",       "dump",  "import", "find",   "history",
-    "why-not",  "explain", "query",  "export", "compare-methods", "completion", "check", "diff",   "header", "error",
-    "homework", "grade",   "publish"};
+    "list",     "lesson",  "view",    "render", "record",          "info",       "dump",  "import", "find",   "history",
+    "why-not",  "explain", "query",   "export", "compare-methods", "completion", "check", "diff",   "header", "error",
+    "homework", "grade",   "publish", "emit"};
 /// Those of the launcher, which tests/launcher tries.
 const std::set<std::string> of_launcher{"test", "bench", "build", "clean", "packages", "help", "web"};
 
@@ -66,7 +66,10 @@ void furnish(const Folder& clone) {
   fs::copy(clone / "runs", clone / "submissions/ada");
   fs::create_directory(clone / "site");
   write_text(clone / "site/publish.html", "<!-- zstep publish " + std::to_string(zstep::trace_version) + " -->\n");
-  for (const char* folder : {"docs", ".config/fish/completions"}) fs::create_directories(clone / folder);
+  write_text(clone / "log.csv", "1,2,5,0\n1,2,6,1\n");
+  write_text(clone / "my_program", "#!/bin/sh\ncat run.jsonl\n");
+  fs::permissions(clone / "my_program", fs::perms::owner_all);
+  for (const char* folder : {"docs", "src", ".config/fish/completions"}) fs::create_directories(clone / folder);
   fs::create_directories(clone / ".local/share/bash-completion/completions");
 }
 

@@ -25,7 +25,10 @@ bool is_of(const json& value, const json& schema) {
   const std::string type = schema["type"];
   if (type == "integer")
     return value.is_number() && value.get<double>() == static_cast<double>(static_cast<long>(value.get<double>()));
-  return type == "boolean" ? value.is_boolean() : type == "number" ? value.is_number() : value.is_object();
+  return type == "boolean"  ? value.is_boolean()
+         : type == "number" ? value.is_number()
+         : type == "string" ? value.is_string()
+                            : value.is_object();
 }
 /// As far as run.schema.json goes: types, words, required members, and no others.
 bool holds(const json& schema, const json& line) {
@@ -75,10 +78,20 @@ TEST_CASE("schema: each line of a right run holds, and what zstep refuses does n
     bool good;
   };
   const Case cases[] = {
-      {"3", "3", true},           {"0.5", "\"inf\"", true},      {"3", "3.0", true},
-      {"3", "3.5", false},        {"3", "\"3\"", false},         {"true", "1", false},
-      {"0.5", "\"far\"", false},  {"\"x\":3,", "", false},       {"\"x\"", "\"X\"", false},
-      {"compare", "comp", false}, {"0.5", "0.5,\"w\":1", false}, {"0.5", "null", false},
+      {"3", "3", true},
+      {"0.5", "\"inf\"", true},
+      {"3", "3.0", true},
+      {"3", "3.5", false},
+      {"3", "\"3\"", false},
+      {"true", "1", false},
+      {"0.5", "\"far\"", false},
+      {"\"x\":3,", "", false},
+      {"\"x\"", "\"X\"", false},
+      {"compare", "comp", false},
+      {"0.5", "0.5,\"w\":1", false},
+      {"0.5", "null", false},
+      {"true", "true,\"at\":\"a.c:1\"", true},
+      {"true", "true,\"at\":7", false},
   };
   const auto changed = [&](const Case& one) {
     std::string line = right;
@@ -108,5 +121,5 @@ TEST_CASE("schema: each line of a right run holds, and what zstep refuses does n
              "print(''.join('01'[judge.is_valid(json.loads(line))] for line in open('cases.jsonl')))\n");
   const Outcome judged = shell(folder, "python3 judge.py");
   CAPTURE(judged.err);
-  CHECK(judged.out == "111000000000\n");
+  CHECK(judged.out == "11100000000010\n");
 }

@@ -25,7 +25,7 @@ constexpr std::uint64_t limit = 1 << 22;  // of a part, unpacked: larger ones ar
 
 /// A file's parts, unpacked.
 struct Parts {
-  Bytes head, scene;
+  Bytes head, scene, places;
   struct Block {
     Bytes info, events;
   };
@@ -40,6 +40,7 @@ Parts take_apart(std::span<const std::uint8_t> bytes) {
     const Bytes chunk = read_chunk(source, *place);
     if (place->tag == head_tag) parts.head = decompress(chunk, limit);
     if (place->tag == scene_tag) parts.scene = decompress(chunk, limit);
+    if (place->tag == places_tag) parts.places = decompress(chunk, limit);
     if (place->tag != events_tag) continue;
     ByteReader in(chunk);
     const auto info = in.take(in.count());
@@ -123,9 +124,10 @@ Bytes put_together(const Parts& parts, const Raster* raster, bool lie, Random& r
     put_index_entry(entries, offset, chunk, info);
   }
   std::uint64_t count = parts.blocks.size();
+  const Bytes places = parts.places.empty() ? Bytes() : make_chunk(places_tag, compress(parts.places));
   if (lie && random() % 8 == 0) change(count, random);
   if (lie && random() % 8 == 0) mutate_bytes(entries);
-  if (!lie || random() % 8 != 0) put_index(out, out.size(), count, entries);
+  if (!lie || random() % 8 != 0) put_index(out, out.size(), count, entries, places);
   return out;
 }
 
@@ -210,7 +212,7 @@ Bytes mutate_trace(std::span<const std::uint8_t> bytes, const TextMutator& words
         const std::string text = words({parts.head.begin(), parts.head.end()}, random);
         return Bytes(text.begin(), text.end());
       }();
-    else if (what == 5) mutate_bytes(parts.scene);
+    else if (what == 5) mutate_bytes(random() % 2 == 0 && !parts.places.empty() ? parts.places : parts.scene);
     else if (what < 9 && block != parts.blocks.end()) mutate_bytes(block->events);
     else if (what == 9 && block != parts.blocks.end() && raster) change_info(block->info, *raster, random);
     else if (what == 10 && block != parts.blocks.end()) {

@@ -10,6 +10,7 @@
 #include <zstd.h>
 
 #include "traces/file/scene_bytes.hpp"
+#include "traces/file/source_places.hpp"
 
 namespace zstep {
 
@@ -136,7 +137,7 @@ constexpr std::uint64_t most_scene_bytes = std::uint64_t{256} << 20;
 void append(Bytes& out, std::span<const std::uint8_t> bytes) { out.insert(out.end(), bytes.begin(), bytes.end()); }
 
 /// The chunks after the scene, and an index of where they stand now; false where they are not as they were written.
-bool put_blocks(Bytes& out, const ByteSource& source, std::uint64_t offset) {
+bool put_blocks(Bytes& out, const ByteSource& source, std::uint64_t offset, const Bytes& places) {
   const auto index = index_offset(source);
   Bytes entries;
   std::uint64_t blocks = 0;
@@ -153,8 +154,56 @@ bool put_blocks(Bytes& out, const ByteSource& source, std::uint64_t offset) {
     ++blocks;
     offset = place->end();
   }
-  put_index(out, out.size(), blocks, entries);
+  put_index(out, out.size(), blocks, entries, places);
   return true;
+}
+
+/// Their chunk, shortened; nothing of one that is damaged.
+Bytes places_without_paths(const ByteSource& source, const ChunkPlace& chunk) {
+  Bytes out;
+  try {
+    put_places(out, take_places(source, chunk).without_paths());
+  } catch (const MalformedBytes&) {
+  }
+  return out;
+}
+
+/// Behind the text in quotes that begins there; the end where it does not end.
+std::size_t end_of_text(std::string_view lines, std::size_t from) {
+  for (std::size_t at = from + 1; at < lines.size(); ++at) {
+    if (lines[at] == '"') return at + 1;
+    at += lines[at] == '\\';
+  }
+  return lines.size();
+}
+
+/// Where the last part of a path begins in a text of JSON, in which a backslash is written as two.
+std::size_t begin_of_last_part(std::string_view text) {
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool escape = text[at] == '\\';
+    if (escape) ++at;
+    if (at < text.size() && (text[at] == '/' || (escape && text[at] == '\\'))) begin = at + 1;
+  }
+  return begin;
+}
+
+/// With nothing but the name left of the file in each "at", whole line or not.
+std::string steps_without_paths(std::string_view lines) {
+  const std::string key = '"' + std::string(place_key) + '"';
+  std::string out;
+  std::size_t done = 0;
+  for (std::size_t at = lines.find(key); at != std::string_view::npos; at = lines.find(key, at + 1)) {
+    const std::size_t colon = lines.find_first_not_of(" \t", at + key.size());
+    if (colon == std::string_view::npos || lines[colon] != ':') continue;
+    const std::size_t from = lines.find_first_not_of(" \t", colon + 1);
+    if (from == std::string_view::npos || lines[from] != '"') continue;
+    const std::size_t end = end_of_text(lines, from);
+    const std::string_view place = lines.substr(from + 1, end - from - 1);  // and the quote that ends it
+    out.append(lines.substr(done, from + 1 - done)).append(place.substr(begin_of_last_part(place)));
+    done = end;
+  }
+  return out.append(lines.substr(done));
 }
 
 }  // namespace
@@ -170,7 +219,9 @@ Bytes without_paths(const Bytes& trace) {
   const Scene as_it_was = scene;
   scene.source = last_part(scene.source);
   for (Placement& placement : scene.placements) placement.source = last_part(placement.source);
-  if (scene == as_it_was) return trace;
+  const auto places_chunk = find_places(source, place->end());
+  const Bytes places = places_chunk ? places_without_paths(source, *places_chunk) : Bytes();
+  if (scene == as_it_was && !places_chunk) return trace;
 
   const std::span<const std::uint8_t> whole(trace);
   Bytes out;
@@ -178,12 +229,15 @@ Bytes without_paths(const Bytes& trace) {
   put_chunk(out, scene_tag, compress(scene_to_bytes(scene)));
   const std::size_t begin = out.size();
   try {
-    if (put_blocks(out, source, place->end())) return out;
+    if (put_blocks(out, source, place->end(), places)) return out;
   } catch (const MalformedBytes&) {
     // A damaged run is kept as it is; the viewer says what is wrong with it.
   }
   out.resize(begin);
-  append(out, whole.subspan(place->end()));
+  const std::uint64_t end = places_chunk ? places_chunk->offset : whole.size();
+  append(out, whole.subspan(place->end(), end - place->end()));
+  append(out, places);
+  if (places_chunk) append(out, whole.subspan(places_chunk->end()));
   return out;
 }
 
@@ -202,7 +256,7 @@ std::string without_paths_of_jsonl(std::string lines) {
     if (header["scene"].contains("placements") && header["scene"]["placements"].is_array())
       for (auto& placement : header["scene"]["placements"]) shorten(placement);
   }
-  return changed ? header.dump() + lines.substr(end) : std::move(lines);
+  return (changed ? header.dump() : lines.substr(0, end)) + steps_without_paths(std::string_view(lines).substr(end));
 }
 
 }  // namespace zstep

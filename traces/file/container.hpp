@@ -151,7 +151,7 @@ inline constexpr std::size_t trailer_size = 20;
 
 using Tag = std::array<char, 4>;
 inline constexpr Tag head_tag{'H', 'E', 'A', 'D'}, scene_tag{'S', 'C', 'E', 'N'}, events_tag{'E', 'V', 'T', 'S'},
-    index_tag{'I', 'N', 'D', 'X'}, end_tag{'Z', 'E', 'N', 'D'};
+    index_tag{'I', 'N', 'D', 'X'}, places_tag{'P', 'L', 'A', 'C'}, end_tag{'Z', 'E', 'N', 'D'};
 
 /// Bytes that can be read at any offset: a file, or memory.
 class ByteSource {
@@ -225,20 +225,23 @@ inline void put_index_entry(Bytes& out, std::uint64_t offset, const EventsChunk&
   out.insert(out.end(), info.begin(), info.end());
 }
 
-/// The index and the end of a file that is `offset` bytes long so far.
-inline void put_index(Bytes& out, std::uint64_t offset, std::uint64_t blocks, std::span<const std::uint8_t> entries) {
+/// The index and the end of a file that is `offset` bytes long so far. `behind`: a chunk between the two, or nothing.
+inline void put_index(Bytes& out, std::uint64_t offset, std::uint64_t blocks, std::span<const std::uint8_t> entries,
+                      std::span<const std::uint8_t> behind) {
   Bytes index;
   put_varint(index, blocks);
   index.insert(index.end(), entries.begin(), entries.end());
   put_chunk(out, index_tag, compress(index));
+  out.insert(out.end(), behind.begin(), behind.end());
   const Bytes trailer = make_trailer(offset);
   out.insert(out.end(), trailer.begin(), trailer.end());
 }
 
 // A trace as others may have it: without where files lay on the computer that it was recorded on.
 
-/// The bytes of a .ztrace file with nothing but the names left of the files that its scene came from. Its events stay
-/// as they are, and so does what was cut off or damaged of them. Throws MalformedBytes for what is no trace.
+/// The bytes of a .ztrace file with nothing but the names left of the files that its scene came from, and of those of
+/// the program's source. Its events stay as they are, and so does what was cut off or damaged of them. Throws
+/// MalformedBytes for what is no trace.
 Bytes without_paths(const Bytes& trace);
 /// The same of JSON Lines, whose first line is a header. Throws nlohmann::json::exception where it is none.
 std::string without_paths_of_jsonl(std::string lines);

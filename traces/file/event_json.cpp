@@ -17,6 +17,7 @@
 #include "traces/events/slots.hpp"
 #include "traces/file/header.hpp"
 #include "traces/file/json_text.hpp"
+#include "traces/file/source_places.hpp"
 #include "traces/text.hpp"
 
 namespace zstep {
@@ -70,7 +71,7 @@ double value_from(const json& in, const FieldOfKind& field) {
 void refuse_others(const json& line, std::span<const std::string_view> fields, std::string_view kind) {
   for (const auto& item : line.items()) {
     const std::string& key = item.key();
-    if (key == "step" || std::find(fields.begin(), fields.end(), key) != fields.end()) continue;
+    if (key == "step" || key == place_key || std::find(fields.begin(), fields.end(), key) != fields.end()) continue;
     throw MalformedJson(line, key, fmt::format("\"{}\" is no field of {}", key, kind),
                         near_word_or_list(key, fields, "its fields are"));
   }
@@ -91,7 +92,8 @@ Event event_from_json(std::uint8_t kind, const json& line) {
     }
     field.write(event, value_from(*found, field));
   }
-  if (line.size() != names.size() + 1) refuse_others(line, names, description_of_kind(kind).name);
+  if (line.size() != names.size() + 1 + line.count(place_key))
+    refuse_others(line, names, description_of_kind(kind).name);
   return event;
 }
 
@@ -125,7 +127,7 @@ using Members = simdjson::simdjson_result<simdjson::ondemand::object_iterator>;
 
 /// The fields of an event, in any order, each once.
 template <class E>
-bool take_fields(Members& at, const Members& end, Event& into) {
+bool take_fields(Members& at, const Members& end, Event& into, std::optional<std::string_view>& printed_at) {
   constexpr std::size_t count = field_count<E>;
   static_assert(count <= 32);
   std::array<std::string_view, count + 1> names{};  // one more: some events have no fields
@@ -142,6 +144,12 @@ bool take_fields(Members& at, const Members& end, Event& into) {
     std::size_t place = next;
     if (place >= count || names[place] != key)
       for (place = 0; place < count && names[place] != key;) ++place;
+    if (place == count && key == place_key && !printed_at) {
+      std::string_view text;
+      if (found.get_string().get(text) != simdjson::SUCCESS) return false;
+      printed_at = text;
+      continue;
+    }
     if (place == count || (seen >> place & 1u) != 0) return false;
     bool taken = false;
     for_each_index<E>([&]<std::size_t I>() {
@@ -188,14 +196,15 @@ bool QuickLine::read(std::string& line, RecordedEvent& event) {
   if (step == steps_.end()) return false;
   ++at;
 
-  using Take = bool (*)(Members&, const Members&, Event&);
+  using Take = bool (*)(Members&, const Members&, Event&, std::optional<std::string_view>&);
   static const auto takes = [] {
     std::array<Take, kind_count> all{};
     for_each_kind([&]<class E>() { all[kind_of<E>] = take_fields<E>; });
     return all;
   }();
   event.step = step->second->id;
-  if (!takes[step->second->kind](at, end, event.event)) return false;
+  place_.reset();
+  if (!takes[step->second->kind](at, end, event.event, place_)) return false;
   const char* behind = nullptr;
   return document.current_location().get(behind) == simdjson::OUT_OF_BOUNDS;  // and nothing comes after it
 }

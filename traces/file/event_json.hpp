@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,8 @@
 
 namespace zstep {
 
-/// Throws MalformedJson where the line's members are not the fields of this kind.
+/// Throws MalformedJson where the line's members are not the fields of this kind; the step and the place in the
+/// program's source may stand beside them.
 Event event_from_json(std::uint8_t kind, const nlohmann::json& line);
 
 // A line of JSON Lines as programs mostly write it: one object, the step first, each field of its event once, nothing
@@ -29,10 +31,13 @@ class QuickLine {
   /// False where the line is anything else: then it has to be looked at more closely. May lengthen the text's storage,
   /// not the text.
   bool read(std::string& line, RecordedEvent& event);
+  /// The place that the line which was read last names, as it stands there; until the next one is read.
+  const std::optional<std::string_view>& place() const { return place_; }
 
  private:
   struct Parser;
   std::unique_ptr<Parser> parser_;
+  std::optional<std::string_view> place_;
   std::map<std::string, const StepInfo*, std::less<>> steps_;  ///< by name, and by module and name
 };
 

@@ -17,13 +17,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// The step's name, with its module where another module has a step of that name.
-std::string step_label(const Page& page, const StepInfo& step) {
-  const auto same_name =
-      std::count_if(page.begin(), page.end(), [&](const StepInfo& other) { return other.name == step.name; });
-  return same_name > 1 ? step.module + "." + step.name : step.name;
-}
-
 // Of each field no more than a call, as there are hundreds.
 void put(ordered_json& line, std::string_view name, double value) { line[std::string(name)] = real_to_json(value); }
 void put(ordered_json& line, std::string_view name, bool value) { line[std::string(name)] = value; }
@@ -43,13 +36,19 @@ ordered_json begin_line(const Page& page, std::uint8_t step) {
 
 }  // namespace
 
+std::string step_label(const Page& page, const StepInfo& step) {
+  const auto same_name =
+      std::count_if(page.begin(), page.end(), [&](const StepInfo& other) { return other.name == step.name; });
+  return same_name > 1 ? step.module + "." + step.name : step.name;
+}
+
 std::string jsonl_header(const Header& header, const Scene& scene) {
   ordered_json line = header_to_json(header);
   line["scene"] = scene_to_json(scene);
   return printable_json(text_of(line));
 }
 
-std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {
+std::string jsonl_event(const Page& page, const RecordedEvent& recorded, std::string_view printed_at) {
   ordered_json line = begin_line(page, recorded.step);
   for (const FieldOfKind& field : fields_of_kind(recorded.event.index())) {
     switch (field.type) {
@@ -67,13 +66,15 @@ std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {
         break;
     }
   }
+  if (!printed_at.empty()) put(line, place_key, printed_at);
   return text_of(line);
 }
 
 void write_jsonl(const Trace& trace, std::ostream& out) {
   out << jsonl_header(trace.header(), trace.scene()) + '\n';
-  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
-    out << jsonl_event(trace.header().page, recorded) + '\n';  // in one piece: what ends early ends with a line
+  trace.each(0, trace.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
+    out << jsonl_event(trace.header().page, recorded, trace.printed_at(position, recorded.step)) +
+               '\n';  // in one piece: what ends early ends with a line
     return static_cast<bool>(out);
   });
   if (!trace.whole()) out << fmt::format("{{\"{}\":true}}\n", cut_off_key);
@@ -117,17 +118,24 @@ std::optional<std::string> import_jsonl(InputFile from, const std::filesystem::p
 
 Trace open_jsonl(const std::filesystem::path& path, std::string* impossible, GivenRun* given) {
   InputStream in{InputFile(path)};
+  return open_jsonl(in, path.string(), impossible, given);
+}
+
+Trace open_jsonl(std::istream& in, const std::string& name, std::string* impossible, GivenRun* given) {
   Scene kept;
+  StepLines lines;
   std::optional<TraceRecorder> recorder;
   const auto cut = read_jsonl(
-      in, path.string(),
+      in, name,
       [&](const Header& header, Scene scene) -> TraceRecorder& {
         kept = std::move(scene);
         return recorder.emplace(header, kept);
       },
-      impossible, given);
+      impossible, given, &lines);
   recorder->finish(!cut);
-  return Trace::from_bytes(recorder->take_bytes(), path.string(), cut.value_or(""));
+  Trace trace = Trace::from_bytes(recorder->take_bytes(), name, cut.value_or(""));
+  trace.lines_are(std::move(lines));
+  return trace;
 }
 
 }  // namespace zstep

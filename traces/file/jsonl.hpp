@@ -7,6 +7,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "traces/file/files.hpp"
 #include "traces/file/trace.hpp"
@@ -16,8 +17,11 @@ namespace zstep {
 
 /// The header line: {"ztrace":1, …, "steps":[…], "scene":{…}}.
 std::string jsonl_header(const Header& header, const Scene& scene);
+/// How a run names a step: with its module where another module has a step of that name.
+std::string step_label(const Page& page, const StepInfo& step);
 /// One event: {"step":"compare","x":3,"y":2,"z":4.25,"nearer":true}. The step's name is short where it is unique.
-std::string jsonl_event(const Page& page, const RecordedEvent& event);
+/// `printed_at`: the place in the program's source, where that is known.
+std::string jsonl_event(const Page& page, const RecordedEvent& event, std::string_view printed_at = {});
 /// The only key of the last line of a recording that was cut off: {"cut_off":true}.
 inline constexpr const char* cut_off_key = "cut_off";
 /// The whole trace.
@@ -40,9 +44,11 @@ struct GivenRun {
 /// InputError for what is wrong elsewhere, the first ten mistakes, each as NAME:LINE:COLUMN.
 /// `impossible`: for who judges a run. Then a step that no run on this scene can have, at a pixel outside the raster or
 /// of a polygon that there is not, ends the reading without an error and is reported there, as NAME:LINE:COLUMN.
+/// `lines`: at which line each step stands.
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
                                       const std::function<TraceRecorder&(const Header&, Scene)>& begin,
-                                      std::string* impossible = nullptr, GivenRun* given = nullptr);
+                                      std::string* impossible = nullptr, GivenRun* given = nullptr,
+                                      StepLines* lines = nullptr);
 
 /// JSONL file to trace file. Nothing is left behind when it fails. Returns what read_jsonl() does; such a trace has no
 /// end, as that of a recording that was killed.
@@ -50,5 +56,7 @@ std::optional<std::string> import_jsonl(InputFile from, const std::filesystem::p
 /// JSONL file to a trace in memory. Of a file that was cut off the trace warns. `impossible`, `given`: as in
 /// read_jsonl().
 Trace open_jsonl(const std::filesystem::path& path, std::string* impossible = nullptr, GivenRun* given = nullptr);
+Trace open_jsonl(std::istream& in, const std::string& name, std::string* impossible = nullptr,
+                 GivenRun* given = nullptr);
 
 }  // namespace zstep

@@ -290,7 +290,9 @@ void rebuild_index(Trace::Impl& trace, std::uint64_t head_end) {
   }
   trace.whole = false;
   const std::uint64_t file_end = offset;
-  const bool more = offset < trace.source->size();
+  const auto places = chunk_at(*trace.source, offset);
+  const bool more =
+      places && places->tag == places_tag ? places->end() < trace.source->size() : offset < trace.source->size();
   if (trace.of_file && !trace.any_lost) {
     trace.source =
         std::make_unique<ContinuedSource>(std::move(trace.source), offset, blocks_in_journal(trace, head_end));
@@ -304,6 +306,18 @@ void rebuild_index(Trace::Impl& trace, std::uint64_t head_end) {
                   trace.size, journal));
 }
 
+/// Where the program printed its steps, if the file says so. Who cannot read that has the steps all the same.
+void read_places(Trace::Impl& trace, std::uint64_t head_end) {
+  const auto chunk = find_places(*trace.source, index_offset(*trace.source).value_or(head_end));
+  if (!chunk) return;
+  try {
+    trace.places = take_places(*trace.source, *chunk);
+  } catch (const MalformedBytes& error) {
+    trace.warnings.push_back(fmt::format(
+        "{}: where its program printed its steps cannot be read: {}; they are told without", trace.name, error.what()));
+  }
+}
+
 constexpr std::size_t few_blocks = 8;  // that are read whole at once, so that nothing in them is taken on trust
 
 }  // namespace
@@ -311,6 +325,7 @@ constexpr std::size_t few_blocks = 8;  // that are read whole at once, so that n
 Trace::Trace(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {
   try {
     const std::uint64_t offset = read_head(*impl_);
+    read_places(*impl_, offset);
     if (!read_index(*impl_, offset)) rebuild_index(*impl_, offset);
     if (impl_->blocks.size() <= few_blocks) impl_->refuse_lies();
   } catch (const MalformedBytes& error) {

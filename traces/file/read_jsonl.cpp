@@ -21,6 +21,7 @@
 #include "traces/file/json_text.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/lenient.hpp"
+#include "traces/file/source_places.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/text.hpp"
@@ -137,8 +138,14 @@ class Reader {
  public:
   using Begin = std::function<TraceRecorder&(const Header&, Scene)>;
   Reader(std::istream& in, const std::string& name, const Begin& begin, std::string* impossible, GivenRun* given,
-         PassedOver* passed_over)
-      : lines_(in), name_(name), begin_(begin), given_(given), passed_over_(passed_over), impossible_(impossible) {}
+         PassedOver* passed_over, StepLines* step_lines)
+      : lines_(in),
+        name_(name),
+        begin_(begin),
+        given_(given),
+        passed_over_(passed_over),
+        step_lines_(step_lines),
+        impossible_(impossible) {}
 
   std::optional<std::string> read() {
     std::string line;
@@ -231,9 +238,20 @@ class Reader {
     give_numbers_of_span(quick_event_.event);
     EventCheck of_one = *check_;
     if (!visit_event([&](const auto& event) { return of_one(event).empty(); }, quick_event_.event)) return false;
-    ++events_;
-    if (faults_.empty()) record_any(*recorder_, quick_event_.step, quick_event_.event);
+    const SourcePlaces& places = recorder_->places();
+    const std::optional<std::string_view>& place = quick_->place();
+    const bool known = !place || (!place->empty() && places.goes_on(quick_event_.step, *place));
+    if (!known && !places.fault_of(*place).empty()) return false;
+    keep(quick_event_.step, quick_event_.event, place.value_or(""));
     return true;
+  }
+
+  void keep(std::uint8_t step, const Event& event, std::string_view place) {
+    ++events_;
+    if (!faults_.empty()) return;
+    record_any(*recorder_, step, event);
+    recorder_->places().add(events_, step, place);
+    if (step_lines_) step_lines_->add(events_, number_);
   }
 
   void give_numbers_of_span(Event& event) const {
@@ -415,8 +433,19 @@ class Reader {
     if (const std::string fault = visit_event([&](const auto& e) { return of_one(e); }, event); !fault.empty())
       throw ImpossibleStep(document, std::string(of_one.field()), fault,
                            "it must be one of the scene's, numbered from 0");
-    ++events_;
-    if (faults_.empty()) record_any(*recorder_, step->id, event);
+    keep(step->id, event, place_in(document));
+  }
+
+  std::string_view place_in(const json& document) const {
+    const auto found = document.find(place_key);
+    if (found == document.end()) return "";
+    constexpr const char* mend = "write the program's file and line, as \"raster.cpp:417\", or leave it out";
+    if (!found->is_string())
+      throw MalformedJson(document, place_key, fmt::format("\"{}\" is not a text", place_key), mend);
+    const std::string_view place = found->get_ref<const std::string&>();
+    if (const std::string fault = recorder_->places().fault_of(place); !fault.empty())
+      throw MalformedJson(document, place_key, fmt::format("\"{}\" {}", place_key, fault), mend);
+    return place;
   }
 
   TextLines lines_;
@@ -424,6 +453,7 @@ class Reader {
   const Begin& begin_;
   GivenRun* given_;
   PassedOver* passed_over_;  ///< for who judges: then a line that cannot be read is noted here, and costs itself alone
+  StepLines* step_lines_;    ///< where to note at which lines steps stand; or null
   std::optional<std::string> ahead_;
   std::int64_t number_ = 0;  ///< of the line that was read last
   Header header_;
@@ -446,8 +476,8 @@ class Reader {
 
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
                                       const std::function<TraceRecorder&(const Header&, Scene)>& begin,
-                                      std::string* impossible, GivenRun* given) {
-  return Reader(in, name, begin, impossible, given, nullptr).read();
+                                      std::string* impossible, GivenRun* given, StepLines* lines) {
+  return Reader(in, name, begin, impossible, given, nullptr, lines).read();
 }
 
 Trace open_given_run(const std::filesystem::path& path, std::string& impossible, GivenRun& given,
@@ -461,9 +491,12 @@ Trace open_given_run(const std::filesystem::path& path, std::string& impossible,
     return recorder.emplace(header, kept);
   };
   const std::string name = path.string();
-  const auto cut = Reader(in, name, begin, &impossible, &given, &passed_over).read();
+  StepLines lines;
+  const auto cut = Reader(in, name, begin, &impossible, &given, &passed_over, &lines).read();
   recorder->finish(!cut);
-  return Trace::from_bytes(recorder->take_bytes(), name, cut.value_or(""));
+  Trace trace = Trace::from_bytes(recorder->take_bytes(), name, cut.value_or(""));
+  trace.lines_are(std::move(lines));
+  return trace;
 }
 
 std::optional<std::string> with_words_quoted(std::string_view text) {

@@ -34,6 +34,16 @@ const std::string& Trace::name() const { return impl_->name; }
 std::int64_t Trace::size() const { return impl_->size; }
 bool Trace::whole() const { return impl_->whole; }
 const std::vector<std::string>& Trace::warnings() const { return impl_->warnings; }
+std::string_view Trace::printed_at(std::int64_t position) const {
+  if (!has_places() || position < 1 || position > size()) return "";
+  return printed_at(position, event(position).step);
+}
+std::string_view Trace::printed_at(std::int64_t position, std::uint8_t step) const {
+  return impl_->places.of(position, step);
+}
+bool Trace::has_places() const { return !impl_->places.empty(); }
+std::int64_t Trace::line_of(std::int64_t position) const { return impl_->lines.of(position); }
+void Trace::lines_are(StepLines lines) { impl_->lines = std::move(lines); }
 std::span<const PolygonMark> Trace::polygons() const { return impl_->polygons; }
 
 std::span<const RejectMark> Trace::rejects() const {

@@ -14,6 +14,7 @@
 
 #include "traces/events/vocabulary.hpp"
 #include "traces/file/header.hpp"
+#include "traces/file/source_places.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep {
@@ -68,9 +69,17 @@ class Trace {
   /// anew.
   bool whole() const;
   const std::vector<std::string>& warnings() const;  ///< "the recording was cut off; 12 041 events could be read", …
-  std::span<const PolygonMark> polygons() const;     ///< all of them, by position
-  std::span<const RejectMark> rejects() const;       ///< likewise; they are read when they are first asked for
-  std::span<const std::int64_t> clears() const;      ///< where the buffers are cleared; likewise
+  /// The place in the program's source that printed a step, "raster.cpp:417"; empty where the run does not say. The
+  /// second for who has the step at hand; the first asks for the event.
+  std::string_view printed_at(std::int64_t position) const;
+  std::string_view printed_at(std::int64_t position, std::uint8_t step) const;
+  bool has_places() const;  ///< whether it says so of any step
+  /// The line of the JSON Lines that a step was read from; 0 where the trace was read from none.
+  std::int64_t line_of(std::int64_t position) const;
+  void lines_are(StepLines lines);
+  std::span<const PolygonMark> polygons() const;  ///< all of them, by position
+  std::span<const RejectMark> rejects() const;    ///< likewise; they are read when they are first asked for
+  std::span<const std::int64_t> clears() const;   ///< where the buffers are cleared; likewise
   /// The polygon that is worked on at a position: the last that was begun, until what follows is about all of them (a
   /// tree, a list, areas, rays, lines, scan lines of one table); then none, and later those whose pieces are drawn.
   std::int32_t polygon_at_work(std::int64_t position) const;

@@ -49,6 +49,8 @@ struct Trace::Impl {
   mutable std::function<void(const std::string&)> on_loss;
   std::int64_t size = 0;
   StepSet steps;  ///< that occur
+  SourcePlaces places;
+  StepLines lines;
 
   /// When polygons come one after the other: the last of them that does, in `polygons`, and where what is about all of
   /// them begins.

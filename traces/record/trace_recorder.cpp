@@ -172,11 +172,13 @@ void TraceRecorder::finish(bool whole) {
   log_.close();
   if (log_.count() > 0) write_block();
   sink_->worker.wait();
+  Bytes end;
+  put_places(end, places_);
   if (whole) {
-    Bytes end;
-    put_index(end, sink_->written, sink_->blocks, sink_->index);
-    sink_->write(end);
+    const Bytes places = std::exchange(end, {});
+    put_index(end, sink_->written, sink_->blocks, sink_->index, places);
   }
+  sink_->write(end);
   if (sink_->file) sink_->file->close();
 }
 

@@ -9,6 +9,7 @@
 
 #include "traces/record/event_log.hpp"
 #include "traces/file/header.hpp"
+#include "traces/file/source_places.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 
@@ -44,6 +45,9 @@ class TraceRecorder {
   /// may still be called after that.
   void on_block(std::function<void(std::int64_t)> callback) { on_block_ = std::move(callback); }
 
+  /// Where in the program's source the steps were printed, which a run may say; it is written when the run is over.
+  SourcePlaces& places() { return places_; }
+
   /// Writes the last block and the index. Call it when the run is over: without it the file is as a killed run leaves
   /// it; so is that of a run which is not `whole`, but for its last block.
   void finish(bool whole = true);
@@ -59,6 +63,7 @@ class TraceRecorder {
   std::unique_ptr<Sink> sink_;
   EventLog log_;
   std::int64_t before_ = 0;  ///< events of the blocks before
+  SourcePlaces places_;
   std::function<void(std::int64_t)> on_block_;
 };
 

@@ -12,8 +12,10 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/judged.hpp"
 #include "sim/words/owners.hpp"
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -241,6 +243,8 @@ void draw_happened(Ui& ui) {
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
   key_to_owners(ui, told.owned);
   if (doubts && !doubts_all) flow(ui, *told.doubt, in_doubt);
+  if (const std::string place = printed_at(ui.session.trace(), ui.session.position()); !place.empty())
+    flow(ui, with_capital(place), {.color = c.muted});
   if (!told.values.empty() && ImGui::IsMouseHoveringRect(top, bottom) && ImGui::IsWindowHovered()) {
     std::vector<std::string> lines = exact_lines(told.values);
     if (const std::string line = exact_line(ui.session, {ui.session.position()}); !line.empty())  // moves the replay
