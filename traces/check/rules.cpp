@@ -161,6 +161,9 @@ constexpr ByEnum<Rule, NamedRule> named_rules{{{
     {Rule::span_is_filled,
      {"span_is_filled", "Each pixel from the first to the last of a span has its turn, with each of its steps.",
       "The span before is over, and a pixel of it, or the interpolation or compare of one, is missing."}},
+    {Rule::weights_inside,
+     {"weights_inside", "Weights are found only of a pixel that is inside its triangle.",
+      "Weights are found of a pixel that was not found inside its triangle."}},
 }}};
 
 }  // namespace

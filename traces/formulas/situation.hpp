@@ -78,6 +78,8 @@ struct Place {
     ray,           ///< the ray at work
     horizon,       ///< by column, the upper and the lower one
     point,         ///< a point of the scene, by its number
+    triangle,      ///< the triangle at work: its edge functions 0 to 2, itself, the inside test and the weights of the
+                   ///< pixel
   };
   In in = In::event;
   std::int64_t number = 0;
@@ -139,6 +141,7 @@ enum class Rule : std::uint8_t {
   outline_is_closed,  ///< each edge of an outline that meets a scan line is in the edge table
   pair_has_span,      ///< each pair of active edges with pixels between them has a span
   span_is_filled,     ///< each pixel of a span has its turn
+  weights_inside,     ///< only a pixel that was found inside its triangle has weights
   count
 };
 
