@@ -49,7 +49,7 @@ void tell(Telling& t, const TriangleSetup& e) {
   else if (empty) t.say(who + " has no pixel's centre in its bounding box.");
   else t.say(fmt::format("{}: the pixels of its bounding box are {}.", who, pixels_text(e)));
   t.derive(e);
-  t.follows("2\u00b7area", "twice_area", e.twice_area);
+  t.follows("area2", "twice_area", e.twice_area);
   t.whole("first column", "first_column", e.first_column);
   t.whole("end column", "end_column", e.end_column);
   t.whole("first row", "first_row", e.first_row);
@@ -88,7 +88,9 @@ void tell(Telling& t, const TileTest& e) {
                       where));
       break;
     case TileCover::partly:
-      t.say(fmt::format("An edge crosses the tile with {}: its pixels are tested one by one.", where));
+      t.say(fmt::format(
+          "The tile with {} is neither beyond one edge nor inside all three: its pixels are tested one by one.",
+          where));
   }
   if (!formulas::detail::has_edges(t.at)) return;
   const bool greatest = e.cover == TileCover::outside;

@@ -72,7 +72,7 @@ auto depth_at_corner(Out& out, const Situation& at, std::int32_t x, std::int32_t
   const auto z = depths_of_triangle(out, at);
   const auto e_1 = edge_value_at(out, at, 1, x, y), e_2 = edge_value_at(out, at, 2, x, y);
   if (!z || !e_1 || !e_2) return std::nullopt;
-  const auto area = out.number("area", triangle.setup->twice_area, triangle_place(setup_place, "twice_area"));
+  const auto area = out.number("area2", triangle.setup->twice_area, triangle_place(setup_place, "twice_area"));
   return by_weights((*z)[0], *e_1 / area, (*z)[1], *e_2 / area, (*z)[2]);
 }
 
@@ -233,7 +233,7 @@ void derive(const BarycentricWeights& e, const Situation& at, Out& out) {
   if (at.records<InsideTest>() && !accepted) out.rule(Rule::weights_inside, test && test->inside);
   if (!triangle.setup || !detail::has_edges(at)) return;
   const auto area =
-      out.number("area", triangle.setup->twice_area, detail::triangle_place(detail::setup_place, "twice_area"));
+      out.number("area2", triangle.setup->twice_area, detail::triangle_place(detail::setup_place, "twice_area"));
   const auto value = [&](std::size_t i, double tested, std::string_view field) {
     using T = typename Out::Number;
     if (!test) return detail::edge_value_at(out, at, i, e.x, e.y);
