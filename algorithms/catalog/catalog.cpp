@@ -13,6 +13,7 @@
 #include "algorithms/depth_sort/depth_sort.hpp"
 #include "algorithms/depth_sort/painter.hpp"
 #include "algorithms/floating_horizon/floating_horizon.hpp"
+#include "algorithms/half_space/half_space.hpp"
 #include "algorithms/hidden_line/hidden_line.hpp"
 #include "algorithms/hidden_line/wireframe.hpp"
 #include "algorithms/interpolation/interpolation.hpp"
@@ -154,7 +155,11 @@ constexpr std::array catalog{
         draw_z_buffer, z_buffer_of_any_kind, .id = "z-buffer", .title = "Z-buffer",
         .paper = "E. Catmull, A Subdivision Algorithm for Computer Display of Curved Surfaces, PhD thesis, University "
                  "of Utah, 1974",
-        .interpolates = true, .in_any_way = true),
+        .interpolates = true, .in_any_way = true, .page_for = interpolation::page_for),
+    METHOD(half_space, .id = "half-space", .title = "Half-space",
+           .paper = "J. Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988", .interpolates = true,
+           .in_any_way = true, .options = half_space::options, .check = half_space::check,
+           .page_for = half_space::page_for),
     METHOD(scan_line, .id = "scan-line", .title = "Scan line",
            .paper = "W. J. Bouknight, A Procedure for Generation of Three-Dimensional Half-Toned Computer Graphics "
                     "Presentations, Communications of the ACM 13(9), 1970",
@@ -263,7 +268,15 @@ bool can_cull(const Method& method, const Scene& scene) {
 
 Conventions conventions_for(const Method& other, Conventions conventions) {
   conventions.options.clear();
-  if (other.in_any_way || (other.interpolates && interpolation::is_taught(conventions))) return conventions;
+  bool possible = other.in_any_way || (other.interpolates && interpolation::is_taught(conventions));
+  if (possible && other.in_any_way && other.check) {
+    try {
+      other.check(conventions, "");
+    } catch (const InputError&) {
+      possible = false;
+    }
+  }
+  if (possible) return conventions;
   Conventions plain;
   plain.cull = conventions.cull;
   return plain;
@@ -275,7 +288,7 @@ Header header_for(const Method& method, const Conventions& conventions) {
   header.algorithm = method.id;
   header.title = method.title;
   header.conventions = conventions;
-  header.page = method.in_any_way ? interpolation::page_for(conventions) : method.page();
+  header.page = method.page_for ? method.page_for(conventions) : method.page();
   if (greater_is_nearer(conventions.depth)) header.comparison.nearer = Comparison::Nearer::greater;
   return header;
 }

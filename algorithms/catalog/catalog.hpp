@@ -71,13 +71,15 @@ struct Method {
   /// It interpolates along edges and spans, so that --depth view, --interpolation increments and --coverage inclusive
   /// mean something. The others work with planes, which only pseudodepth leaves plane.
   bool interpolates = false;
-  /// And it interpolates in any way that Conventions have: what, how, in which numbers.
+  /// And it interpolates in any way that Conventions have, as far as `check` lets it: what, how, in which numbers.
   bool in_any_way = false;
   /// It drops back faces where the conventions say so. False where it has none, or an option of its own decides.
   bool culls = true;
   std::span<const Option> options = {};
   /// Throws InputError where conventions and options, each possible by itself, do not go together.
   void (*check)(const Conventions&, const std::string& who) = nullptr;
+  /// Its pseudo-code under any conventions, where it has other lines under some.
+  Page (*page_for)(const Conventions&) = nullptr;
   Page (*page)() = nullptr;  ///< its pseudo-code
   /// The page's own loops without a recording, which is what comparisons measure.
   Picture (*taught)(const Scene&, const Conventions&, NullRecorder&) = nullptr;

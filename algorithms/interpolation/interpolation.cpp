@@ -187,10 +187,7 @@ class Drawing {
     const T a = attributes_.value(here);
     record_(step::attribute, AttributeInterpolate{x, y, here.over_z, here.one_over_z, a});
 
-    const Color& color = scene_.polygons[polygon_].color;
-    const double kept = formulas::stripe_shade(a);
-    const auto shaded = [&](std::uint8_t channel) { return nearest_byte(channel * kept); };
-    const Color ink{shaded(color.red), shaded(color.green), shaded(color.blue)};
+    const Color ink = in_stripes(scene_.polygons[polygon_].color, a);
     picture_.ink[pixel] = ink_of(ink);
     record_(step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});
     each_.attribute(pixel, a);
@@ -329,9 +326,18 @@ Bounds bounds_of(const Scene& scene, const Conventions& conventions) {
   });
 }
 
+Color in_stripes(const Color& color, double a) {
+  const double kept = formulas::stripe_shade(a);
+  const auto shaded = [&](std::uint8_t channel) { return nearest_byte(channel * kept); };
+  return {shaded(color.red), shaded(color.green), shaded(color.blue)};
+}
+
 Page page_for(const Conventions& conventions) {
+  return page_with(Ways(conventions).by_plane ? interpolation::page() : z_buffer::page(), conventions);
+}
+
+Page page_with(Page page, const Conventions& conventions) {
   const Ways ways(conventions);
-  Page page = ways.by_plane ? interpolation::page() : z_buffer::page();
   const auto shades = [](const StepInfo& line) { return line.id == step::attribute.id || line.id == step::shade.id; };
   std::erase_if(page, shades);
   if (ways.shades)

@@ -50,6 +50,12 @@ T depth_on(const T& x_left, const T& z_left, const T& x_right, const T& z_right,
 
 /// The page of steps that a run under these conventions has.
 Page page_for(const Conventions& conventions);
+/// Another method's page in its place, which has the Z-buffer's steps: with those of an attribute, and the compare as
+/// the conventions have it.
+Page page_with(Page page, const Conventions& conventions);
+
+/// A polygon's colour where its attribute is `a`.
+Color in_stripes(const Color& color, double a);
 
 /// Throws InputError where these conventions do not go together, or not with the scene's camera.
 void check(const Scene& scene, const Conventions& conventions);

@@ -238,6 +238,23 @@ std::string beside_text(const Asked& q, const FacetThere& there) {
   return fmt::format("it does not cover the pixel's centre, which lies {} pixels outside its outline", far);
 }
 
+namespace {
+
+/// It does not cover the pixel's centre: by the steps of its triangles, where it has such, else by its outline.
+Verdict not_covered(Asked& q, const FacetThere& there) {
+  const auto left_out = left_out_by_triangles(q, there.mark);
+  Verdict verdict = q.verdict(Why::not_covered, left_out ? left_out->step : there.mark,
+                              left_out ? left_out->text : beside_text(q, there));
+  add_beginning(q, verdict, there);
+  if (left_out) {
+    q.add_formulas(verdict, left_out->step);
+    verdict.chain.push_back({left_out->step, q.polygon, fmt::format("the pixel is found to lie outside {}", q.name)});
+  }
+  return verdict;
+}
+
+}  // namespace
+
 std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& facets) {
   if (facets.empty())
     return q.verdict(Why::degenerate, 0, "it has fewer than three different corners, so there is no facet to draw");
@@ -249,9 +266,8 @@ std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& fa
     if (never_begun(q, *best)) return not_begun(q);
     // On its outline rounding decides, and the method's own arithmetic has.
     if (best->at->candidate.sure()) return std::nullopt;
-    Verdict verdict = q.verdict(Why::not_covered, best->mark, beside_text(q, *best));
+    Verdict verdict = not_covered(q, *best);
     verdict.facet = best->facet;
-    add_beginning(q, verdict, *best);
     return verdict;
   }
   Verdict verdict;
@@ -260,8 +276,7 @@ std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& fa
   } else if (best->covers() || (best->rejected() && !culled(*best))) {
     verdict = of_rejected(q, *best);
   } else {
-    verdict = q.verdict(Why::not_covered, best->mark, beside_text(q, *best));
-    add_beginning(q, verdict, *best);
+    verdict = not_covered(q, *best);
     if (best->at)
       verdict.add_formula("from ({}, {}) to its nearest edge: {} pixels", q.pixel.x, q.pixel.y,
                           number(best->at->candidate.edge));

@@ -105,6 +105,17 @@ std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& fa
 /// The same for one facet that does not cover the centre.
 std::string beside_text(const Asked& q, const FacetThere& facet);
 
+/// What leaves the pixel out of a facet that is drawn as triangles, each as three half-planes: the edge whose wrong
+/// side the centre lies on, or the tile that was rejected. `mark`: where work on the facet begins.
+struct LeftOut {
+  std::int64_t step = 0;
+  std::string text;
+};
+std::optional<LeftOut> left_out_by_triangles(const Asked& q, std::int64_t mark);
+/// The tile around the pixel was rejected by its farthest depth.
+std::optional<Verdict> why_tile_hidden(Asked& q, const std::vector<FacetThere>& facets,
+                                       const std::vector<Visit>& visits);
+
 // By families of methods, each with the question whether a trace decides so what is seen at a pixel, by the events that
 // it has. `facets` are those of the polygon; none throws for what a foreign trace leaves out.
 bool of_curves(const Trace& trace);

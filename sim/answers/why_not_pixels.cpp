@@ -411,6 +411,7 @@ Verdict by_visits(Asked& q, const std::vector<FacetThere>& facets, const std::ve
   if (const auto verdict = why_wiped(q)) return *verdict;
   if (interpolated) return why_interpolated(q, *interpolated);
   if (auto verdict = why_by_facets(q, facets)) return *verdict;
+  if (auto verdict = why_tile_hidden(q, facets, visits)) return *verdict;
   const auto& options = q.trace.header().conventions.options;
   const auto order = options.find("order");
   const auto first = std::find_if(visits.begin(), visits.end(), [](const Visit& visit) { return visit.takes; });

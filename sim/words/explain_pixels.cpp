@@ -7,6 +7,7 @@
 #include "sim/words/explain_parts.hpp"
 #include "traces/file/header.hpp"
 #include "traces/formulas/attributes.hpp"
+#include "traces/formulas/half_space.hpp"
 #include "traces/formulas/of_light.hpp"
 
 namespace zstep::words {
@@ -158,6 +159,11 @@ std::string becomes_text(const Telling& t, const DepthCompare& e, const Written&
 void tell(Telling& t, const DepthInterpolate& e) {
   t.say(fmt::format("At pixel {} polygon {} is at depth {}.", pixel(e.x, e.y), t.here(), number(e.z)));
   t.value(t.z, e.z);
+  if (formulas::detail::weights_at(t.at, e.x, e.y) != nullptr) {
+    t.derive(e);
+    t.follows(t.z, "z", e.z);
+    return;
+  }
   if (!t.at.span_of(e)) return;
   if (t.at.adds_slopes()) t.derive_from(e, [&](MethodState& machine) { machine.fragment = pixel_before(t, e); });
   else t.derive(e);

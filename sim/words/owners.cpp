@@ -119,6 +119,7 @@ std::int32_t owner_of(const formulas::Situation& at, const formulas::Place& plac
     case In::event:  // the pixel and the scan line are no polygon's
       return name == "x" || name == "y" || name == "t" ? no_polygon : polygon_at_work(method);
     case In::plane:
+    case In::triangle:
     case In::fragment:
     case In::attribute:
       return polygon_at_work(method);

@@ -93,6 +93,7 @@ constexpr BrokenRun broken_runs[] = {
     {"test_of_pair", "depth-sort", "set test_3 2 piece=-1", 89},
     {"test_of_pair", "depth-sort", "drop pair 19", 272},
     {"test_of_pair", "depth-sort", "set test_5 1 other=0", 82},
+    {"weights_inside", "half-space", "drop test 10", 22},
     {"win_is_written", "clipping", "drop write_depth 1", 117},
     {"win_is_written", "foley", "drop write_depth 49", 244},  // the last one of a span, before another on its line
     {"winner_inside", "scan-line", "set winner 1 piece=-1", 53},

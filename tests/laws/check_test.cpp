@@ -124,11 +124,13 @@ Conventions any_way(const Method& method, std::mt19937_64& random) {
 }
 
 TEST_CASE("law: check doubts no run with any options, on random meshes and all that are built in") {
-  std::mt19937_64 random(200);
+  // Half-space has numbers of its own: the other methods' runs are those that they were before it was there.
+  std::mt19937_64 random(200), of_half_space(201);
   int scenes = 0, runs = 0;
   const auto draw = [&](const Scene& scene) {
     ++scenes;
-    for (const Method& method : methods()) runs += is_right(method, scene, any_way(method, random));
+    for (const Method& method : methods())
+      runs += is_right(method, scene, any_way(method, method.id == "half-space" ? of_half_space : random));
   };
   // N-gons that are bent, concave, thin, or pass through each other.
   for (const test::NGonKind& kind : test::n_gon_kinds())

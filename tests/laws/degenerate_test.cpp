@@ -56,7 +56,7 @@ TEST_SUITE("degenerate input") {
       REQUIRE((m.exact || m.id == "painter"));
       // These hold depths at one pixel against each other, so that rounding decides between equal ones.
       const bool rays = m.id == "ray-casting" || m.id == "ray-tracing";
-      const bool pixels = rays || m.id == "z-buffer" || has_colors(m);
+      const bool pixels = rays || m.id == "z-buffer" || m.id == "half-space" || has_colors(m);
       for (const Degenerate& input : degenerate_inputs()) {
         for (const auto kind : {parallel, perspective}) {
           CAPTURE(m.id);

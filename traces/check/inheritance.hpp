@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "traces/formulas/half_space.hpp"
 #include "traces/formulas/situation.hpp"
 
 namespace zstep {
@@ -63,6 +64,10 @@ void for_each_place_written(const E& e, const formulas::Situation& at, Set&& set
   if constexpr (std::is_same_v<E, HorizonMove>) set(Place{In::horizon, e.x});
   if constexpr (std::is_same_v<E, PlaneSlopes>) set(Place{In::plane, 0});
   if constexpr (std::is_same_v<E, SpanBegin>) set(at.place_of_next_span());
+  if constexpr (std::is_same_v<E, TriangleSetup>) set(Place{In::triangle, formulas::detail::setup_place});
+  if constexpr (std::is_same_v<E, EdgeFunction>) set(Place{In::triangle, e.edge_function});
+  if constexpr (std::is_same_v<E, InsideTest>) set(Place{In::triangle, formulas::detail::test_place});
+  if constexpr (std::is_same_v<E, BarycentricWeights>) set(Place{In::triangle, formulas::detail::weights_place});
   if constexpr (is_of_fragment(at_pixel<E>)) set(Place{In::fragment, 0});
   if constexpr (std::is_same_v<E, AttributeInterpolate>) set(Place{In::attribute, 0});
   if constexpr (has(at_pixel<E>, AtPixel::keeps)) set(at.depth_place(e.x, e.y));

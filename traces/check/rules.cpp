@@ -179,6 +179,9 @@ constexpr ByEnum<Rule, NamedRule> named_rules{{{
     {Rule::nearer_is_painted,
      {"nearer_is_painted", "A pixel is painted where a polygon is nearer than all that was drawn there before.",
       "The work on a polygon is over, and a pixel where it is the nearest is not painted."}},
+    {Rule::weights_inside,
+     {"weights_inside", "Weights are found only of a pixel that is inside its triangle.",
+      "Weights are found of a pixel that was not found inside its triangle."}},
 }}};
 
 }  // namespace

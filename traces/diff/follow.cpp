@@ -201,7 +201,9 @@ constexpr std::size_t begins() {
                 std::is_same_v<E, AreaBegin> || std::is_same_v<E, LineBegin> || std::is_same_v<E, CurveBegin> ||
                 std::is_same_v<E, PairBegin> || std::is_same_v<E, NodeMake>)
     return 1;
-  else if constexpr (std::is_same_v<E, ScanLineBegin> || std::is_same_v<E, CurveSegment>) return 2;
+  else if constexpr (std::is_same_v<E, ScanLineBegin> || std::is_same_v<E, CurveSegment> ||
+                     std::is_same_v<E, TriangleSetup>)
+    return 2;
   else if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>) return 3;
   else return 0;
 }

@@ -108,7 +108,7 @@ std::int32_t Identity::polygon_of(const E& e) const {
 template <class E>
 auto Identity::parts(const E& e) {
   constexpr Description it = description_of<E>;
-  Parts<1 + 6 + 4 + 1> found;  // kind, what it belongs to, fields, and a scan line
+  Parts<1 + 7 + 4 + 1> found;  // kind, what it belongs to, fields, and a scan line
   // Where lines hold several polygons, a span says whose turn it is.
   if constexpr (std::is_same_v<E, SpanBegin>)
     if (const std::int32_t owner = edges_[e.left_edge].polygon; owner != no_polygon) polygon_ = owner;
@@ -119,6 +119,7 @@ auto Identity::parts(const E& e) {
   if constexpr (has(it.within, Within::ray)) found.add(ray_);
   if constexpr (has(it.within, Within::curve)) found.add(curve_);
   if constexpr (has(it.within, Within::node)) found.add(node_);
+  if constexpr (has(it.within, Within::triangle)) found.add(triangle_);
   Key ends = 0;
   for_each_index<E>([&]<std::size_t I>() {
     constexpr const auto& field = field_at<E, I>;
@@ -212,6 +213,7 @@ void Identity::take_note(const E& e, Key key) {
   if constexpr (std::is_same_v<E, RayBegin>) ray_ = name_of(Thing::ray, e.ray);
   if constexpr (std::is_same_v<E, CurveBegin>) curve_ = name_of(Thing::curve, e.curve);
   if constexpr (std::is_same_v<E, CurveSegment>) curve_ = key;
+  if constexpr (std::is_same_v<E, TriangleSetup>) triangle_ = key;
   if constexpr (std::is_same_v<E, NodeMake>) node_ = name_of(Thing::node, e.node);
   if constexpr (std::is_same_v<E, LineBegin>) curve_ = name_of(Thing::line, e.line);
   if constexpr (std::is_same_v<E, AreaDecide>) polygon_ = trace_->polygon_of_piece(e.piece);
@@ -233,8 +235,8 @@ void Identity::take_note(const E& e, Key key) {
 
 template <class E>
 void Identity::take_note_of(const E& e) {
-  constexpr bool by_key =
-      number_made<E>() != field_count<E> || std::is_same_v<E, CurveSegment> || std::is_same_v<E, SpanBegin>;
+  constexpr bool by_key = number_made<E>() != field_count<E> || std::is_same_v<E, CurveSegment> ||
+                          std::is_same_v<E, SpanBegin> || std::is_same_v<E, TriangleSetup>;
   if constexpr (by_key) take_note(e, parts(e).key());
   else take_note(e, 0);
 }

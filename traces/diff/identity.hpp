@@ -161,7 +161,7 @@ class Identity {
   std::int32_t polygon_ = no_polygon, scan_line_ = -1;
   std::optional<formulas::SpansAhead> ahead_;  ///< says of which polygon a pixel is, where not of the one at work
   Pass pass_ = Pass::eye;
-  Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0;
+  Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0, triangle_ = 0;
   Key drawn_ = 0;            ///< the piece, where both runs say which
   std::int32_t active_ = 0;  ///< edges of the polygon at work that have entered its list and not left it
   bool turns_ = true;        ///< polygons are worked on one after another

@@ -57,6 +57,7 @@ enum class Within : std::uint8_t {
   ray = 8,
   curve = 16,  ///< the curve, the line or the piece
   node = 32,   ///< the node of the tree that was made last
+  triangle = 64,
 };
 template <>
 inline constexpr bool said_together<Within> = true;

@@ -19,6 +19,7 @@
 
 #include "traces/events/areas.hpp"
 #include "traces/events/curves.hpp"
+#include "traces/events/half_space.hpp"
 #include "traces/events/orders.hpp"
 #include "traces/events/pieces.hpp"
 #include "traces/events/pixels.hpp"
@@ -45,7 +46,8 @@ namespace zstep {
   X(SpanFlags) X(ImpliedEdge) X(SpanWinner) X(CoverageAdd) X(AreaBegin) X(AreaBin) X(AreaDecide) X(BoxMake) \
   X(BoxHold) X(GridMake) X(CellHold) X(RayBegin) X(CellVisit) X(BoxTest) X(RayPlane) X(RayHit) X(RayEnd) \
   X(CurveBegin) X(CurveSegment) X(HorizonTest) X(HorizonMove) X(HorizonCross) X(LineBegin) X(LineAgainst) \
-  X(LineCross) X(LineHide) X(LinePiece)
+  X(LineCross) X(LineHide) X(LinePiece) X(TriangleSetup) X(EdgeFunction) X(TileTest) X(TileDepthTest) X(InsideTest) \
+  X(BarycentricWeights)
 // clang-format on
 
 namespace detail {

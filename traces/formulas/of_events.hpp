@@ -5,6 +5,7 @@
 #include "traces/formulas/of_colors.hpp"
 #include "traces/formulas/of_curves.hpp"
 #include "traces/formulas/of_edges.hpp"
+#include "traces/formulas/of_half_space.hpp"
 #include "traces/formulas/of_light.hpp"
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/of_pixels.hpp"

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "traces/formulas/attributes.hpp"
+#include "traces/formulas/half_space.hpp"
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
@@ -66,9 +67,21 @@ void derive_depth_on_plane(const E& e, const Situation& at, Out& out) {
   out.gives(&E::z, interpolated(at, z));
 }
 
-/// The depth that the span at work has at a pixel; in a run without spans, what the plane of the polygon has there.
+/// The depth of a pixel from those of its triangle's vertices, by its weights.
+template <class E, class Out>
+void derive_depth_by_weights(const BarycentricWeights& weights, const Situation& at, Out& out) {
+  const auto z = depths_of_triangle(out, at);
+  if (!z) return;
+  const auto w = weight_numbers(out, weights);
+  out.gives(&E::z, interpolated(at, by_weights((*z)[0], w[0], (*z)[1], w[1], (*z)[2])));
+}
+
+/// The depth that the span at work has at a pixel; in a run without spans, what its triangle, or the plane of the
+/// polygon, has there.
 template <class E, class Out>
 void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
+  if (const BarycentricWeights* weights = weights_at(at, e.x, e.y))
+    return derive_depth_by_weights<E>(*weights, at, out);
   if (!at.records<SpanBegin>()) return derive_depth_on_plane(e, at, out);
   const auto span = at.span_of(e);
   if (!span) return;
@@ -276,6 +289,27 @@ auto over_depth_on_edge(Out& out, const Situation& at, std::int32_t edge, std::i
 
 }  // namespace detail
 
+namespace detail {
+
+/// The same from the vertices of a triangle, by the weights of the pixel.
+template <class Out>
+void derive_attribute_by_weights(const BarycentricWeights& weights, bool divides, const Situation& at, Out& out) {
+  const auto& setup = at.method().triangle.setup;
+  if (!setup || (divides && !attribute_over_depth(at.scene, at.header.conventions))) return;
+  const auto p_0 = over_depth_of_vertex(out, at, setup->vertex_0, "0"),
+             p_1 = over_depth_of_vertex(out, at, setup->vertex_1, "1"),
+             p_2 = over_depth_of_vertex(out, at, setup->vertex_2, "2");
+  if (!p_0 || !p_1 || !p_2) return;
+  const auto w = weight_numbers(out, weights);
+  out.gives(&AttributeInterpolate::over_z, by_weights(p_0->over_z, w[0], p_1->over_z, w[1], p_2->over_z));
+  if (divides)
+    out.gives(&AttributeInterpolate::one_over_z,
+              by_weights(p_0->one_over_z, w[0], p_1->one_over_z, w[1], p_2->one_over_z));
+  else out.is(&AttributeInterpolate::one_over_z, 1.0);
+}
+
+}  // namespace detail
+
 /// Blinn's hyperbolic interpolation: a/z_v and 1/z_v along the two edges and the span between them, and their quotient.
 template <class Out>
 void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
@@ -289,6 +323,8 @@ void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
   const auto above = out.number(divides ? "a/z" : "a", e.over_z, event["over_z"]);
   out.gives(&AttributeInterpolate::attribute,
             divides ? above / out.number("1/z", e.one_over_z, event["one_over_z"]) : above);
+  if (const BarycentricWeights* weights = detail::weights_at(at, e.x, e.y))
+    return detail::derive_attribute_by_weights(*weights, divides, at, out);
   const auto span = at.span_of(e);
   if (!span) return;
   out.rule(Rule::pixel_in_span, Situation::covers(*span.span, e.x, e.y));

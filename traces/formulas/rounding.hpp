@@ -160,9 +160,10 @@ inline bool may_be(const Header& header, std::uint8_t kind, std::string_view fie
     std::uint8_t kind;
     std::string_view name;
   };
-  // A horizon begins nowhere, nothing is met, nothing is shared, a vertex lies behind the eye, or a ray runs along a
-  // plane.
-  static constexpr std::array<Field, 8> not_finite{{{kind_of<HorizonMove>, "y_curve"},
+  // A horizon begins nowhere, nothing was drawn in a tile, nothing is met, nothing is shared, a vertex lies behind the
+  // eye, or a ray runs along a plane.
+  static constexpr std::array<Field, 9> not_finite{{{kind_of<HorizonMove>, "y_curve"},
+                                                    {kind_of<TileDepthTest>, "z_farthest"},
                                                     {kind_of<OverlapTest>, "x_at"},
                                                     {kind_of<OverlapTest>, "y_at"},
                                                     {kind_of<FacingTest>, "projected_normal_z"},

@@ -81,6 +81,8 @@ struct Place {
     ray,           ///< the ray at work
     horizon,       ///< by column, the upper and the lower one
     point,         ///< a point of the scene, by its number
+    triangle,      ///< the triangle at work: its edge functions 0 to 2, itself, the inside test and the weights of the
+                   ///< pixel
   };
   In in = In::event;
   std::int64_t number = 0;
@@ -148,6 +150,7 @@ enum class Rule : std::uint8_t {
   back_is_dropped,    ///< a facet that faces away is not
   nearest_is_kept,    ///< a pixel is not painted with what lies behind what it has
   nearer_is_painted,  ///< and is painted with what lies before it
+  weights_inside,     ///< only a pixel that was found inside its triangle has weights
   count
 };
 

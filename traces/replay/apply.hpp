@@ -78,6 +78,7 @@ inline void begin_polygon(MethodState& machine, std::int32_t polygon) {
   machine.scan_line.reset();
   machine.slopes.reset();
   machine.span.reset();
+  machine.triangle = {};
   machine.attribute.reset();
   if (machine.keeps_all) return;
   machine.edge_table.clear();
@@ -161,6 +162,38 @@ inline void apply_method_state(const SpanBegin& event, MethodState& machine) {
     detail::must_be_in_table(machine, event.right_edge);
   }
   machine.span = event;
+}
+
+// --- One triangle
+
+inline void apply_method_state(const TriangleSetup& event, MethodState& machine) {
+  machine.triangle = {};
+  machine.triangle.setup = event;
+}
+inline void apply_method_state(const EdgeFunction& event, MethodState& machine) {
+  std::vector<EdgeFunction>& edges = machine.triangle.edges;
+  if (event.edge_function < 0 || event.edge_function > 2)
+    throw Impossible(fmt::format("a triangle has no edge function {}", event.edge_function));
+  // Where a run does not say that another triangle begins, its first edge does.
+  const bool again = event.edge_function == 0 && edges.size() == 3;
+  if (!again) detail::must_be_due("edge function", event.edge_function, edges.size());
+  if (again) machine.triangle = {};
+  machine.triangle.edges.push_back(event);
+}
+inline void apply_method_state(const TileTest& event, MethodState& machine) {
+  machine.triangle.tile = event;
+  machine.triangle.tile_depth.reset(), machine.triangle.test.reset(), machine.triangle.weights.reset();
+}
+inline void apply_method_state(const TileDepthTest& event, MethodState& machine) {
+  machine.triangle.tile_depth = event;
+  machine.triangle.test.reset(), machine.triangle.weights.reset();
+}
+inline void apply_method_state(const InsideTest& event, MethodState& machine) {
+  machine.triangle.test = event;
+  machine.triangle.weights.reset();
+}
+inline void apply_method_state(const BarycentricWeights& event, MethodState& machine) {
+  machine.triangle.weights = event;
 }
 
 // What each kind of event does to the structures that a method keeps of all polygons: pieces, lists, trees, flags,
@@ -526,7 +559,9 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     }
     set_fragment(std::nullopt);
   } else if constexpr (std::is_same_v<E, ScanLineBegin> || std::is_same_v<E, SpanBegin> ||
-                       std::is_same_v<E, AreaBegin> || std::is_same_v<E, RayBegin>) {
+                       std::is_same_v<E, AreaBegin> || std::is_same_v<E, RayBegin> ||
+                       std::is_same_v<E, TriangleSetup> || std::is_same_v<E, TileTest> ||
+                       std::is_same_v<E, TileDepthTest> || std::is_same_v<E, InsideTest>) {
     set_fragment(std::nullopt);
   } else if constexpr (std::is_same_v<E, DepthInterpolate>) {
     set_fragment(fragment_at(event.x, event.y, event.z));

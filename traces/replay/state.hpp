@@ -114,6 +114,17 @@ struct LineRow {
   auto members() const { return std::tie(entry, hidden, pieces); }
 };
 
+/// The triangle at work, as three half-planes.
+struct TriangleWork {
+  std::optional<TriangleSetup> setup;
+  std::vector<EdgeFunction> edges;  ///< at most three
+  std::optional<TileTest> tile;
+  std::optional<TileDepthTest> tile_depth;
+  std::optional<InsideTest> test;             ///< of the pixel at work
+  std::optional<BarycentricWeights> weights;  ///< likewise
+  auto members() const { return std::tie(setup, edges, tile, tile_depth, test, weights); }
+};
+
 /// How far a vertex has come on its way to the raster. The world coordinates of the scene's points are the scene's.
 struct VertexStages {
   enum Stage : std::uint8_t { untouched = 0, viewed = 1, projected = 2, on_raster = 3 };
@@ -189,6 +200,7 @@ struct MethodState {
   std::optional<std::int32_t> scan_line;
   std::optional<PlaneSlopes> slopes;  ///< of the polygon's plane, where depths go by it
   std::optional<SpanBegin> span;
+  TriangleWork triangle;
   std::optional<Fragment> fragment;
   std::optional<AttributeInterpolate> attribute;  ///< the last one of the polygon at work
 
@@ -223,9 +235,9 @@ struct MethodState {
 
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,
-                    scan_line, slopes, span, fragment, attribute, keeps_all, compares_write, edges_told, enters_told,
-                    polygons_told, rays_told, pass, pieces, drawn, list, pair, tree, node, sweep, areas, area, bins,
-                    boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
+                    scan_line, slopes, span, triangle, fragment, attribute, keeps_all, compares_write, edges_told,
+                    enters_told, polygons_told, rays_told, pass, pieces, drawn, list, pair, tree, node, sweep, areas,
+                    area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
   }
 };
 

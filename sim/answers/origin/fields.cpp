@@ -8,6 +8,7 @@
 #include "sim/answers/origin/chain.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/events/fields.hpp"
+#include "traces/formulas/half_space.hpp"
 #include "traces/formulas/walk.hpp"
 #include "traces/replay/same.hpp"
 
@@ -58,12 +59,14 @@ std::string field_word(const Event& event, std::string_view name) {
 }
 
 std::string shown_name(const Event& event, std::string_view name, const std::string& depth) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 24> names{
-      {{"x_left", "x_L"},  {"x_right", "x_R"}, {"z_left", "z_L"}, {"z_right", "z_R"}, {"dx_dy", "1/m"},
-       {"dz_dy", "dz/dy"}, {"dz_dx", "dz/dx"}, {"x_edge", "x"},   {"plane_a", "A"},   {"plane_b", "B"},
-       {"plane_c", "C"},   {"plane_d", "D"},   {"y_curve", "y"},  {"x_at", "x"},      {"y_at", "y"},
-       {"x_cut", "x"},     {"y_cut", "y"},     {"z_cut", "z"},    {"dir_x", "dX_x"},  {"dir_y", "dX_y"},
-       {"dir_z", "dX_z"},  {"r8", "red"},      {"g8", "green"},   {"b8", "blue"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 31> names{
+      {{"x_left", "x_L"},      {"x_right", "x_R"}, {"z_left", "z_L"}, {"z_right", "z_R"}, {"dx_dy", "1/m"},
+       {"dz_dy", "dz/dy"},     {"dz_dx", "dz/dx"}, {"x_edge", "x"},   {"plane_a", "A"},   {"plane_b", "B"},
+       {"plane_c", "C"},       {"plane_d", "D"},   {"y_curve", "y"},  {"x_at", "x"},      {"y_at", "y"},
+       {"x_cut", "x"},         {"y_cut", "y"},     {"z_cut", "z"},    {"dir_x", "dX_x"},  {"dir_y", "dX_y"},
+       {"dir_z", "dX_z"},      {"r8", "red"},      {"g8", "green"},   {"b8", "blue"},     {"edge_a", "A"},
+       {"edge_b", "B"},        {"edge_c", "C"},    {"e_0", "E_0"},    {"e_1", "E_1"},     {"e_2", "E_2"},
+       {"twice_area", "area2"}}};
   if (name == "z" || name == "z_edge") return depth;
   if (name == "z_cut" && holds<SplitVertex>(event) && get<SplitVertex>(event).space == Space::raster) return depth;
   for (const auto& [field, shown] : names)
@@ -252,6 +255,13 @@ struct Source {
     return own ? own->step : work.last<SpanBegin>(step);
   }
 
+  Step of_triangle(std::int64_t number) const {
+    if (number == formulas::detail::setup_place) return work.last<TriangleSetup>(step);
+    if (number == formulas::detail::test_place) return work.last<InsideTest>(step);
+    if (number == formulas::detail::weights_place) return work.last<BarycentricWeights>(step);
+    return find_last<EdgeFunction>(work.trace, step, [&](const EdgeFunction& e) { return e.edge_function == number; });
+  }
+
   /// A depth from elsewhere in the run: its own links follow after these.
   Number of_buffer() const {
     const std::int64_t width = work.scene.raster.width;
@@ -279,6 +289,7 @@ struct Source {
     if (in == In::edge_table) return written_by(work.step_of_edge(number));
     if (in == In::active_edge) return of_active_edge();
     if (in == In::plane) return written_by(work.last<PlaneSlopes>(step));
+    if (in == In::triangle) return written_by(of_triangle(operand.place.number));
     if (in == In::span) return written_by(own_span());
     if (in == In::fragment) return of_fragment();
     if (in == In::attribute) return written_by(work.last<AttributeInterpolate>(step));

@@ -119,6 +119,10 @@ TEST_CASE("law: increments and inclusive coverage change the picture at edges an
       CAPTURE(m->id);
       Conventions conventions = interpolating(*m, conventions_of(subject));
       conventions.interpolation = Conventions::Interpolation::increments;
+      if (!can_draw(*m, lit_for(*m, subject.scene), conventions)) {
+        CHECK(m->id == "half-space");  // which has neither
+        continue;
+      }
       hold(truth, subject, conventions, drawn(*m, subject.scene, conventions));
       conventions.coverage = Conventions::Coverage::inclusive;
       hold(truth, subject, conventions, drawn(*m, subject.scene, conventions));

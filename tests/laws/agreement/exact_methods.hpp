@@ -20,8 +20,12 @@ inline std::vector<const Method*> exact_methods() {
 }
 
 /// With a light, for methods that need one; the others do not see it.
-inline Picture drawn(const Method& method, Scene scene, const Conventions& conventions) {
+inline Scene lit_for(const Method& method, Scene scene) {
   if (method.needs == Needs::light) scene.light = Light{{3, -2, 5}, {0, 0, 0}, 0.5, 0.1, 30};
+  return scene;
+}
+inline Picture drawn(const Method& method, const Scene& unlit, const Conventions& conventions) {
+  const Scene scene = lit_for(method, unlit);
   check_run(method, scene, conventions);
   NullRecorder nothing;
   const Picture picture = method.render(scene, conventions, nothing);

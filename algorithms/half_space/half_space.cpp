@@ -1,0 +1,373 @@
+#include "algorithms/half_space/half_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "algorithms/half_space/triangles.hpp"
+#include "algorithms/viewing/clip.hpp"
+#include "traces/error.hpp"
+#include "traces/formulas/attributes.hpp"
+#include "traces/formulas/half_space.hpp"
+#include "traces/math/whole.hpp"
+#include "traces/record/all_recorders.hpp"
+
+namespace zstep::half_space {
+
+namespace {
+
+using formulas::tile_side;
+using formulas::tile_start;
+using scan_conversion::NumbersOf;
+
+/// Pixels, the ends just beyond.
+struct Box {
+  std::int32_t first_column = 0, first_row = 0, end_column = 0, end_row = 0;
+};
+
+template <class T>
+struct Edge {
+  T a, b, x, y;  ///< (x, y): its end with the smaller y
+  bool owns;
+
+  T at(std::int32_t column, std::int32_t row) const { return formulas::edge_value(a, b, T(column), x, T(row), y); }
+  T stepped(std::int32_t column, std::int32_t row) const {
+    return formulas::edge_value_stepped(a, b, column, x, row, y);
+  }
+  bool covers(const T& value) const { return formulas::is_on_side(value, owns); }
+};
+
+/// The values of the three edge functions at a pixel's centre.
+template <class T>
+using Values = std::array<T, 3>;
+
+template <class T>
+struct Triangle {
+  Corners corners;
+  T twice_area;
+  Box box;
+  std::array<Edge<T>, 3> edges;
+  std::array<T, 3> z;  ///< what is interpolated to depths
+
+  bool covers(const Values<T>& e) const {
+    return edges[0].covers(e[0]) && edges[1].covers(e[1]) && edges[2].covers(e[2]);
+  }
+  T by_weights(const Values<T>& w, const Values<T>& p) const {
+    return formulas::by_weights(p[0], w[1], p[1], w[2], p[2]);
+  }
+};
+
+/// Goes through pixels from left to right, line by line, with the values of a triangle's edge functions.
+template <class T>
+class EdgeWalk {
+ public:
+  EdgeWalk(const Triangle<T>& triangle, Stepping stepping) : triangle_(triangle), stepping_(stepping) {}
+
+  Values<T> at(std::int32_t x, std::int32_t y) const {
+    Values<T> e;
+    for (std::size_t i = 0; i < 3; ++i)
+      e[i] = stepping_ == Stepping::products ? triangle_.edges[i].at(x, y) : triangle_.edges[i].stepped(x, y);
+    return e;
+  }
+  /// The same of the pixel right of the last one that was asked for on its line, or of the first one.
+  const Values<T>& next(std::int32_t x, std::int32_t y, bool first) {
+    if (stepping_ == Stepping::products || first || x == tile_start(x)) return e_ = at(x, y);
+    for (std::size_t i = 0; i < 3; ++i) e_[i] = e_[i] + triangle_.edges[i].a;
+    return e_;
+  }
+
+ private:
+  const Triangle<T>& triangle_;
+  Stepping stepping_;
+  Values<T> e_{};
+};
+
+template <class T, Recorder R>
+class Drawing {
+ public:
+  Drawing(const Scene& scene, const Conventions& conventions, const viewing::Vertices& vertices, Picture& picture,
+          R& record)
+      : scene_(scene),
+        vertices_(vertices),
+        picture_(picture),
+        record_(record),
+        stepping_(choice_of<Stepping>(options, conventions, "stepping")),
+        tiles_(is_on(options, conventions, "tiles")),
+        hierarchical_(is_on(options, conventions, "hierarchical-z")),
+        corrected_(conventions.depth == Conventions::Depth::corrected),
+        greater_(greater_is_nearer(conventions.depth)),
+        shades_(conventions.attribute != Conventions::Attribute::none),
+        divides_(formulas::attribute_over_depth(scene, conventions)) {}
+
+  void draw(std::int32_t polygon, const clipping::Outline& outline) {
+    polygon_ = polygon;
+    const std::vector<Corners>& triangles = triangulation_.cut(outline, vertices_);
+    if (triangulation_.may_overlap()) count_covers(triangles);
+    for (const Corners& corners : triangles) {
+      const Triangle<T> triangle = set_up(corners);
+      const auto [first_column, first_row, end_column, end_row] = triangle.box;
+      const auto [v_0, v_1, v_2] = triangle.corners;
+      record_(step::triangle,
+              TriangleSetup{v_0, v_1, v_2, triangle.twice_area, first_column, first_row, end_column, end_row});
+      if (triangle.twice_area == 0) continue;
+
+      record_edges(triangle);
+      if (tiles_ || hierarchical_) draw_tiles(triangle);
+      else draw_box(triangle, triangle.box, true);
+    }
+  }
+
+ private:
+  glm::dvec3 raster(std::int32_t vertex) const { return vertices_[vertex].raster; }
+  T position(double x) const { return NumbersOf<T>{}.position(x); }
+  bool nearer(double z, double other) const { return greater_ ? z > other : z < other; }
+  T depth_of(const T& along) const { return corrected_ ? T(1) / along : along; }
+
+  Triangle<T> set_up(Corners corners) const {
+    const auto area = [&] {
+      const glm::dvec3 p = raster(corners[0]), q = raster(corners[1]), r = raster(corners[2]);
+      return formulas::twice_area(position(p.x), position(p.y), position(q.x), position(q.y), position(r.x),
+                                  position(r.y));
+    };
+    if (area() < 0) std::swap(corners[1], corners[2]);
+    Triangle<T> triangle{corners, area(), {}, {}, {}};
+    double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::dvec3 own = raster(corners[i]), from = raster(corners[(i + 1) % 3]), to = raster(corners[(i + 2) % 3]);
+      const T x_0 = position(from.x), y_0 = position(from.y), x_1 = position(to.x), y_1 = position(to.y);
+      const bool first = formulas::is_first_end(x_0, y_0, x_1, y_1);
+      triangle.edges[i] = {y_0 - y_1, x_1 - x_0, first ? x_0 : x_1, first ? y_0 : y_1, false};
+      triangle.edges[i].owns = formulas::owns_line(triangle.edges[i].a, triangle.edges[i].b);
+      triangle.z[i] = NumbersOf<T>{}.depth(own.z);
+      left = std::min<double>(left, position(own.x)), right = std::max<double>(right, position(own.x));
+      top = std::min<double>(top, position(own.y)), bottom = std::max<double>(bottom, position(own.y));
+    }
+    const std::int32_t width = scene_.raster.width, height = scene_.raster.height;
+    triangle.box = {formulas::box_first(left, width), formulas::box_first(top, height), formulas::box_end(right, width),
+                    formulas::box_end(bottom, height)};
+    return triangle;
+  }
+
+  void record_edges(const Triangle<T>& triangle) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Edge<T>& edge = triangle.edges[i];
+      const std::int32_t from = triangle.corners[(i + 1) % 3], to = triangle.corners[(i + 2) % 3];
+      const T c = formulas::edge_constant(edge.a, edge.b, edge.x, edge.y);
+      record_(step::edge, EdgeFunction{index32(i), from, to, edge.a, edge.b, c, edge.owns});
+    }
+  }
+
+  /// How many triangles cover each pixel.
+  void count_covers(const std::vector<Corners>& triangles) {
+    covers_.assign(picture_.depth.size(), 0);
+    for (const Corners& corners : triangles) {
+      const Triangle<T> triangle = set_up(corners);
+      if (triangle.twice_area == 0) continue;
+      EdgeWalk<T> walk(triangle, stepping_);
+      for (std::int32_t y = triangle.box.first_row; y < triangle.box.end_row; ++y)
+        for (std::int32_t x = triangle.box.first_column; x < triangle.box.end_column; ++x)
+          covers_[picture_.at(x, y)] += triangle.covers(walk.next(x, y, x == triangle.box.first_column));
+    }
+  }
+  /// The first of the triangles that cover a pixel draws it, where their number is odd.
+  bool is_drawn(std::size_t pixel) {
+    return !triangulation_.may_overlap() || std::exchange(covers_[pixel], 0) % 2 != 0;
+  }
+
+  // Early accept and early reject.
+
+  TileCover cover(const Triangle<T>& triangle, const Box& tile) const {
+    bool inside = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Edge<T>& edge = triangle.edges[i];
+      const std::int32_t left = tile.first_column, right = tile.end_column - 1, top = tile.first_row,
+                         bottom = tile.end_row - 1;
+      const auto value = [&](bool to_the_right, bool down) {
+        const std::int32_t x = to_the_right ? right : left, y = down ? bottom : top;
+        return stepping_ == Stepping::products ? edge.at(x, y) : edge.stepped(x, y);
+      };
+      if (!edge.covers(value(edge.a > 0, edge.b > 0))) return TileCover::outside;
+      inside = inside && edge.covers(value(!(edge.a > 0), !(edge.b > 0)));
+    }
+    return inside ? TileCover::inside : TileCover::partly;
+  }
+
+  /// The nearest depth that the triangle can have in a tile.
+  T nearest_in(const Triangle<T>& triangle, const Box& tile) const {
+    const EdgeWalk<T> walk(triangle, stepping_);
+    const bool greatest = greater_ != corrected_;
+    const auto nearest = [&](const T& one, const T& other) {
+      return greatest ? std::max(one, other) : std::min(one, other);
+    };
+    std::optional<T> at_corners;
+    for (const std::int32_t y : {tile.first_row, tile.end_row - 1})
+      for (const std::int32_t x : {tile.first_column, tile.end_column - 1}) {
+        const T along = triangle.by_weights(weights(triangle, walk.at(x, y)), triangle.z);
+        at_corners = at_corners ? nearest(*at_corners, along) : along;
+      }
+    const T at_vertices = nearest(nearest(triangle.z[0], triangle.z[1]), triangle.z[2]);
+    return depth_of(greatest ? std::min(*at_corners, at_vertices) : std::max(*at_corners, at_vertices));
+  }
+  /// The farthest depth that is stored in the whole tile.
+  double farthest_in(const Box& tile) const {
+    const std::int32_t left = tile_start(tile.first_column), top = tile_start(tile.first_row);
+    double farthest = picture_.depth[picture_.at(left, top)];
+    for (std::int32_t y = top; y < std::min(picture_.height, top + tile_side); ++y)
+      for (std::int32_t x = left; x < std::min(picture_.width, left + tile_side); ++x)
+        if (const double stored = picture_.depth[picture_.at(x, y)]; nearer(farthest, stored)) farthest = stored;
+    return farthest;
+  }
+
+  void draw_tiles(const Triangle<T>& triangle) {
+    const Box& box = triangle.box;
+    for (std::int32_t top = tile_start(box.first_row); top < box.end_row; top += tile_side)
+      for (std::int32_t left = tile_start(box.first_column); left < box.end_column; left += tile_side)
+        draw_tile(triangle, {std::max(left, box.first_column), std::max(top, box.first_row),
+                             std::min(left + tile_side, box.end_column), std::min(top + tile_side, box.end_row)});
+  }
+
+  void draw_tile(const Triangle<T>& triangle, const Box& tile) {
+    const auto [first_column, first_row, end_column, end_row] = tile;
+    TileCover found = TileCover::partly;
+    if (tiles_) {
+      found = cover(triangle, tile);
+      record_(step::tile, TileTest{first_column, first_row, end_column, end_row, found});
+      if (found == TileCover::outside) return;
+    }
+    if (hierarchical_) {
+      const double nearest = nearest_in(triangle, tile), farthest = farthest_in(tile);
+      const bool may_be_seen = nearer(nearest, farthest);
+      record_(step::tile_depth,
+              TileDepthTest{first_column, first_row, end_column, end_row, nearest, farthest, may_be_seen});
+      if (!may_be_seen) return;
+    }
+    draw_box(triangle, tile, found == TileCover::partly);
+  }
+
+  void draw_box(const Triangle<T>& triangle, const Box& box, bool tests) {
+    EdgeWalk<T> walk(triangle, stepping_);
+    for (std::int32_t y = box.first_row; y < box.end_row; ++y) {
+      for (std::int32_t x = box.first_column; x < box.end_column; ++x) {
+        const Values<T>& e = walk.next(x, y, x == box.first_column);
+        if (tests) {
+          const bool inside = triangle.covers(e);
+          record_(step::test, InsideTest{x, y, e[0], e[1], e[2], inside});
+          if (!inside) continue;
+        }
+        if (is_drawn(picture_.at(x, y))) draw_pixel(triangle, x, y, weights(triangle, e));
+      }
+    }
+  }
+
+  static Values<T> weights(const Triangle<T>& triangle, const Values<T>& e) {
+    return {e[0] / triangle.twice_area, e[1] / triangle.twice_area, e[2] / triangle.twice_area};
+  }
+
+  void draw_pixel(const Triangle<T>& triangle, std::int32_t x, std::int32_t y, const Values<T>& w) {
+    record_(step::weights, BarycentricWeights{x, y, w[0], w[1], w[2]});
+
+    const double z = depth_of(triangle.by_weights(w, triangle.z));
+    record_(z_buffer::step::interpolate_z, DepthInterpolate{x, y, z});
+
+    const std::size_t pixel = picture_.at(x, y);
+    const bool wins = nearer(z, picture_.depth[pixel]);
+    record_(z_buffer::step::compare, DepthCompare{x, y, z, wins});
+    if (!wins) return;
+
+    picture_.depth[pixel] = z;
+    record_(z_buffer::step::write_depth, DepthWrite{x, y, z});
+
+    picture_.polygon[pixel] = polygon_;
+    record_(z_buffer::step::write_pixel, PixelWrite{x, y, polygon_});
+    if (shades_) shade(triangle, x, y, w);
+  }
+
+  /// The attribute of the vertices by the same weights: a/z_v and 1/z_v, or a itself.
+  void shade(const Triangle<T>& triangle, std::int32_t x, std::int32_t y, const Values<T>& w) {
+    Values<T> over_z, one_over_z;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::dvec3& view = vertices_[triangle.corners[i]].view;
+      const T a = static_cast<T>(formulas::attribute_of(scene_, triangle.corners[i], view));
+      const auto over = divides_ ? formulas::over_depth(a, static_cast<T>(view.z)) : formulas::OverDepth<T>{a, T(1)};
+      over_z[i] = over.over_z, one_over_z[i] = over.one_over_z;
+    }
+    const T above = triangle.by_weights(w, over_z), below = divides_ ? triangle.by_weights(w, one_over_z) : T(1);
+    const T a = divides_ ? above / below : above;
+    record_(interpolation::step::attribute, AttributeInterpolate{x, y, above, below, a});
+
+    const Color ink = interpolation::in_stripes(scene_.polygons[polygon_].color, a);
+    picture_.ink[picture_.at(x, y)] = ink_of(ink);
+    record_(interpolation::step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});
+  }
+
+  const Scene& scene_;
+  const viewing::Vertices& vertices_;
+  Picture& picture_;
+  R& record_;
+  Stepping stepping_;
+  bool tiles_, hierarchical_, corrected_, greater_, shades_, divides_;
+  std::int32_t polygon_ = no_polygon;
+  Triangulation triangulation_;
+  std::vector<std::int32_t> covers_;  ///< by pixel, where triangles may overlap
+};
+
+template <class T, Recorder R>
+Picture draw(const Scene& scene, const Conventions& conventions, R& record) {
+  const Raster& raster = scene.raster;
+  const double farthest = greater_is_nearer(conventions.depth) ? -no_depth : no_depth;
+
+  Picture picture(raster.width, raster.height);
+  for (double& depth : picture.depth) depth = farthest;
+  if (conventions.attribute != Conventions::Attribute::none) picture.use_ink();
+  record(z_buffer::step::clear, BuffersClear{farthest});
+
+  viewing::Lens lens(scene.camera, raster, conventions.depth);
+  lens.whole_pixels = conventions.positions == Conventions::Positions::integer;
+  viewing::Vertices vertices = viewing::view_vertices(scene, lens, record);
+
+  clipping::Outline outline;
+  Drawing<T, R> drawing(scene, conventions, vertices, picture, record);
+  std::int32_t number = 0;
+  for (const Facet& facet : scene.facets) {
+    record(z_buffer::step::polygon, PolygonBegin{facet.polygon, number});
+    ++number;
+
+    vertices.resize(scene.points.size());  // without those that clipping made for the facet before
+    const bool visible = clipping::find_outline(scene, facet, conventions.cull, lens, vertices, outline, record);
+    if (visible) drawing.draw(facet.polygon, outline);
+  }
+  return picture;
+}
+
+}  // namespace
+
+template <Recorder R>
+Picture run(const Scene& scene, const Conventions& conventions, R& record) {
+  if (conventions.number_format == NumberFormat::float32) return draw<float>(scene, conventions, record);
+  return draw<double>(scene, conventions, record);
+}
+
+Page page_for(const Conventions& conventions) { return interpolation::page_with(page(), conventions); }
+
+void check(const Conventions& c, const std::string&) {
+  const auto refuse = [](const std::string& what, const char* why, const char* instead) {
+    throw InputError(what, why, instead);
+  };
+  if (c.coverage != Conventions::Coverage::top_left)
+    refuse("--coverage " + std::string(word_of(c.coverage)),
+           "half-space covers by edge functions and the top-left rule", "give --coverage top-left, or use z-buffer");
+  if (c.interpolation != Conventions::Interpolation::direct)
+    refuse("--interpolation " + std::string(word_of(c.interpolation)),
+           "half-space has no edges and spans to step along", "give --option stepping=increments, or use z-buffer");
+  if (bits_of(c.number_format) > 0)
+    refuse("--number-format " + std::string(word_of(c.number_format)), "half-space computes in floating point",
+           "give --number-format float64 or float32, or use z-buffer");
+}
+
+#define INSTANTIATE(R) template Picture run<R>(const Scene&, const Conventions&, R&);
+ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
+
+}  // namespace zstep::half_space

@@ -1,0 +1,55 @@
+// Triangles as three half-planes, with a Z-buffer.
+//
+// J. Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988. Each edge of a triangle has a function
+// E(x, y) = A x + B y + C, positive on the triangle's side: a pixel is covered where all three are, and their values
+// over twice the area are the weights of the three vertices. A centre on an edge belongs to the triangle that has it as
+// a left or a top edge (Foley et al., section 3.6), so of two that share it to exactly one. Tiles and their farthest
+// depths: N. Greene, M. Kass and G. Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, with one level.
+//
+// Departures: E is evaluated as A (x - X) + B (y - Y), (X, Y) being the edge's end with the smaller y, so that it is
+// exactly 0 at a vertex and two triangles have opposite values to the last bit; where it is stepped, it begins anew at
+// each tile of the raster for the same reason. Depths are computed as z_0 + w_1 (z_1 - z_0) + w_2 (z_2 - z_0), so that
+// a plane of constant depth has one number. Polygons that are convex on the raster are cut into a fan from their first
+// vertex, others into ears; of an outline that crosses itself triangles overlap, and a pixel is drawn where the number
+// of those that cover it is odd, as the even-odd rule has it.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/interpolation/interpolation.hpp"
+#include "algorithms/z_buffer/z_buffer.hpp"
+#include "traces/record/recorder.hpp"
+#include "traces/scene.hpp"
+
+// The steps, those of the Z-buffer that it shares among them.
+
+#define ZSTEP_MODULE half_space
+#define ZSTEP_FIRST_STEP 76
+#define ZSTEP_STEPS "algorithms/half_space/steps.def"
+#include "traces/record/declare_steps.hpp"
+
+namespace zstep::half_space {
+
+enum class Stepping { products, increments };
+
+inline constexpr std::array<Option, 3> options{
+    {{"stepping", "products|increments", "products",
+      "edge functions evaluated at each pixel, or stepped by A from pixel to pixel and by B from line to line"},
+     {"tiles", "off|8", "off", "8x8 tiles, accepted or rejected as a whole where an edge function's corners allow it"},
+     {"hierarchical-z", "off|on", "off",
+      "a tile is rejected where the nearest depth of the triangle in it is not nearer than its farthest stored one"}}};
+
+/// Draws the scene's facets in their order, each as triangles. Strictly nearer wins, or strictly greater where the
+/// depth grows towards the eye; of equal depths the one drawn first stays.
+template <Recorder R>
+Picture run(const Scene& scene, const Conventions& conventions, R& record);
+
+/// The page of steps that a run under these conventions has.
+Page page_for(const Conventions& conventions);
+
+/// Throws InputError for conventions that this method does not have.
+void check(const Conventions& conventions, const std::string& who);
+
+}  // namespace zstep::half_space

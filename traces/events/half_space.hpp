@@ -1,0 +1,151 @@
+// Triangles by half-planes: edge functions, the tests of tiles and of pixels, barycentric weights.
+// Part of the vocabulary: see vocabulary.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "traces/events/field.hpp"
+
+namespace zstep {
+
+enum class TileCover : std::uint8_t { outside, inside, partly };
+
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<TileCover>{"outside", "inside", "partly"};
+
+// clang-format off
+
+struct TriangleSetup {
+  std::int32_t vertex_0, vertex_1, vertex_2; double twice_area;
+  std::int32_t first_column, first_row, end_column, end_row;
+};
+struct EdgeFunction {
+  std::int32_t edge_function, vertex_0, vertex_1; double edge_a, edge_b, edge_c; bool owns;
+};
+struct TileTest { std::int32_t first_column, first_row, end_column, end_row; TileCover cover; };
+struct TileDepthTest {
+  std::int32_t first_column, first_row, end_column, end_row; double z_nearest, z_farthest; bool nearer;
+};
+struct InsideTest { std::int32_t x, y; double e_0, e_1, e_2; bool inside; };
+struct BarycentricWeights { std::int32_t x, y; double w_0, w_1, w_2; };
+
+// clang-format on
+
+template <>
+inline constexpr Description description_of<TriangleSetup>{
+    .name = "triangle_setup",
+    .meaning = "a triangle of the polygon: its area, and its bounding box within the raster",
+    .work = WorkKind::planes,
+    .called = "triangle of the vertices {vertex_0}, {vertex_1}, {vertex_2}",
+    .within = Within::polygon,
+    .begins = {Unit::scan_line, "triangle"}};
+template <>
+inline constexpr auto fields_of<TriangleSetup> = Fields{
+    Field{"vertex_0", &TriangleSetup::vertex_0, Measure::vertex, "vertex 0; the order is that of a positive area",
+          As::subject},
+    Field{"vertex_1", &TriangleSetup::vertex_1, Measure::vertex, "vertex 1", As::subject},
+    Field{"vertex_2", &TriangleSetup::vertex_2, Measure::vertex, "vertex 2", As::subject},
+    Field{"twice_area", &TriangleSetup::twice_area, "px^2",
+          "twice its area on the raster, (x_1 - x_0)(y_2 - y_0) - (x_2 - x_0)(y_1 - y_0)", As::formula},
+    Field{"first_column", &TriangleSetup::first_column, Measure::column_or_end, "the first column of its bounding box",
+          As::formula},
+    Field{"first_row", &TriangleSetup::first_row, Measure::row_or_end, "the first row of it", As::formula},
+    Field{"end_column", &TriangleSetup::end_column, Measure::column_or_end, "the column just beyond it", As::formula},
+    Field{"end_row", &TriangleSetup::end_row, Measure::row_or_end, "the row just beyond it", As::formula}};
+
+template <>
+inline constexpr Description description_of<EdgeFunction>{
+    .name = "edge_function",
+    .meaning = "an edge as E(x, y) = A x + B y + C, positive on the triangle's side",
+    .work = WorkKind::edges,
+    .called = "edge function E_{edge_function} of the edge from {vertex_0} to {vertex_1}",
+    .within = Within::polygon | Within::triangle};
+template <>
+inline constexpr auto fields_of<EdgeFunction> = Fields{
+    Field{"edge_function", &EdgeFunction::edge_function, "index",
+          "which of the three, 0 to 2: the edge opposite the vertex of that number", As::aside, Guess::next},
+    Field{"vertex_0", &EdgeFunction::vertex_0, Measure::vertex, "the vertex it comes from", As::formula | As::subject},
+    Field{"vertex_1", &EdgeFunction::vertex_1, Measure::vertex, "the vertex it goes to", As::formula | As::subject},
+    Field{"edge_a", &EdgeFunction::edge_a, "px", "A = y_0 - y_1: what E gains from pixel to pixel", As::formula},
+    Field{"edge_b", &EdgeFunction::edge_b, "px", "B = x_1 - x_0: what E gains from scan line to scan line",
+          As::formula},
+    Field{"edge_c", &EdgeFunction::edge_c, "px^2",
+          "C = -(A X + B Y), (X, Y) being the end with the smaller y, of equal ones the smaller x", As::formula},
+    Field{"owns", &EdgeFunction::owns, "1",
+          "a centre on the line belongs to the triangle: a left edge, A > 0, or a top one, A = 0 and B > 0",
+          As::formula}};
+
+template <>
+inline constexpr Description description_of<TileTest>{
+    .name = "tile_test",
+    .meaning =
+        "a tile of pixels is held against the three edges, by the corner farthest inside and the one farthest "
+        "outside of each",
+    .work = WorkKind::tests,
+    .called = "tile at ({first_column}, {first_row})",
+    .within = Within::polygon | Within::triangle};
+template <>
+inline constexpr auto fields_of<TileTest> = Fields{
+    Field{"first_column", &TileTest::first_column, Measure::column_or_end,
+          "the first column of what the tile has of the bounding box", As::subject},
+    Field{"first_row", &TileTest::first_row, Measure::row_or_end, "the first row of that", As::subject},
+    Field{"end_column", &TileTest::end_column, Measure::column_or_end, "the column just beyond it", As::formula},
+    Field{"end_row", &TileTest::end_row, Measure::row_or_end, "the row just beyond it", As::formula},
+    Field{"cover", &TileTest::cover, "1",
+          "outside: beyond one edge, and rejected; inside: within all, and accepted; partly: its pixels are tested",
+          As::formula}};
+
+template <>
+inline constexpr Description description_of<TileDepthTest>{
+    .name = "tile_depth_test",
+    .meaning = "the nearest depth that the triangle has in a tile is held against the farthest that is stored in it",
+    .work = WorkKind::tests,
+    .called = "depths of the tile at ({first_column}, {first_row})",
+    .within = Within::polygon | Within::triangle};
+template <>
+inline constexpr auto fields_of<TileDepthTest> = Fields{
+    Field{"first_column", &TileDepthTest::first_column, Measure::column_or_end,
+          "the first column of what the tile has of the bounding box", As::subject},
+    Field{"first_row", &TileDepthTest::first_row, Measure::row_or_end, "the first row of that", As::subject},
+    Field{"end_column", &TileDepthTest::end_column, Measure::column_or_end, "the column just beyond it", As::formula},
+    Field{"end_row", &TileDepthTest::end_row, Measure::row_or_end, "the row just beyond it", As::formula},
+    Field{"z_nearest", &TileDepthTest::z_nearest, "depth",
+          "the nearest depth of the triangle's plane at its corners, and not nearer than the triangle's vertices",
+          As::formula},
+    Field{"z_farthest", &TileDepthTest::z_farthest, "depth", "the farthest depth stored in the whole tile",
+          As::formula},
+    Field{"nearer", &TileDepthTest::nearer, "1", "it may be seen; else the tile is rejected", As::formula}};
+
+template <>
+inline constexpr Description description_of<InsideTest>{.name = "inside_test",
+                                                        .meaning = "a pixel's centre is held against the three edges",
+                                                        .work = WorkKind::tests,
+                                                        .called = "inside test of pixel ({x}, {y})",
+                                                        .within = Within::polygon | Within::triangle};
+template <>
+inline constexpr auto fields_of<InsideTest> = Fields{
+    Field{"x", &InsideTest::x, Measure::column, "column", As::subject, Guess::next},
+    Field{"y", &InsideTest::y, Measure::pixel_row, "row", As::subject},
+    Field{"e_0", &InsideTest::e_0, "px^2", "E_0 at the centre", As::formula},
+    Field{"e_1", &InsideTest::e_1, "px^2", "E_1", As::formula},
+    Field{"e_2", &InsideTest::e_2, "px^2", "E_2", As::formula},
+    Field{"inside", &InsideTest::inside, "1", "each is positive, or 0 on an edge that owns its line", As::formula}};
+
+template <>
+inline constexpr Description description_of<BarycentricWeights>{
+    .name = "barycentric_weights",
+    .meaning = "how much of each vertex a pixel inside has: w_i = E_i / twice the area",
+    .work = WorkKind::depths,
+    .called = "weights at pixel ({x}, {y})",
+    .within = Within::polygon | Within::triangle};
+template <>
+inline constexpr auto fields_of<BarycentricWeights> =
+    Fields{Field{"x", &BarycentricWeights::x, Measure::column, "column", As::subject},
+           Field{"y", &BarycentricWeights::y, Measure::pixel_row, "row", As::subject},
+           Field{"w_0", &BarycentricWeights::w_0, "1", "the weight of vertex 0", As::formula},
+           Field{"w_1", &BarycentricWeights::w_1, "1", "of vertex 1", As::formula},
+           Field{"w_2", &BarycentricWeights::w_2, "1", "of vertex 2", As::formula}};
+
+}  // namespace zstep
