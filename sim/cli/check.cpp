@@ -68,7 +68,7 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
           : fmt::format("The run is judged up to a step that is impossible:\n{}\n", checked.impossible);
   if (const auto left = not_judged_in_words(trace, report); !left.empty())
     fmt::print(
-        "Not judged, as nothing in the run says what it must be:\n  {}\n"
+        "Not judged, as neither the run nor its scene says what it must be:\n  {}\n"
         "To find a mistake in that, compare the run with a right one: zstep diff.\n",
         fmt::join(left, "\n  "));
   if (const auto never = never_recorded(trace.header(), report); !never.empty())
@@ -102,7 +102,7 @@ void print_json(const Trace& trace, const CheckedRun& checked, const std::string
     const Fault& fault = cause.first;
     Json one{{"step", fault.step}};
     if (const std::int64_t line = trace.line_of(fault.step); line > 0) one["line"] = line;
-    if (const std::string_view place = trace.printed_at(fault.step); !place.empty()) one[place_key] = place;
+    if (const std::string_view place = trace.printed_at(fault.step); !place.empty()) one[at_key] = place;
     one["name"] = step_and_subject(trace, fault.line, "");
     one["subject"] = checked.texts[i].subject;
     if (fault.rule) one["rule"] = rule_text(*fault.rule).name;
@@ -230,8 +230,9 @@ void add_check(CLI::App& app, Action& action) {
   add_show_options(*command, options->show);
   command->footer(
       "Compares every number with what its formula gives for the trace's own operands, under the conventions in its\n"
-      "header, and checks every step against the rules of the method. What nothing in the run says is listed as not\n"
-      "judged. Exit code 0: nothing that can be judged is wrong; 1: something is. Where steps say where in the "
+      "header, every pixel of a polygon with what the scene has there, and checks every step against the rules of the\n"
+      "method. What neither the run nor its scene says is listed as not judged. Exit code 0: nothing that can be "
+      "judged is wrong; 1: something is. Where steps say where in the "
       "program\n"
       "they were printed, --view opens the first cause's place with ZSTEP_EDITOR, as ZSTEP_EDITOR=\"code -g {}\".\n"
       "\n"

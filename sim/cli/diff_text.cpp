@@ -266,7 +266,7 @@ void print_diff_json(const DiffText& text, const DiffReport& report, const diff:
   const auto side = [](const CauseSide& of) -> Json {
     if (of.step == 0) return nullptr;
     Json json{{"step", of.step}, {"where", of.where}, {"fields", of.fields}};
-    if (!of.at.empty()) json[place_key] = of.at;
+    if (!of.at.empty()) json[at_key] = of.at;
     return json;
   };
   Json causes = Json::array(), kinds = Json::object();

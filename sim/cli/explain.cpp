@@ -186,7 +186,7 @@ nlohmann::ordered_json json_of(const Trace& trace, const answers::Chain& chain, 
                      {"what", link.what},
                      {"source", link.source},
                      {"values", values}});
-    if (const std::string_view place = trace.printed_at(link.step); !place.empty()) links.back()[place_key] = place;
+    if (const std::string_view place = trace.printed_at(link.step); !place.empty()) links.back()[at_key] = place;
   }
   nlohmann::ordered_json all{{"links", links}, {"cut", chain.cut}};
   if (exactness && exactness->buffer_unit > 0)

@@ -227,7 +227,7 @@ int dump(const DumpOptions& options) {
         const StepInfo* info = find_step(page, recorded.step);
         const std::string fields = fields_text(recorded.event);
         std::cout << fmt::format("{:>{}}  {:<{}}  {}{}\n", position, digits, info == nullptr ? "?" : info->name, widest,
-                                 fields, place.empty() ? "" : fmt::format("  {}={}", place_key, place));
+                                 fields, place.empty() ? "" : fmt::format("  {}={}", at_key, place));
         if (const std::string doubt = doubts ? doubts->of(position) : ""; !doubt.empty())
           std::cout << fmt::format("{:>{}}  {}\n", "", digits, doubt);
       }

@@ -44,7 +44,7 @@ Json schema_of(const StepFields& step) {
     properties[std::string(field.name)] = schema_of(field);
     required.push_back(field.name);
   }
-  properties[place_key] = {{"description", "the place in the program that printed the step, as raster.cpp:417"},
+  properties[at_key] = {{"description", "the place in the program that printed the step, as raster.cpp:417"},
                            {"type", "string"},
                            {"minLength", 1},
                            {"maxLength", SourcePlaces::longest}};

@@ -65,9 +65,10 @@ std::string place_to(const formulas::DrawnFacet& facet, const Trace::Pixel& pixe
   const std::string edge = fmt::format("edge {}\u2013{}", name(beside->vertex_0), name(beside->vertex_1));
   const double distance = pixel.x - beside->x_edge;
   if (distance == 0) {
-    const bool own = facet.cover(pixel.x, pixel.y) == formulas::DrawnFacet::Cover::inside;
-    return fmt::format("its centre lies on {}, a {} edge, {}", edge, beside->is_left ? "left" : "right",
-                       own ? "which owns it" : "which does not own it");
+    if (facet.cover(pixel.x, pixel.y) == formulas::DrawnFacet::Cover::inside)
+      return fmt::format("its centre lies on {}, and is the polygon's own there", edge);
+    return fmt::format("its centre lies on {}, a {} edge, which does not own it", edge,
+                       beside->is_left ? "left" : "right");
   }
   return fmt::format("its centre lies {} to the {} of {}, which meets scan line {} at x = {}",
                      number(std::abs(distance)), distance < 0 ? "left" : "right", edge, pixel.y,

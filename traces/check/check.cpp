@@ -381,8 +381,8 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
     const bool had_fault = checker.any_fault;
     const RecordedEvent last = trace.event(trace.size());
     visit_event(
-        [&](const auto& e) {
-          Judge judge{checker, e};
+        [&]<class E>(const E& e) {
+          Judge<E> judge{checker, e};
           scene_pixels.end(at, judge);
         },
         last.event);
@@ -390,8 +390,12 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
   }
   checker.report.coverage = (filling.judges_all() || scene_pixels.judges_all()) && checker.wins.all_known();
   if (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceMake>))
-    for (std::size_t polygon = 0; polygon < has_steps.size(); ++polygon)
-      if (!has_steps[polygon]) checker.report.polygons_missing.push_back(index32(polygon));
+    for (std::size_t facet = 0; facet < trace.scene().facets.size(); ++facet) {
+      const std::int32_t polygon = trace.scene().facets[facet].polygon;
+      if (has_steps[polygon] || scene_pixels.may_be_left_out(index32(facet), at)) continue;
+      has_steps[polygon] = true;
+      checker.report.polygons_missing.push_back(polygon);
+    }
   return std::move(checker.report);
 }
 

@@ -71,6 +71,12 @@ class ScenePixels {
       out.rule(Rule::facet_is_drawn, false, fault);
     }
   }
+  /// Need a run not draw the facet: it faces away, or has no pixel for certain?
+  bool may_be_left_out(std::int32_t facet, const Situation& at) const {
+    if (!judges_) return false;
+    const auto drawn = formulas::DrawnFacet::from_scene(at.scene, at.header, facet, at.roundoff);
+    return drawn && (is_dropped(*drawn, at) || drawn->pixels_inside() == 0);
+  }
   /// Each pixel that is missing or too many would have been found.
   bool judges_all() const { return judges_ && whole_; }
 
@@ -100,13 +106,15 @@ class ScenePixels {
     const bool is_first = told.turn != (turn_ & most_turns);
     if (is_first) told.turn = turn_ & most_turns, told.had_turn = 0;
     const bool has_turn = has(at_pixel<E>, turn_of_);
-    if (has_turn && !told.had_turn) {
+    const bool is_turn = has_turn && told.had_turn == 0;
+    if (is_turn) {
       told.had_turn = 1;
       come(e.x, e.y);
       inside_ += facet->cover(e.x, e.y) == Cover::inside;
       if (!compares()) paint(*facet, e.x, e.y, at, out);
     }
-    if (is_first && open_ && out.is_clean() && (compares() ? has(at_pixel<E>, AtPixel::depth) : has_turn)) {
+    const bool is_asked = compares() ? is_first && has(at_pixel<E>, AtPixel::depth) : is_turn;
+    if (is_asked && open_ && out.is_clean()) {
       const bool back = facet->faces_away() && at.header.conventions.cull && at.header.declares(Convention::cull) &&
                         !at.method().rejected;
       out.rule(Rule::back_is_dropped, !back);

@@ -190,7 +190,7 @@ std::size_t begin_of_last_part(std::string_view text) {
 
 /// With nothing but the name left of the file in each "at", whole line or not.
 std::string steps_without_paths(std::string_view lines) {
-  const std::string key = '"' + std::string(place_key) + '"';
+  const std::string key = '"' + std::string(at_key) + '"';
   std::string out;
   std::size_t done = 0;
   for (std::size_t at = lines.find(key); at != std::string_view::npos; at = lines.find(key, at + 1)) {

@@ -71,7 +71,7 @@ double value_from(const json& in, const FieldOfKind& field) {
 void refuse_others(const json& line, std::span<const std::string_view> fields, std::string_view kind) {
   for (const auto& item : line.items()) {
     const std::string& key = item.key();
-    if (key == "step" || key == place_key || std::find(fields.begin(), fields.end(), key) != fields.end()) continue;
+    if (key == "step" || key == at_key || std::find(fields.begin(), fields.end(), key) != fields.end()) continue;
     throw MalformedJson(line, key, fmt::format("\"{}\" is no field of {}", key, kind),
                         near_word_or_list(key, fields, "its fields are"));
   }
@@ -92,8 +92,7 @@ Event event_from_json(std::uint8_t kind, const json& line) {
     }
     field.write(event, value_from(*found, field));
   }
-  if (line.size() != names.size() + 1 + line.count(place_key))
-    refuse_others(line, names, description_of_kind(kind).name);
+  if (line.size() != names.size() + 1 + line.count(at_key)) refuse_others(line, names, description_of_kind(kind).name);
   return event;
 }
 
@@ -144,7 +143,7 @@ bool take_fields(Members& at, const Members& end, Event& into, std::optional<std
     std::size_t place = next;
     if (place >= count || names[place] != key)
       for (place = 0; place < count && names[place] != key;) ++place;
-    if (place == count && key == place_key && !printed_at) {
+    if (place == count && key == at_key && !printed_at) {
       std::string_view text;
       if (found.get_string().get(text) != simdjson::SUCCESS) return false;
       printed_at = text;

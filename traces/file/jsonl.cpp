@@ -66,7 +66,7 @@ std::string jsonl_event(const Page& page, const RecordedEvent& recorded, std::st
         break;
     }
   }
-  if (!printed_at.empty()) put(line, place_key, printed_at);
+  if (!printed_at.empty()) put(line, at_key, printed_at);
   return text_of(line);
 }
 

@@ -437,14 +437,13 @@ class Reader {
   }
 
   std::string_view place_in(const json& document) const {
-    const auto found = document.find(place_key);
+    const auto found = document.find(at_key);
     if (found == document.end()) return "";
     constexpr const char* mend = "write the program's file and line, as \"raster.cpp:417\", or leave it out";
-    if (!found->is_string())
-      throw MalformedJson(document, place_key, fmt::format("\"{}\" is not a text", place_key), mend);
+    if (!found->is_string()) throw MalformedJson(document, at_key, fmt::format("\"{}\" is not a text", at_key), mend);
     const std::string_view place = found->get_ref<const std::string&>();
     if (const std::string fault = recorder_->places().fault_of(place); !fault.empty())
-      throw MalformedJson(document, place_key, fmt::format("\"{}\" {}", place_key, fault), mend);
+      throw MalformedJson(document, at_key, fmt::format("\"{}\" {}", at_key, fault), mend);
     return place;
   }
 

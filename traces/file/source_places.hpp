@@ -15,7 +15,7 @@
 namespace zstep {
 
 /// The member of a step in JSON Lines that names the place: "at":"raster.cpp:417". No field of an event is called so.
-inline constexpr const char* place_key = "at";
+inline constexpr const char* at_key = "at";
 
 /// The places in the program's source, by step. A line of pseudo-code is mostly printed by one line of a program: so
 /// only the steps are kept at which the place is not that of the step of the same name before.

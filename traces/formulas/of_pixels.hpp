@@ -31,11 +31,11 @@ void derive_depth_in_scene(const E& e, const Situation& at, Out& out) {
   const DrawnCorner& corner = facet->origin();
   const Place scene{Place::In::scene};
   const Place from = corner.vertex >= 0 ? Place{Place::In::vertex, corner.vertex} : scene;
-  const auto z =
-      interpolated(at, along_plane(out.number("z_0", corner.z, from["z"]), out.number("dz/dx", facet->dz_dx(), scene),
-                                   out.number("x", e.x, Place{}), out.number("x_0", corner.x, from["x_s"]),
-                                   out.number("dz/dy", facet->dz_dy(), scene), out.number("y", e.y, Place{}),
-                                   out.number("y_0", corner.y, from["y_s"])));
+  const auto z = interpolated(
+      at, along_plane(out.number("z_0", corner.z, from["z"]), out.number("dz/dx", facet->dz_dx(), scene["dz_dx"]),
+                      out.number("x", e.x, Place{}), out.number("x_0", corner.x, from["x_s"]),
+                      out.number("dz/dy", facet->dz_dy(), scene["dz_dy"]), out.number("y", e.y, Place{}),
+                      out.number("y_0", corner.y, from["y_s"])));
   // Of 1/z_v, which is what is linear, z_v is off by z_v^2 times as much.
   const double linear = facet->linear_at(e.x, e.y);
   const bool divides = at.header.conventions.depth == Conventions::Depth::corrected;

@@ -70,7 +70,7 @@ const std::string step = R"({"step":"write_depth","x":1,"y":1,"z":5)";
 }  // namespace
 
 TEST_CASE("places: no field of an event is called as they are") {
-  for (std::size_t kind = 0; kind < kind_count; ++kind) CHECK(field_of_kind(kind, place_key) == nullptr);
+  for (std::size_t kind = 0; kind < kind_count; ++kind) CHECK(field_of_kind(kind, at_key) == nullptr);
 }
 
 TEST_CASE("places: a run goes into a trace and back with all of them, and its steps are known by them") {
