@@ -156,10 +156,6 @@ constexpr std::array catalog{
         .paper = "E. Catmull, A Subdivision Algorithm for Computer Display of Curved Surfaces, PhD thesis, University "
                  "of Utah, 1974",
         .interpolates = true, .in_any_way = true, .page_for = interpolation::page_for),
-    METHOD(half_space, .id = "half-space", .title = "Half-space",
-           .paper = "J. Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988", .interpolates = true,
-           .in_any_way = true, .options = half_space::options, .check = half_space::check,
-           .page_for = half_space::page_for),
     METHOD(scan_line, .id = "scan-line", .title = "Scan line",
            .paper = "W. J. Bouknight, A Procedure for Generation of Three-Dimensional Half-Toned Computer Graphics "
                     "Presentations, Communications of the ACM 13(9), 1970",
@@ -210,6 +206,10 @@ constexpr std::array catalog{
     METHOD(transparency, .id = "transparency", .title = "Transparency",
            .paper = "T. Porter and T. Duff, Compositing Digital Images, SIGGRAPH 1984", .gives = Gives::mixtures,
            .options = transparency::options),
+    METHOD(half_space, .id = "half-space", .title = "Half-space",
+           .paper = "J. Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988", .interpolates = true,
+           .in_any_way = true, .options = half_space::options, .check = half_space::check,
+           .page_for = half_space::page_for),
 };
 
 #undef METHOD

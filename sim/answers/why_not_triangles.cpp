@@ -84,6 +84,7 @@ std::optional<Verdict> why_tile_hidden(Asked& q, const std::vector<FacetThere>& 
                                 fmt::format("at step {} the tile around the pixel was rejected: its nearest {} there, "
                                             "{}, is not nearer than the farthest that was stored in it, {}",
                                             grouped(hidden->first), q.z, nearest, farthest));
+    verdict.gap = q.trace.header().comparison.behind(hidden->second.z_nearest, hidden->second.z_farthest);
     if (const Visit* holding = holder(visits, hidden->first)) verdict.other = holding->shows;
     verdict.facet = there.facet;
     q.add_formulas(verdict, hidden->first);

@@ -45,9 +45,9 @@ Json schema_of(const StepFields& step) {
     required.push_back(field.name);
   }
   properties[at_key] = {{"description", "the place in the program that printed the step, as raster.cpp:417"},
-                           {"type", "string"},
-                           {"minLength", 1},
-                           {"maxLength", SourcePlaces::longest}};
+                        {"type", "string"},
+                        {"minLength", 1},
+                        {"maxLength", SourcePlaces::longest}};
   return {{"description", step.meaning},
           {"type", "object"},
           {"properties", properties},

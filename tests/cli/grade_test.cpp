@@ -162,7 +162,7 @@ TEST_CASE("grade: one wrong line of the program is named with both numbers, and 
   const Outcome outcome = run(folder, "grade --homework hw triangle.jsonl --scene triangle");
   CAPTURE(outcome.out);
   CHECK(outcome.code == 1);
-  CHECK(has(outcome.out, "The first thing to look at, in triangle, triangle.jsonl:11:"));
+  CHECK(has(outcome.out, "The first thing to look at, in triangle, triangle.jsonl:11, printed at "));
   CHECK(has(outcome.out, "compare, pixel (2, 2)"));
   CHECK(has(outcome.out, "expected  nearer = true"));
   CHECK(has(outcome.out, "yours     nearer = false"));

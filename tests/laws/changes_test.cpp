@@ -269,6 +269,7 @@ constexpr std::array passed_over{
     Undetectable{"edge_table_insert.dz_dy", "a neighbour's depth may be as near as rounding"},
     Undetectable{"edge_table_insert.z_edge", "a neighbour's depth may be as near as rounding"},
     Undetectable{"edge_table_skip.why", "a horizontal edge is also one between two rows"},
+    Undetectable{"line_hide", "a face may hide a line up to any place where its edges cross it"},
     Undetectable{"line_piece", "parts of a line may be cut at any end of what hides it"},
     Undetectable{"plane_equation", "a number so near 0 has no sign that counts"},
     Undetectable{"ray_begin", "a number so near 0 has no sign that counts"},
@@ -288,12 +289,12 @@ bool may_be_passed_over(const std::string& field) {
 
 TEST_CASE("law: what a step computes is judged by check, or listed as not judged, field by field") {
   constexpr int of_a_field = 6 / test::sparse, tries_a_trace = 1500 / (test::sparse * test::sparse);
-  std::mt19937_64 random(5);
   std::map<std::string, std::pair<int, std::string>> neither, passed;  // by field: how often, and the last one
   int tried = 0, noticed = 0, listed = 0;
   test::for_each_golden([&](const std::string& golden, const Trace& trace) {
     const TakenApart run(trace);
     std::map<std::string, int> made;
+    std::mt19937_64 random(golden.size());  // of its own, so that another golden run changes nothing
     for (int tries = 0; tries < tries_a_trace; ++tries) {
       // By more than any rounding: a change of digits may be none that counts.
       const auto how = static_cast<Change>(1 + random() % (static_cast<std::size_t>(Change::left_out) - 1));

@@ -370,6 +370,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
       ++checker.report.causes[checker.inherited].inherited;
     }
     at.passed(position, e);
+    if constexpr (std::is_same_v<E, OutlineVertex>) at.drawn_now.known = false;  // the facet at work has another one
     checker.mark_step();
     state.position = position;
     ++checker.report.steps;

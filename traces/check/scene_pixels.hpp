@@ -168,6 +168,7 @@ class ScenePixels {
   /// Do the pixels of each facet come row by row, from the top or from the bottom?
   void come(std::int32_t x, std::int32_t y) {
     const bool first = last_.y < 0, along = y == last_.y && x > last_.x;
+    comes_in_order_ = comes_in_order_ || !first;
     downwards_ = downwards_ && (first || y > last_.y || along);
     upwards_ = upwards_ && (first || y < last_.y || along);
     last_ = {x, y};
@@ -176,7 +177,7 @@ class ScenePixels {
   bool was_due(std::int32_t x, std::int32_t y) const {
     const bool along = y == last_.y && x < last_.x;
     const bool from_top = y < last_.y || along, from_bottom = y > last_.y || along;
-    return (downwards_ || upwards_) && (from_top || !downwards_) && (from_bottom || !upwards_);
+    return comes_in_order_ && (downwards_ || upwards_) && (from_top || !downwards_) && (from_bottom || !upwards_);
   }
   void note_missing(Fault& fault, std::int32_t x, std::int32_t y, const Situation& at) {
     const Told& told = told_[at.pixel(x, y)];
@@ -228,6 +229,7 @@ class ScenePixels {
   bool open_ = false;  ///< nothing is wrong with what the pixels of the facet at work come from
   bool is_over_ = false;
   bool downwards_ = true, upwards_ = true;  ///< see come()
+  bool comes_in_order_ = false;             ///< of some facet there were two pixels, so that one shows
   Trace::Pixel last_{-1, -1};               ///< of the facet at work
   static constexpr std::uint32_t most_turns = (std::uint32_t{1} << 31) - 1;
   std::uint32_t turn_ = 1;

@@ -91,8 +91,12 @@ bool same(Pixels reference, Pixels run, bool whole, const Supposed& numbers) {
 
 std::optional<Mistake> turned_of(const Trace& reference, const Trace& run, const Precision& precision) {
   // What is wrong before the pixels, or with their numbers, is not explained by where they are.
+  const auto is_of_scene = [](const Fault& fault) {
+    using formulas::Rule;
+    return fault.rule >= Rule::pixel_on_facet && fault.rule <= Rule::nearer_is_painted;
+  };
   for (const Fault& fault : faults_of(run, precision))
-    if (!is_of_pixel(fault.kind)) return std::nullopt;
+    if (!is_of_pixel(fault.kind) && !is_of_scene(fault)) return std::nullopt;
   std::array<bool, kind_count> both{};
   for (std::size_t kind = 0; kind < kind_count; ++kind)
     both[kind] = reference.has(static_cast<std::uint8_t>(kind)) && run.has(static_cast<std::uint8_t>(kind));

@@ -126,8 +126,8 @@ TEST_CASE("check: an attribute of points on the screen is divided by the 1/z tha
   conventions.attribute = Conventions::Attribute::perspective;
   const auto judged = [&](const char* attribute) {
     return check(test::trace_of(test::head("z-buffer", scene, conventions) + R"({"step":"polygon","polygon":0,"facet":0}
-{"step":"compare","x":3,"y":4,"z":5,"nearer":true}
-{"step":"attribute","x":3,"y":4,"over_z":2.25,"one_over_z":1.25,"attribute":)" +
+{"step":"compare","x":2,"y":4,"z":5,"nearer":true}
+{"step":"attribute","x":2,"y":4,"over_z":2.25,"one_over_z":1.25,"attribute":)" +
                                 attribute + "}\n"));
   };
   CHECK(judged("1.8").causes.empty());

@@ -41,7 +41,7 @@ Trace without_operands(const Trace& run) {
   TraceRecorder recorder(run.header(), run.scene());
   for (std::int64_t step = 1; step <= run.size(); ++step) {
     const RecordedEvent recorded = run.event(step);
-    if (holds<BuffersClear>(recorded.event) || holds<PolygonBegin>(recorded.event) ||
+    if (holds<BuffersClear>(recorded.event) ||  // and no polygon, by which the scene would say what depths must be
         holds<DepthCompare>(recorded.event) || holds<DepthWrite>(recorded.event) || holds<PixelWrite>(recorded.event))
       record_any(recorder, recorded.step, recorded.event);
   }

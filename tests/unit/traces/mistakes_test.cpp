@@ -40,7 +40,7 @@ Trace run_of(const std::vector<std::string>& steps) {
       R"("ties":"first","number_format":"float64"},"steps":[{"id":1,"name":"clear","event":"buffers_clear"},)"
       R"({"id":2,"name":"polygon","event":"polygon_begin"},{"id":3,"name":"compare","event":"depth_compare"},)"
       R"({"id":4,"name":"store","event":"depth_write"},{"id":5,"name":"paint","event":"pixel_write"}],)"
-      R"("scene":{"raster":{"width":4,"height":4},"camera":{"kind":"screen"},"points":[[0,0,5],[4,0,5],[0,4,5]],)"
+      R"("scene":{"raster":{"width":4,"height":4},"camera":{"kind":"screen"},"points":[[0,0,5],[1,1,5],[2,2,5]],)"
       R"("polygons":[{"name":"A"},{"name":"B"}],)"
       R"("facets":[{"polygon":0,"points":[0,1,2]},{"polygon":1,"points":[0,1,2]}]}})"};
   lines.insert(lines.end(), steps.begin(), steps.end());

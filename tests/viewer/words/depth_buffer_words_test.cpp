@@ -24,7 +24,7 @@ bool speaks_of_buffer(const std::string& text) {
 TEST_CASE("a method has a depth buffer, a line of one, or none, by the steps that it can record") {
   for (const Method& method : methods()) {
     CAPTURE(method.id);
-    const std::set<std::string_view> with{"z-buffer", "shadow-buffer", "transparency"};
+    const std::set<std::string_view> with{"z-buffer", "half-space", "shadow-buffer", "transparency"};
     CHECK(depth_buffer(header_for(method, {})) ==
           (with.contains(method.id) ? DepthBuffer::picture : DepthBuffer::none));
   }
@@ -58,7 +58,7 @@ TEST_CASE("law: words tell of a depth buffer only where the method's steps use o
     if (buffer == DepthBuffer::picture) CHECK(told);
   });
   CHECK(without.size() >= 8);
-  CHECK(with.size() == 3);
+  CHECK(with.size() == 4);
   CHECK(by_line.size() == 1);
 }
 

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -32,8 +33,11 @@ std::string unspeakable(const std::string& text) {
 /// The digits of a text, in order: no number may be lost.
 std::string digits_of(std::string_view text) {
   std::string digits;
-  for (const char c : text)
-    if (c >= '0' && c <= '9') digits += c;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] >= '0' && text[at] <= '9') digits += text[at];
+    // 2e-5 is read as 2 times 10 to the minus 5.
+    else if (text[at] == 'e' && !digits.empty() && at > 0 && std::isdigit(text[at - 1]) != 0) digits += "10";
+  }
   return digits;
 }
 

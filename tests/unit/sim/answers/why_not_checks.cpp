@@ -157,6 +157,9 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
       } else if (const auto* winner = at<SpanWinner>(trace, verdict.step)) {
         CHECK(winner->first <= pixel.x);
         CHECK(winner->last >= pixel.x);
+      } else if (const auto* tile = at<TileDepthTest>(trace, verdict.step)) {
+        CHECK_FALSE(tile->nearer);
+        CHECK(*verdict.gap == tile->z_nearest - tile->z_farthest);
       } else {
         CHECK(at<AreaDecide>(trace, verdict.step));
       }

@@ -45,7 +45,10 @@ bool writes(const Event& e) {
 const std::vector<Case>& cases() {
   static const std::vector<Case> all{
       {"not nearer",
-       [](const Event& e, std::int64_t, std::int32_t) { return as<DepthCompare>(e) && !as<DepthCompare>(e)->nearer; }},
+       [](const Event& e, std::int64_t, std::int32_t) {
+         return (as<DepthCompare>(e) && !as<DepthCompare>(e)->nearer) ||
+                (as<TileDepthTest>(e) && !as<TileDepthTest>(e)->nearer);
+       }},
       {"depth_compare where nearer",
        [](const Event& e, std::int64_t, std::int32_t) { return as<DepthCompare>(e) && as<DepthCompare>(e)->nearer; }},
       {"x == 9 && y == 7", [](const Event& e, std::int64_t, std::int32_t) { return at(e, 9, 7); }},
