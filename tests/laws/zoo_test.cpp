@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "tests/golden/golden.hpp"
+#include "tests/sparse.hpp"
 #include "tests/zoo/programs.hpp"
 #include "tests/zoo/runs.hpp"
 #include "traces/check/check.hpp"
@@ -223,7 +224,7 @@ zoo::Task random_task(std::uint64_t seed) {
 }
 
 TEST_CASE("zoo: right programs with barycentric weights are not doubted, of whatever they print nothing") {
-  constexpr std::uint64_t scenes = 200;
+  constexpr std::uint64_t scenes = 200 / test::sparse;
   int runs = 0, whole = 0;
   for (const Style& style : styles)
     for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
@@ -265,7 +266,7 @@ TEST_CASE("zoo: programs that print nothing but what they write are judged by wh
   for (const char* mistake : {"", "depth_not_kept", "depth_always_kept", "colour_beside", "half_a_pixel",
                               "weights_exchanged", "wide_border", "box_without_last_row", "weights_turned"}) {
     int seen = 0, found = 0;
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 60 / test::sparse; ++seed) {
       CAPTURE(seed);
       const Style& style = styles[seed % styles.size()];
       zoo::Task task = random_task(seed);
@@ -328,7 +329,7 @@ TEST_CASE("zoo: a wrong program with barycentric weights is found, at the first 
   for (const char* mistake : mistakes) {
     int seen = 0, by_check = 0, told = 0, at_first = 0;
     std::string missed;
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 40 / test::sparse; ++seed) {
       const Style& style = styles[seed % styles.size()];
       zoo::Task task = random_task(seed);
       task.style = style.words;

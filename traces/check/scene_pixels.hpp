@@ -63,6 +63,7 @@ class ScenePixels {
       if (begun_[facet]) continue;
       const auto drawn = formulas::DrawnFacet::from_scene(at.scene, at.header, index32(facet), at.roundoff);
       if (!drawn || drawn->pixels_inside() == 0 || is_dropped(*drawn, at)) continue;
+      if (!may_go_through(drawn->pixels_inside(), at)) return void(whole_ = false);
       Fault fault;
       fault.facet = index32(facet);
       drawn->each_pixel([&](std::int32_t x, std::int32_t y, Cover cover) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -60,17 +61,18 @@ double off_when_read(double value, double roundoff) {
   return narrow && static_cast<double>(static_cast<float>(value)) != value ? roundoff * std::abs(value) : 0;
 }
 
-/// How many bits the whole numbers have that these coordinates are multiples of a power of two by; many where it takes
-/// too small a power.
+/// How many bits the whole numbers have that these coordinates are multiples of a power of two by.
 int bits_of_coordinates(std::span<const double> coordinates) {
-  constexpr int most = 60;
-  int below = 0;  // bits behind the point
-  double largest = 0;
+  constexpr int bits_of_double = 53;
+  int below = 0, above = 0;  // the point
   for (const double value : coordinates) {
-    while (below < most && std::ldexp(value, below) != std::trunc(std::ldexp(value, below))) ++below;
-    largest = std::max(largest, std::abs(value));
+    if (value == 0) continue;
+    int exponent = 0;
+    const auto whole = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(value), &exponent), bits_of_double));
+    below = std::max(below, bits_of_double - std::countr_zero(whole) - exponent);
+    above = std::max(above, exponent);
   }
-  return below + (largest >= 1 ? std::ilogb(largest) + 1 : 0);
+  return below + above;
 }
 
 }  // namespace

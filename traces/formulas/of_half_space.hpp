@@ -230,7 +230,9 @@ void derive(const BarycentricWeights& e, const Situation& at, Out& out) {
   if (test) out.reads(detail::triangle_place(detail::test_place));
   // In a run that tests pixels, and no tile around this one was accepted, it has been found inside.
   const bool accepted = triangle.tile && triangle.tile->cover == TileCover::inside;
-  const bool tells_tiles = at.records<TileTest>() || !at.has_step<TileTest>();
+  const auto& options = at.header.conventions.options;
+  const auto tiles = options.find("tiles");
+  const bool tells_tiles = at.records<TileTest>() || tiles == options.end() || tiles->second == "off";
   if (at.records<InsideTest>() && tells_tiles && !accepted) out.rule(Rule::weights_inside, test && test->inside);
   if (!triangle.setup || !detail::has_edges(at)) return;
   const auto area =

@@ -8,8 +8,15 @@
 namespace zstep::formulas {
 
 namespace {
-constexpr std::int32_t many_corners = 16;
+
+/// How many scan lines of the raster a facet spans.
+std::int64_t lines_of(const DrawnFacet& facet, const Raster& raster) {
+  double top = raster.height, bottom = 0;
+  for (const DrawnCorner& corner : facet.outline()) top = std::min(top, corner.y), bottom = std::max(bottom, corner.y);
+  return static_cast<std::int64_t>(std::clamp<double>(bottom - std::max(top, 0.0), 0, raster.height)) + 1;
 }
+
+}  // namespace
 
 std::optional<DrawnFacet> Situation::draw_facet() const {
   const MethodState& now = method();
@@ -19,13 +26,11 @@ std::optional<DrawnFacet> Situation::draw_facet() const {
   if (now.keeps_all || now.piece >= 0 || ahead.of_all || camera != &scene.camera) return std::nullopt;
   const NumberFormat format = header.conventions.number_format;
   if (bits_of(format) > 0 || is_fixed || (!on_screen() && !header.declares(Convention::depth))) return std::nullopt;
-  // A run of few steps may begin a facet with many corners again and again.
-  if (const std::int32_t corners = scene.facets[number].corner_count; corners > many_corners) {
-    drawn_now.spent += std::int64_t{corners} * scene.raster.height;
-    if (drawn_now.spent > 1024 * before.position + 50'000'000) return std::nullopt;
-  }
+  // A run of few steps may begin large facets again and again.
+  if (drawn_now.spent > 64 * before.position + 20'000'000) return std::nullopt;
   const double u = roundoff > 0 ? roundoff : format == NumberFormat::float32 ? 0x1p-24 : 0x1p-53;
   const auto by_scene = DrawnFacet::from_scene(scene, header, now.facet, u);
+  if (by_scene) drawn_now.spent += lines_of(*by_scene, scene.raster) * std::ssize(by_scene->outline());
   if (on_screen() || !by_scene || !records<ViewportTransform>()) return by_scene;
   // A camera at fault is told where it is; what follows goes by the vertices that it gave.
   std::vector<std::int32_t> vertices = now.outline;
