@@ -283,7 +283,7 @@ TEST_CASE("zoo: programs that print nothing but what they write are judged by wh
     table += fmt::format("{:<26}{:>4}{:>6}\n", mistake, seen, found);
     // Where polygons cross in a pixel, or only the last one is changed, rounding or the end of the run may be why.
     INFO(table);
-    CHECK(10 * found >= 9 * seen);
+    CHECK(10 * found >= (test::sparse > 1 ? 7 : 9) * seen);  // of fewer, luck has a larger share
   }
   MESSAGE("mistake, scenes in which it shows, found\n", table);
 }
@@ -362,8 +362,8 @@ TEST_CASE("zoo: a wrong program with barycentric weights is found, at the first 
       "missed\n",
       table);
   MESSAGE(found, " of ", wrong, " found that are not listed as not judged, ", first, " at the first step");
-  CHECK(found >= 0.98 * wrong);
-  CHECK(first >= 0.95 * found);
+  CHECK(found >= (test::sparse > 1 ? 0.95 : 0.98) * wrong);  // of fewer, luck has a larger share
+  CHECK(first >= (test::sparse > 1 ? 0.9 : 0.95) * found);
 }
 
 }  // namespace
