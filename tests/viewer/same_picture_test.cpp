@@ -110,9 +110,10 @@ TEST_CASE("law: at the stops of every lesson the window is the headless picture,
 }
 
 TEST_CASE("law: in every method's golden trace the window is the headless picture, however one came there") {
-  int turn = 0;
+  int turns = 0, of_half_space = 0;
   test::for_each_golden([&](const std::string& name, const Trace& trace) {
-    ++turn;
+    // Each run keeps its place, whatever other runs come to be there.
+    const int turn = trace.header().algorithm == "half-space" ? turns + ++of_half_space : ++turns;
     if (turn % test::sparse != 0) return;
     CAPTURE(name);
     App app(trace, nullptr, {}, window_width, window_height);
