@@ -67,6 +67,7 @@ int bits_of_coordinates(std::span<const double> coordinates) {
   int below = 0, above = 0;  // the point
   for (const double value : coordinates) {
     if (value == 0) continue;
+    if (!std::isfinite(value)) return std::numeric_limits<int>::max() / 4;
     int exponent = 0;
     const auto whole = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(value), &exponent), bits_of_double));
     below = std::max(below, bits_of_double - std::countr_zero(whole) - exponent);
