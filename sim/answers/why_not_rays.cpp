@@ -96,7 +96,7 @@ std::vector<std::int32_t> boxes_around(const Asked& q, std::int32_t facet, std::
   return boxes;
 }
 
-/// How many cells hold a facet. They are told side by side.
+/// How many cells hold a facet. The run lists them one after another.
 std::size_t cells_around(const Asked& q, std::int32_t facet, std::int64_t rays) {
   const auto of_it = [&](const CellHold& held) { return held.facet == facet; };
   const auto first = next_that<CellHold>(q.trace, 0, rays, of_it);

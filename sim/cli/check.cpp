@@ -169,7 +169,7 @@ std::int64_t first_place(const Trace& trace, const CheckedRun& checked, const Sh
   const auto mark = std::find_if(marks.begin(), marks.end(), at_pixel);
   if (mark != marks.end())
     return say(checked.report.causes[static_cast<std::size_t>(mark->cause)].first.step,
-               "the cause of what is not right there");
+               "from which something wrong there follows");
   const auto any = [](const RecordedEvent&) { return true; };
   if (const auto last = trace.previous(trace.size() + 1, any, {*pixel}))
     return say(*last, "the last there: none of its steps is known to be wrong");

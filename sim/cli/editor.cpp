@@ -62,7 +62,8 @@ void open_in_editor(std::string_view place) {
     return complain("ZSTEP_EDITOR: has no {} for the place; write for example ZSTEP_EDITOR=\"code -g {}\"");
   if (!is_line_of_file(where))
     return complain(fmt::format(
-        "{}: is no line of a file in this folder, so no editor is opened; run zstep where the program lies", where));
+        "{}: there is no such file in this folder, or no such line is named; run zstep in the program's folder",
+        where));
   std::vector<std::string> words = words_of_editor(command, where);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());

@@ -102,7 +102,7 @@ TEST_CASE("at: check --view opens the first cause's place in the editor, as one 
   };
   CHECK(with_place("my src/a.c:12") == "[my src/a.c:12]");
   const std::string refused =
-      ": is no line of a file in this folder, so no editor is opened; run zstep where the program lies\n";
+      ": there is no such file in this folder, or no such line is named; run zstep in the program's folder\n";
   for (const char* place : {"$(touch hacked):1", "src/insert_edge.c", "src/insert_edge.c:", "src/insert_edge.c:x",
                             "src:1", "--extension=x:1"})
     CHECK(with_place(place) == place + refused);
@@ -149,7 +149,7 @@ TEST_CASE("check --view --pixel: opens at what is wrong there, at its cause, or 
     if (at == said.npos || step == said.npos) return said;
     return said.substr(at, said.find('\n', at) - at) + said.substr(step, said.find(" of ", step) - step);
   };
-  CHECK(opened("0,2") == "Pixel (0, 2): opened at step 20, the cause of what is not right there\nStep 20");
+  CHECK(opened("0,2") == "Pixel (0, 2): opened at step 20, from which something wrong there follows\nStep 20");
   CHECK(opened("1,2") == "Pixel (1, 2): opened at step 26, the first there that is wrong\nStep 26");
   CHECK(opened("1,6") ==
         "Pixel (1, 6): opened at step 100, the last there: none of its steps is known to be wrong\nStep 100");

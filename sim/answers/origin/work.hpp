@@ -135,7 +135,7 @@ class Work {
   const std::string& piece(std::int32_t number) const;
   std::string step_name(std::int64_t step) const;
 
-  /// The last step of a kind at or before this one; where a field of it is told, that which has this value there.
+  /// The last step of a kind at or before this one; with a field and a value, the last one whose field has that value.
   template <class E>
   Step last(std::int64_t step) const {
     return find_last<E>(trace, step, [](const E&) { return true; });
