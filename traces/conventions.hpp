@@ -31,6 +31,7 @@ struct Conventions {
     reciprocal,   ///< 1/z_v; greater is nearer
     reversed,     ///< near 1, far 0; greater is nearer
     foley,        ///< of 001, after Foley et al.: near 0, far −1; greater is nearer
+    zero_to_one,  ///< near 0, far 1, as Direct3D, Vulkan and the window depth of OpenGL have it
   };
   /// How depths go along edges and spans.
   enum class Interpolation : std::uint8_t {
@@ -69,8 +70,8 @@ struct Conventions {
 
 // As in a trace's header; the command line has "-" for "_".
 template <>
-inline constexpr std::array<std::string_view, 6> words_of<Conventions::Depth>{"pseudodepth", "view",     "corrected",
-                                                                              "reciprocal",  "reversed", "foley"};
+inline constexpr std::array<std::string_view, 7> words_of<Conventions::Depth>{
+    "pseudodepth", "view", "corrected", "reciprocal", "reversed", "foley", "zero_to_one"};
 template <>
 inline constexpr std::array<std::string_view, 4> words_of<Conventions::Interpolation>{"direct", "increments", "plane",
                                                                                       "plane_increments"};

@@ -25,6 +25,8 @@ double view_depth(const Camera& camera, const Conventions& conventions, double b
       return parallel ? F - q * (F - f) : f * F / (f + q * (F - f));
     case foley:
       return parallel ? f - q * (F - f) : f * F / (F + q * (F - f));
+    case zero_to_one:
+      return parallel ? f + q * (F - f) : f * F / (F - q * (F - f));
     case view:
     case corrected:
       break;
@@ -46,6 +48,8 @@ double buffer_depth(const Camera& camera, const Conventions& conventions, double
       return parallel ? (F - z) / (F - f) : f * (F - z) / (z * (F - f));
     case foley:
       return parallel ? (f - z) / (F - f) : F * (f - z) / (z * (F - f));
+    case zero_to_one:
+      return parallel ? (z - f) / (F - f) : F * (z - f) / (z * (F - f));
     case view:
     case corrected:
       break;

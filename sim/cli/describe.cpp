@@ -38,7 +38,8 @@ std::string depth_text(const Camera& camera, Conventions::Depth depth) {
                                                           "corrected (z_v, by way of 1/z_v)",
                                                           "reciprocal (1/z_v)",
                                                           "reversed (1 at the near plane, 0 at the far one)",
-                                                          "foley (0 at the near plane, -1 at the far one)"};
+                                                          "foley (0 at the near plane, -1 at the far one)",
+                                                          "zero_to_one (0 at the near plane, 1 at the far one)"};
   return texts[depth];
 }
 

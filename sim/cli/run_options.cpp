@@ -30,8 +30,8 @@ std::string with_hyphens(std::string_view word) {
 const std::map<std::string_view, const char*> convention_help{
     {"depth",
      "What the depth buffer holds: pseudodepth, linear on the picture (default); z_v, interpolated as it stands (view) "
-     "or by way of 1/z_v (corrected); 1/z_v; or what is 1 at the near plane (reversed), or 0 there and -1 at the far "
-     "one (foley)"},
+     "or by way of 1/z_v (corrected); 1/z_v; or what is 1 at the near plane (reversed), or 0 there and -1 "
+     "(foley) or 1 (zero-to-one) at the far one"},
     {"interpolation",
      "How x and z go along edges and spans: by the formula each time (default), by adding slopes, or z by the slopes "
      "of the polygon's plane, each time or added"},

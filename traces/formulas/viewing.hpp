@@ -43,7 +43,7 @@ T parallel_pseudodepth(const T& near, const T& far, const T& z_v) {
 }
 
 /// The depth that a vertex takes along, where it is not the pseudodepth: z_v; 1/z_v; what is 1 at the near plane and 0
-/// at the far one; or the (z - z_min)/((1 + z_min)(-z)) of 001 with z = -z_v/F and z_min = -f/F.
+/// at the far one; the (z - z_min)/((1 + z_min)(-z)) of 001 with z = -z_v/F and z_min = -f/F; or its negative.
 template <class T>
 T other_depth(Conventions::Depth depth, bool parallel, const T& near, const T& far, const T& z_v) {
   switch (depth) {
@@ -54,6 +54,8 @@ T other_depth(Conventions::Depth depth, bool parallel, const T& near, const T& f
       return parallel ? (far - z_v) / (far - near) : near * (far - z_v) / (z_v * (far - near));
     case Conventions::Depth::foley:
       return parallel ? (near - z_v) / (far - near) : far * (near - z_v) / (z_v * (far - near));
+    case Conventions::Depth::zero_to_one:
+      return parallel ? (z_v - near) / (far - near) : far * (z_v - near) / (z_v * (far - near));
     default:
       return z_v;
   }
