@@ -146,6 +146,41 @@ TEST_CASE("law: check doubts no run with any options, on random meshes and all t
   CHECK(runs >= 5 * scenes);
 }
 
+TEST_CASE(
+    "law: check doubts no run of polygons that bend a little, are thin, or touch themselves once they are rounded") {
+  using Depth = Conventions::Depth;
+  using Interpolation = Conventions::Interpolation;
+  using Coverage = Conventions::Coverage;
+  using Positions = Conventions::Positions;
+  struct Drawn {
+    Depth depth;
+    Interpolation interpolation;
+    Coverage coverage;
+    NumberFormat format;
+    Positions positions;
+  };
+  constexpr Drawn ways[] = {
+      {Depth::corrected, Interpolation::plane, Coverage::round, NumberFormat::float64, Positions::exact},
+      {Depth::view, Interpolation::plane_increments, Coverage::top_left, NumberFormat::float32, Positions::integer},
+      {Depth::reversed, Interpolation::plane, Coverage::round, NumberFormat::float32, Positions::integer},
+      {Depth::foley, Interpolation::increments, Coverage::round, NumberFormat::float32, Positions::integer},
+      {Depth::zero_to_one, Interpolation::direct, Coverage::inclusive, NumberFormat::float32, Positions::exact}};
+  const Method& method = zstep::method("z-buffer");
+  int runs = 0;
+  for (const std::uint64_t seed : {1, 5, 9, 24, 25, 33, 49})
+    for (const test::NGonKind& kind : test::n_gon_kinds())
+      for (const Scene& scene : test::two_views(kind.make(seed), seed))
+        for (const Drawn& way : ways) {
+          Conventions conventions;
+          conventions.cull = false, conventions.depth = way.depth, conventions.interpolation = way.interpolation;
+          conventions.coverage = way.coverage, conventions.number_format = way.format;
+          conventions.positions = way.positions;
+          CAPTURE(seed);
+          runs += is_right(method, scene, conventions);
+        }
+  CHECK(runs > 300);
+}
+
 /// Meshes of every kind as files, and all that the tests and the lessons have.
 std::vector<Scene> meshes_from_files() {
   namespace fs = std::filesystem;

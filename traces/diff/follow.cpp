@@ -250,7 +250,6 @@ class Follow {
     step(position, e);
     run_.apply(position, e);
     at_.passed(position, e);
-    if constexpr (std::is_same_v<E, OutlineVertex>) at_.drawn_now.known = false;  // the facet at work has another one
     return go_on_(position) && (position < last_ || may_be_needed());
   }
   bool operator()(std::int64_t position, const codec::FragmentRun& pixels) { return pass(position, pixels); }

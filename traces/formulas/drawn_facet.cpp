@@ -76,6 +76,28 @@ int bits_of_coordinates(std::span<const double> coordinates) {
   return below + above;
 }
 
+/// How far planes through three corners of an outline move at another one where those three are off by 1: through two
+/// neighbours and a third, as whoever cuts it into triangles, or takes one plane for all of it, may choose them.
+double reach_of_planes(std::span<const DrawnCorner> outline) {
+  constexpr double least = 3;
+  constexpr std::size_t most_corners = 32;  // the cube of more takes too long
+  const std::size_t count = outline.size();
+  if (count > most_corners) return std::numeric_limits<double>::infinity();
+  const auto area = [](const DrawnCorner& p, const DrawnCorner& q, const DrawnCorner& r) {
+    return std::abs((q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y));
+  };
+  double reach = least;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j) {
+      const DrawnCorner &p = outline[i], &q = outline[j], &r = outline[(j + 1) % count];
+      const double of_three = area(p, q, r);
+      if (of_three == 0) continue;
+      for (const DrawnCorner& s : outline)
+        reach = std::max(reach, (area(s, q, r) + area(p, s, r) + area(p, q, s)) / of_three);
+    }
+  return reach;
+}
+
 }  // namespace
 
 std::optional<DrawnFacet> DrawnFacet::from_scene(const Scene& scene, const Header& header, std::int32_t facet,
@@ -160,12 +182,13 @@ bool DrawnFacet::find_plane(double roundoff) {
     off_vertices = std::max(off_vertices, p.off_z + std::abs(dz_dx_) * p.off_x + std::abs(dz_dy_) * p.off_y);
     bend = std::max(bend, std::abs(p.z - linear_at(p.x, p.y)));
   }
+  bend = outline_.size() > 3 && bend > 0 ? bend * reach_of_planes(outline_) : 0;
   const double steps = width + height + 2;
   off_edge_function_ = roundoff * (24 * x * y + steps * 2 * width * height);
   const double size_z = z + std::abs(dz_dx_) * width + std::abs(dz_dy_) * height;
   const double of_formula = size_z * (roundoff * (8 + steps) + 4 * off_edge_function_ / size);
   // Of corners that do not lie in one plane each way of interpolating finds another depth between them.
-  off_ = of_formula + 2 * off_vertices + (outline_.size() > 3 ? 3 * bend : 0);
+  off_ = of_formula + 2 * off_vertices + bend;
   has_depth_ = std::isfinite(off_) && std::isfinite(dz_dx_) && std::isfinite(dz_dy_);
   return true;
 }
@@ -208,6 +231,7 @@ void DrawnFacet::find_intervals(const Scene& scene, const Header& header, double
   first_row_ = row_from(top - undeclared - 0.5, height);
   const std::int32_t end = std::min(height, row_from(bottom + undeclared + 0.5, height) + 1);
   std::vector<Crossing> crossings;
+  std::vector<double> least_x, most_x;  // of the crossings
   begin_of_row_.push_back(0);
   for (std::int32_t y = first_row_; y < end; ++y) {
     crossings.clear();
@@ -231,17 +255,22 @@ void DrawnFacet::find_intervals(const Scene& scene, const Header& header, double
     if (unsure || crossings.size() % 2 != 0) {
       if (least <= most)
         intervals_.push_back({y, width, -1, std::max(0, limited_column(std::floor(least - 1), width)),
-                              std::min(width - 1, limited_column(std::ceil(most + 1), width)), 0, 0, least, most});
+                              std::min(width - 1, limited_column(std::ceil(most + 1), width)), 0, 0, least, most, 0});
     } else {
+      // Where two lie closer together than they are known, either may come first: but the k-th from the left is not
+      // left of the k-th of the places that they are at least at, nor right of the k-th of those at most.
+      least_x.clear(), most_x.clear();
+      for (const Crossing& one : crossings) {
+        const double off = one.off + undeclared;
+        least_x.push_back(one.x - off), most_x.push_back(one.x + off);
+      }
+      std::sort(least_x.begin(), least_x.end()), std::sort(most_x.begin(), most_x.end());
       for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
         const Crossing &left = crossings[i], &right = crossings[i + 1];
-        const auto column = [&](double whole) { return limited_column(whole, width); };
-        const double off_left = left.off + undeclared, off_right = right.off + undeclared;
-        intervals_.push_back({y, std::max(0, column(first_pixel(left.x + off_left, coverage))),
-                              std::min(width - 1, column(last_pixel(right.x - off_right, coverage))),
-                              std::max(0, column(first_pixel(left.x - off_left, coverage))),
-                              std::min(width - 1, column(last_pixel(right.x + off_right, coverage))), left.edge,
-                              right.edge, left.x, right.x});
+        const auto first = [&](double x) { return std::max(0, limited_column(first_pixel(x, coverage), width)); };
+        const auto last = [&](double x) { return std::min(width - 1, limited_column(last_pixel(x, coverage), width)); };
+        intervals_.push_back({y, first(most_x[i]), last(least_x[i + 1]), first(least_x[i]), last(most_x[i + 1]),
+                              left.edge, right.edge, left.x, right.x, std::max(left.off, right.off) + undeclared});
       }
     }
     begin_of_row_.push_back(intervals_.size());
@@ -263,12 +292,17 @@ DrawnFacet::Cover DrawnFacet::cover(std::int32_t x, std::int32_t y) const {
 
 bool DrawnFacet::has_depth_at(std::int32_t x, std::int32_t y) const {
   if (!has_depth_) return false;
-  if (coverage_ == Conventions::Coverage::top_left) return true;
   const std::int64_t row = std::int64_t{y} - first_row_;
   if (row < 0 || row + 1 >= std::ssize(begin_of_row_)) return false;
+  const bool only_inside = coverage_ == Conventions::Coverage::top_left;
   return std::any_of(intervals_.begin() + static_cast<std::ptrdiff_t>(begin_of_row_[row]),
-                     intervals_.begin() + static_cast<std::ptrdiff_t>(begin_of_row_[row + 1]),
-                     [&](const Interval& of) { return of.first <= of.last && x >= of.x_left && x <= of.x_right; });
+                     intervals_.begin() + static_cast<std::ptrdiff_t>(begin_of_row_[row + 1]), [&](const Interval& of) {
+                       if (of.first > of.last || !(of.x_left < of.x_right)) return false;
+                       const double beyond = only_inside && of.x_right - of.x_left >= 1 ? of.off
+                                             : of.x_right - of.x_left >= 1              ? 0
+                                                                                        : -of.off;
+                       return x >= of.x_left - beyond && x <= of.x_right + beyond;
+                     });
 }
 
 std::optional<DrawnFacet::Beside> DrawnFacet::beside(std::int32_t x, std::int32_t y) const {

@@ -79,8 +79,8 @@ class DrawnFacet {
   double dz_dy() const { return dz_dy_; }
   /// Has it one? Not where it is too narrow for its own rounding.
   bool has_depth() const { return has_depth_; }
-  /// Does its plane say how deep it is at a pixel? Not beside it, where some conventions of coverage draw pixels, too:
-  /// of a narrow span the depth there is anything.
+  /// Does its plane say how deep it is at a pixel? Not beside it, where some conventions of coverage draw pixels, too,
+  /// nor where rounding decides whether it is inside: of a narrow span the depth there is anything.
   bool has_depth_at(std::int32_t x, std::int32_t y) const;
   /// By how much the depth at its pixels may be off, in what is linear on the picture.
   double off() const { return off_; }
@@ -98,8 +98,8 @@ class DrawnFacet {
   /// The part of a scan line between two edges: the pixels that are inside for certain, and those that may be.
   struct Interval {
     std::int32_t y, first, last, first_maybe, last_maybe;
-    std::int32_t left, right;  ///< the edges, from outline_[left] to the next
-    double x_left, x_right;
+    std::int32_t left, right;     ///< the edges, from outline_[left] to the next
+    double x_left, x_right, off;  ///< where they are, and how far off that may be
   };
   struct Crossing;
 

@@ -190,7 +190,8 @@ struct Situation {
   template <class E>
   void passed(std::int64_t step, const E& e) {
     constexpr bool begins = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
-    if constexpr (begins) ahead.begin(e.polygon), drawn_now.known = false;
+    if constexpr (begins) ahead.begin(e.polygon);
+    if constexpr (begins || std::is_same_v<E, OutlineVertex>) drawn_now.known = false;
     if constexpr (std::is_same_v<E, EdgeTableInsert>)
       if (e.edge == 0 && !of_any()) ahead.begin(e.polygon);
     if constexpr (std::is_same_v<E, SpanBegin>) {
