@@ -7,11 +7,11 @@
 // depths: N. Greene, M. Kass and G. Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, with one level.
 //
 // Departures: E is evaluated as A (x - X) + B (y - Y), (X, Y) being the edge's end with the smaller y, so that it is
-// exactly 0 at a vertex and two triangles have opposite values to the last bit; where it is stepped, it begins anew at
-// each tile of the raster for the same reason. Depths are computed as z_0 + w_1 (z_1 - z_0) + w_2 (z_2 - z_0), so that
-// a plane of constant depth has one number. Polygons that are convex on the raster are cut into a fan from their first
-// vertex, others into ears; of an outline that crosses itself triangles overlap, and a pixel is drawn where the number
-// of those that cover it is odd, as the even-odd rule has it.
+// exactly 0 at a vertex and two triangles have opposite values to the last bit; where it is stepped, it is computed
+// afresh at each tile of the raster for the same reason. Depths are computed as z_0 + w_1 (z_1 - z_0) + w_2 (z_2 -
+// z_0), so that a plane of constant depth has one number. Polygons that are convex on the raster are cut into a fan
+// from their first vertex, others into ears; of an outline that crosses itself triangles overlap, and a pixel is drawn
+// where the number of those that cover it is odd, as the even-odd rule has it.
 #pragma once
 
 #include <array>

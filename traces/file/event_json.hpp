@@ -16,8 +16,8 @@
 
 namespace zstep {
 
-/// Throws MalformedJson where the line's members are not the fields of this kind; the step and the place in the
-/// program's source may stand beside them.
+/// Throws MalformedJson where the line's members are not the fields of this kind; besides them it may have the step
+/// and the place in the program's source.
 Event event_from_json(std::uint8_t kind, const nlohmann::json& line);
 
 // A line of JSON Lines as programs mostly write it: one object, the step first, each field of its event once, nothing
