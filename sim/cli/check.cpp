@@ -79,6 +79,8 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
              counted(report.wrong_steps, "step is", "steps are"), grouped(report.inherited),
              report.causes.size() == 1 ? "it" : "them");
   if (!hint.empty()) fmt::print("{}\n\n", hint);
+  if (const auto likely = likely_in_words(checked.likely); !likely.empty())
+    fmt::print("{}\n\n", fmt::join(likely, "\n  "));
   const std::size_t shown = options.all ? report.causes.size() : std::min(most_causes, report.causes.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const Cause& cause = report.causes[i];
@@ -92,6 +94,15 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
   if (shown < report.causes.size())
     fmt::print("… and {} more: --all prints them\n", grouped(report.causes.size() - shown));
   fmt::print("{}", end);
+}
+
+/// Of the mistakes that are likely: those that the run does not tell apart, and what is made besides.
+Json ids_of(const mistakes::Diagnosis& likely) {
+  Json ids = Json::array();
+  for (const mistakes::Mistake mistake : likely.either) ids.push_back(mistakes::text_of(mistake).id);
+  Json json{{"either", ids}};
+  if (likely.also) json["also"] = mistakes::text_of(*likely.also).id;
+  return json;
 }
 
 void print_json(const Trace& trace, const CheckedRun& checked, const std::string& hint) {
@@ -130,6 +141,7 @@ void print_json(const Trace& trace, const CheckedRun& checked, const std::string
   all["never_recorded"] = never_recorded(trace.header(), report);
   if (!checked.impossible.empty()) all["impossible"] = checked.impossible;
   if (!hint.empty()) all["hint"] = hint;
+  all["likely"] = ids_of(checked.likely);
   fmt::print("{}\n", all.dump(2));
 }
 

@@ -253,15 +253,7 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
 
 std::vector<std::string> mistake_lines(const FirstWrong& first) {
   if (!first.mistake) return {};
-  std::vector<std::string> lines;
-  const auto add = [&](const char* begin, const mistakes::MistakeText& text) {
-    lines.push_back(begin + std::string(text.name));
-    lines.emplace_back(text.question);
-    lines.push_back(fmt::format("“{}” in: zstep lesson {}", text.stop, text.lesson));
-  };
-  add("Likely: ", mistakes::text_of(first.mistake->mistake));
-  if (first.mistake->also) add("And in the same number: ", mistakes::text_of(*first.mistake->also));
-  return lines;
+  return likely_in_words({{first.mistake->mistake}, first.mistake->also});
 }
 
 fs::path run_of(const fs::path& submission, const Homework& homework, const Task& task, bool meant) {

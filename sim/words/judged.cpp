@@ -184,7 +184,27 @@ CheckedRun judge_run(const Trace& trace, const OnChecked& on_checked, bool with_
         run.texts.push_back(fault_text(cause.first, event.event, before));
       },
       on_checked, with_marks ? &run.marks : nullptr);
+  run.likely = mistakes::diagnosis_of(trace, run.report);
   return run;
+}
+
+std::vector<std::string> likely_in_words(const mistakes::Diagnosis& likely) {
+  std::vector<std::string> lines;
+  if (likely.either.empty()) return lines;
+  const auto add = [&](std::string_view begin, mistakes::Mistake mistake) {
+    const mistakes::MistakeText& text = mistakes::text_of(mistake);
+    lines.push_back(fmt::format("{}{}", begin, text.name));
+    lines.emplace_back(text.question);
+    lines.push_back(fmt::format("“{}” in: zstep lesson {}", text.stop, text.lesson));
+  };
+  if (likely.either.size() > 1) {
+    lines.emplace_back("Likely one of these, which give the same in this run:");
+    for (const mistakes::Mistake mistake : likely.either) lines.emplace_back(mistakes::text_of(mistake).name);
+  } else {
+    add("Likely: ", likely.either.front());
+  }
+  if (likely.also) add("And besides: ", *likely.also);
+  return lines;
 }
 
 std::string why_too_early(const diff::TooEarly& order) {

@@ -12,6 +12,7 @@
 #include "traces/check/check.hpp"
 #include "traces/diff/diff.hpp"
 #include "traces/file/trace.hpp"
+#include "traces/mistakes/name.hpp"
 
 namespace zstep {
 
@@ -37,7 +38,11 @@ struct CheckedRun {
   std::vector<FaultText> texts;  ///< by cause
   std::string impossible;        ///< why the step that would come next cannot be; the run is judged up to it
   CheckMarks marks;
+  mistakes::Diagnosis likely;
 };
+/// "Likely: Two of the three weights are exchanged.", what to ask oneself, and where that is taught; a line each. Of
+/// several mistakes that a run does not tell apart their names.
+std::vector<std::string> likely_in_words(const mistakes::Diagnosis& likely);
 /// What nothing in the run says whether it is right, a line each: "compare: z (of 12 of its 58 steps)".
 std::vector<std::string> not_judged_in_words(const Trace& trace, const CheckReport& report);
 /// "Nothing is wrong."

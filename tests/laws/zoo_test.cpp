@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <random>
 
 #include <fmt/format.h>
@@ -13,6 +14,9 @@
 #include "tests/zoo/runs.hpp"
 #include "traces/check/check.hpp"
 #include "traces/diff/diff.hpp"
+#include "traces/formulas/walk.hpp"
+#include "traces/mistakes/in_pixels.hpp"
+#include "traces/mistakes/name.hpp"
 
 using namespace zstep;
 using namespace zstep::test;
@@ -263,8 +267,8 @@ TEST_CASE("zoo: programs that print nothing but what they write are judged by wh
     return text;
   };
   std::string table;
-  for (const char* mistake : {"", "depth_not_kept", "depth_always_kept", "colour_beside", "half_a_pixel",
-                              "weights_exchanged", "wide_border", "box_without_last_row", "weights_turned"}) {
+  for (const char* mistake : {"", "depth_not_kept", "depth_always", "colour_beside", "centres_half_off",
+                              "weights_exchanged", "inside_margin", "box_without_last_row", "weights_turned"}) {
     int seen = 0, found = 0;
     for (std::uint64_t seed = 1; seed <= 60 / test::sparse; ++seed) {
       CAPTURE(seed);
@@ -288,74 +292,77 @@ TEST_CASE("zoo: programs that print nothing but what they write are judged by wh
   MESSAGE("mistake, scenes in which it shows, found\n", table);
 }
 
-TEST_CASE("zoo: a wrong program with barycentric weights is found, at the first pixel that it changes") {
-  constexpr std::array mistakes{"half_a_pixel",
-                                "whole_vertices",
-                                "vertices_truncated",
-                                "mirrored",
-                                "upside_down",
-                                "one_to_the_right",
-                                "x_and_y_exchanged",
-                                "one_winding_only",
-                                "first_vertex_twice",
-                                "box_without_last_column",
-                                "box_without_last_row",
-                                "border_for_nobody",
-                                "border_for_all",
-                                "bottom_right_rule",
-                                "wide_border",
-                                "third_edge_unasked",
-                                "area_not_doubled",
-                                "weights_exchanged",
-                                "weights_turned",
-                                "weights_negative",
-                                "third_weight_left_out",
-                                "not_normalised",
-                                "flat",
-                                "depth_of_first",
-                                "whole_depth",
-                                "reciprocal",
-                                "stride_is_height",
-                                "farther_wins",
-                                "equal_wins",
-                                "depth_always_kept",
-                                "depth_not_kept",
-                                "depth_squared",
-                                "colour_beside",
-                                "colour_of_next",
-                                "polygon_left_out"};
-  std::string table;
-  int wrong = 0, found = 0, first = 0;
-  for (const char* mistake : mistakes) {
-    int seen = 0, by_check = 0, told = 0, at_first = 0;
-    std::string missed;
-    for (std::uint64_t seed = 1; seed <= 40 / test::sparse; ++seed) {
+/// Those that are in the catalogue have its names.
+constexpr std::array mistakes_of_today{
+    "centres_half_off",   "vertices_rounded",       "vertices_truncated",   "picture_mirrored",
+    "y_upside_down",      "one_pixel_off",          "x_y_exchanged",        "one_winding_only",
+    "vertex_depth_twice", "box_too_small",          "box_without_last_row", "border_for_nobody",
+    "border_for_both",    "border_for_other_side",  "inside_margin",        "edge_not_asked",
+    "area_not_doubled",   "weights_exchanged",      "weights_turned",       "weight_negative",
+    "weight_left_out",    "not_normalised",         "depth_is_mean",        "depth_of_one_vertex",
+    "depth_truncated",    "depth_by_reciprocals",   "stride_is_height",     "compare_reversed",
+    "equal_wins",         "depth_always",           "depth_not_kept",       "depth_squared",
+    "colour_beside",      "colour_of_next",         "polygon_left_out",     "area_not_divided_by",
+    "one_line_up",        "centres_left_of_pixels", "nearest_of_three",
+};
+/// What is named where a program makes one that is not in the catalogue under its name; "" where none is.
+std::string name_for(const std::string& mistake) {
+  static const std::map<std::string, std::string> others{{"box_without_last_row", "box_too_small"},
+                                                         {"one_line_up", "one_pixel_off"},
+                                                         {"centres_left_of_pixels", "centres_half_off"},
+                                                         {"nearest_of_three", "depth_of_one_vertex"},
+                                                         {"depth_not_kept", "buffer_reset"}};
+  if (const auto found = others.find(mistake); found != others.end()) return found->second;
+  return mistakes::mistake_called(mistake) ? mistake : "";
+}
+
+/// Wrong runs of all these programs: visit(mistake, scene, step at which it first differs, run, why a step cannot be).
+template <class Visit>
+void each_wrong_run(std::uint64_t scenes, Visit&& visit) {
+  for (const char* mistake : mistakes_of_today)
+    for (std::uint64_t seed = 1; seed <= scenes + 1; ++seed) {
       const Style& style = styles[seed % styles.size()];
-      zoo::Task task = random_task(seed);
+      zoo::Task task = seed <= scenes ? random_task(seed) : ties();
       task.style = style.words;
       const std::string right = zoo::barycentric(task);
       task.mistake = mistake;
       const std::string text = zoo::barycentric(task);
       const std::int64_t step = first_difference(right, text);
       if (step == 0) continue;
-      ++seen;
       std::string impossible;
-      const Trace run = trace_of(head(task, style.number_format, "direct") + text, &impossible);
-      const CheckReport report = check(run);
-      if (report.causes.empty() && impossible.empty()) {
-        // The end of a run may be cut off: what is missing there is listed as not judged.
-        told += verdict_of(report) != Verdict::right;
-        missed += fmt::format(" {}", seed);
-        continue;
-      }
-      ++by_check;
-      // What is missing of a polygon is noticed where the next one begins, at the latest.
-      const auto shows = run.next<PolygonBegin>(step, [](const PolygonBegin&) { return true; }).value_or(run.size());
-      at_first +=
-          report.causes.empty() || (step <= report.causes[0].first.step && report.causes[0].first.step <= shows);
+      visit(mistake, seed, step, trace_of(head(task, style.number_format, "direct") + text, &impossible), impossible);
     }
-    table += fmt::format("{:<26}{:>4}{:>6}{:>6}{:>6}{}\n", mistake, seen, by_check, at_first, told, missed);
-    wrong += seen - told, found += by_check, first += at_first;
+}
+
+TEST_CASE("zoo: a wrong program with barycentric weights is found, at the first pixel that it changes") {
+  struct Row {
+    int seen = 0, found = 0, told = 0, at_first = 0;
+    std::string missed;
+  };
+  std::map<std::string, Row> rows;
+  each_wrong_run(40 / test::sparse, [&](const std::string& mistake, std::uint64_t seed, std::int64_t step,
+                                        const Trace& run, const std::string& impossible) {
+    Row& row = rows[mistake];
+    ++row.seen;
+    const CheckReport report = check(run);
+    if (report.causes.empty() && impossible.empty()) {
+      // The end of a run may be cut off: what is missing there is listed as not judged.
+      row.told += verdict_of(report) != Verdict::right;
+      row.missed += fmt::format(" {}", seed);
+      return;
+    }
+    ++row.found;
+    // What is missing of a polygon is noticed where the next one begins, at the latest.
+    const auto shows = run.next<PolygonBegin>(step, [](const PolygonBegin&) { return true; }).value_or(run.size());
+    row.at_first +=
+        report.causes.empty() || (step <= report.causes[0].first.step && report.causes[0].first.step <= shows);
+  });
+  std::string table;
+  int wrong = 0, found = 0, first = 0;
+  for (const auto& [mistake, row] : rows) {
+    table +=
+        fmt::format("{:<26}{:>4}{:>6}{:>6}{:>6}{}\n", mistake, row.seen, row.found, row.at_first, row.told, row.missed);
+    wrong += row.seen - row.told, found += row.found, first += row.at_first;
   }
   MESSAGE(
       "mistake, scenes in which it shows, found, at its first step, listed as not judged, scenes in which it is "
@@ -364,6 +371,116 @@ TEST_CASE("zoo: a wrong program with barycentric weights is found, at the first 
   MESSAGE(found, " of ", wrong, " found that are not listed as not judged, ", first, " at the first step");
   CHECK(found >= (test::sparse > 1 ? 0.95 : 0.98) * wrong);  // of fewer, luck has a larger share
   CHECK(first >= (test::sparse > 1 ? 0.9 : 0.95) * found);
+}
+
+TEST_CASE("zoo: the mistake of a wrong program with barycentric weights is named") {
+  struct Row {
+    int seen = 0, right = 0, among = 0, none = 0, wrong = 0;
+    std::map<std::string, int> others;
+  };
+  std::map<std::string, Row> rows;
+  each_wrong_run(40 / test::sparse,
+                 [&](const std::string& mistake, std::uint64_t, std::int64_t, const Trace& run, const std::string&) {
+                   const CheckReport report = check(run);
+                   if (report.causes.empty()) return;
+                   const mistakes::Diagnosis likely = mistakes::diagnosis_of(run, report);
+                   const std::string name = name_for(mistake);
+                   std::string said;
+                   bool is_among = false;
+                   for (const mistakes::Mistake one : likely.either) {
+                     const std::string_view id = mistakes::text_of(one).id;
+                     said += fmt::format("{}{}", said.empty() ? "" : "|", id), is_among = is_among || id == name;
+                   }
+                   if (likely.also) said += fmt::format("+{}", mistakes::text_of(*likely.also).id), is_among = false;
+                   Row& row = rows[mistake];
+                   ++row.seen;
+                   ++(said.empty() ? row.none : said == name ? row.right : is_among ? row.among : row.wrong);
+                   if (!said.empty() && said != name) ++row.others[said];
+                 });
+  std::string table;
+  int seen = 0, right = 0, among = 0, wrong = 0;
+  for (const auto& [mistake, row] : rows) {
+    table +=
+        fmt::format("{:<26}{:>4}{:>6}{:>6}{:>6}{:>6}", mistake, row.seen, row.right, row.among, row.none, row.wrong);
+    for (const auto& [said, times] : row.others) table += fmt::format("  {} {}", said, times);
+    table += '\n';
+    seen += row.seen, right += row.right, among += row.among, wrong += row.wrong;
+  }
+  MESSAGE("mistake, runs found wrong, named, named beside others that give the same, not named, named wrongly\n",
+          table);
+  MESSAGE(right, " of ", seen, " named, ", among, " more beside others that give the same, ", wrong, " wrongly");
+  CHECK(rows.size() >= (test::sparse > 1 ? 30 : 35));
+  CHECK(right >= 0.8 * seen);
+  CHECK(wrong <= 0.02 * seen);
+}
+
+/// What a run leaves in its buffers.
+mistakes::Seen picture_left_by(const Trace& run) {
+  const Picture picture = formulas::end_of(run).picture;
+  mistakes::Seen seen;
+  seen.width = picture.width, seen.height = picture.height;
+  seen.polygons = picture.polygon, seen.depths = picture.depth;
+  return seen;
+}
+
+TEST_CASE("zoo: a right program's picture alone is not doubted") {
+  int pictures = 0;
+  for (const Style& style : styles)
+    for (std::uint64_t seed = 1; seed <= 40 / test::sparse; ++seed) {
+      zoo::Task task = random_task(seed);
+      task.style = style.words;
+      const Trace run = trace_of(head(task, style.number_format, "direct") + zoo::barycentric(task));
+      const double roundoff = std::string_view(style.number_format) == "float32" ? 0x1p-24 : 0x1p-53;
+      const auto likeness = mistakes::likenesses(run.scene(), run.header(), roundoff, picture_left_by(run)).front();
+      CAPTURE(std::string(style.words));
+      CAPTURE(seed);
+      CHECK(likeness.differ == 0);
+      ++pictures;
+    }
+  MESSAGE(pictures, " pictures");
+}
+
+TEST_CASE("zoo: a picture alone names the mistake of the program that drew it") {
+  struct Row {
+    int seen = 0, right = 0, among = 0, none = 0, wrong = 0;
+    std::map<std::string, int> others;
+  };
+  std::map<std::string, Row> rows;
+  each_wrong_run(12 / test::sparse, [&](const std::string& mistake, std::uint64_t seed, std::int64_t, const Trace& run,
+                                        const std::string& impossible) {
+    if (!impossible.empty()) return;
+    const double roundoff =
+        styles[seed % styles.size()].number_format == std::string_view("float32") ? 0x1p-24 : 0x1p-53;
+    const auto found = mistakes::likenesses(run.scene(), run.header(), roundoff, picture_left_by(run));
+    if (found.front().differ == 0) return;  // it does not show in the picture
+    Row& row = rows[mistake];
+    ++row.seen;
+    const std::string name = name_for(mistake);
+    std::vector<std::string> said;
+    for (std::size_t i = 1; i < found.size() && found[i].differ == 0; ++i) {
+      std::string ids;
+      for (const mistakes::Way& way : found[i].ways)
+        ids += (ids.empty() ? "" : "+") + std::string(mistakes::text_of(way.mistake).id);
+      if (std::find(said.begin(), said.end(), ids) == said.end()) said.push_back(ids);
+    }
+    const bool is_among = std::find(said.begin(), said.end(), name) != said.end();
+    ++(said.empty() ? row.none : is_among && said.size() == 1 ? row.right : is_among ? row.among : row.wrong);
+    if (!said.empty() && !(is_among && said.size() == 1))
+      ++row.others[fmt::format("{} of {}", said.front(), said.size())];
+  });
+  std::string table;
+  int seen = 0, right = 0, among = 0, wrong = 0;
+  for (const auto& [mistake, row] : rows) {
+    table +=
+        fmt::format("{:<26}{:>4}{:>6}{:>6}{:>6}{:>6}", mistake, row.seen, row.right, row.among, row.none, row.wrong);
+    for (const auto& [said, times] : row.others) table += fmt::format("  {}: {}", said, times);
+    table += '\n';
+    seen += row.seen, right += row.right, among += row.among, wrong += row.wrong;
+  }
+  MESSAGE("mistake, pictures in which it shows, named, named beside others that draw the same, not named, wrongly\n",
+          table);
+  MESSAGE(right, " of ", seen, " named, ", among, " more beside others that draw the same, ", wrong, " wrongly");
+  CHECK(right + among >= 0.7 * seen);
 }
 
 }  // namespace

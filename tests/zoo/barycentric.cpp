@@ -51,18 +51,20 @@ class Rasteriser {
       const T window = static_cast<T>(c.window), width = static_cast<T>(task_.width),
               height = static_cast<T>(task_.height), d = static_cast<T>(c.d), near = static_cast<T>(c.near),
               far = static_cast<T>(c.far);
-      const T wide = is("window_square") ? window : window * width / height;
+      const T wide = is("window_taken_for_square") ? window : window * width / height;
       s.x = (d * x / z + wide) / (2 * wide) * width - T(0.5);
       s.y = (window - d * y / z) / (2 * window) * height - T(0.5);
-      s.z = is("view_depth") ? z : (far + near) / (far - near) - 2 * far * near / ((far - near) * z);
+      s.z = is("z_v_for_depth") ? z : (far + near) / (far - near) - 2 * far * near / ((far - near) * z);
     }
-    if (is("half_a_pixel")) s.x += T(0.5), s.y += T(0.5);
-    if (is("whole_vertices")) s.x = std::round(s.x), s.y = std::round(s.y);
+    if (is("centres_half_off")) s.x += T(0.5), s.y += T(0.5);
+    if (is("vertices_rounded")) s.x = std::round(s.x), s.y = std::round(s.y);
     if (is("vertices_truncated")) s.x = std::trunc(s.x), s.y = std::trunc(s.y);
-    if (is("mirrored")) s.x = T(task_.width - 1) - s.x;
-    if (is("upside_down")) s.y = T(task_.height - 1) - s.y;
-    if (is("one_to_the_right")) s.x += 1;
-    if (is("x_and_y_exchanged")) std::swap(s.x, s.y);
+    if (is("picture_mirrored")) s.x = T(task_.width - 1) - s.x;
+    if (is("y_upside_down")) s.y = T(task_.height - 1) - s.y;
+    if (is("one_pixel_off")) s.x += 1;
+    if (is("one_line_up")) s.y -= 1;
+    if (is("centres_left_of_pixels")) s.x -= T(0.5);
+    if (is("x_y_exchanged")) std::swap(s.x, s.y);
     return s;
   }
 
@@ -79,7 +81,8 @@ class Rasteriser {
       if (is("one_winding_only")) return;
       std::swap(p[1], p[2]);
     }
-    if (is("first_vertex_twice")) p[2].z = p[0].z;
+    if (is("vertex_depth_twice")) p[2].z = p[0].z;
+    if (is("nearest_of_three")) p[0].z = p[1].z = p[2].z = std::min({p[0].z, p[1].z, p[2].z});
     out_.print("polygon", "polygon", number, "facet", number);
     const auto [least_x, most_x] = std::minmax({p[0].x, p[1].x, p[2].x});
     const auto [least_y, most_y] = std::minmax({p[0].y, p[1].y, p[2].y});
@@ -87,7 +90,7 @@ class Rasteriser {
               first_y = std::max(0, static_cast<int>(std::floor(least_y)));
     int last_x = std::min(task_.width - 1, static_cast<int>(std::ceil(most_x))),
         last_y = std::min(task_.height - 1, static_cast<int>(std::ceil(most_y)));
-    if (is("box_without_last_column")) last_x = static_cast<int>(std::floor(most_x)) - 1;
+    if (is("box_too_small")) last_x = static_cast<int>(std::floor(most_x)) - 1;
     if (is("box_without_last_row")) last_y = static_cast<int>(std::floor(most_y)) - 1;
     const T area = std::abs(twice_area);
     std::array<T, 3> at_row{};
@@ -102,12 +105,12 @@ class Rasteriser {
           w[i] = style("increments") ? stepped[i] : edge(a, b, T(x), T(y));
           stepped[i] -= b.y - a.y;
           const bool top = a.y == b.y && b.x > a.x, left = b.y < a.y;
-          const bool owned = is("border_for_nobody")   ? w[i] > 0
-                             : is("border_for_all")    ? w[i] >= 0
-                             : is("bottom_right_rule") ? w[i] > 0 || (w[i] == 0 && !(top || left))
-                             : is("wide_border")       ? w[i] > -area / 16
-                                                       : w[i] > 0 || (w[i] == 0 && (top || left));
-          inside = inside && (owned || (is("third_edge_unasked") && i == 2));
+          const bool owned = is("border_for_nobody")       ? w[i] > 0
+                             : is("border_for_both")       ? w[i] >= 0
+                             : is("border_for_other_side") ? w[i] > 0 || (w[i] == 0 && !(top || left))
+                             : is("inside_margin")         ? w[i] > -area / 16
+                                                           : w[i] > 0 || (w[i] == 0 && (top || left));
+          inside = inside && (owned || (is("edge_not_asked") && i == 2));
         }
         if (inside) pixel(number, p, w, area, x, y);
       }
@@ -134,17 +137,18 @@ class Rasteriser {
       return p[0].z + (z_1 * y_2 - z_2 * y_1) / below * (T(x) - p[0].x) +
              (x_1 * z_2 - x_2 * z_1) / below * (T(y) - p[0].y);
     }
+    if (is("area_not_divided_by")) return w[0] * p[0].z + w[1] * p[1].z + w[2] * p[2].z;
     for (T& one : w) one /= is("area_not_doubled") ? area / 2 : area;
     if (style("last")) w[2] = 1 - w[0] - w[1];
     if (is("weights_exchanged")) std::swap(w[0], w[1]);
     if (is("weights_turned")) w = {w[1], w[2], w[0]};
-    if (is("weights_negative")) w[0] = -w[0];
-    if (is("third_weight_left_out")) return w[0] * p[0].z + w[1] * p[1].z;
+    if (is("weight_negative")) w[0] = -w[0];
+    if (is("weight_left_out")) return w[0] * p[0].z + w[1] * p[1].z;
     if (is("not_normalised")) return w[0] * p[0].z + w[1] * p[1].z + w[2] * p[2].z * T(1.01);
-    if (is("flat")) return (p[0].z + p[1].z + p[2].z) / 3;
-    if (is("depth_of_first")) return p[0].z;
-    if (is("whole_depth")) return std::trunc(w[0] * p[0].z + w[1] * p[1].z + w[2] * p[2].z);
-    if (is("reciprocal")) return 1 / (w[0] / p[0].z + w[1] / p[1].z + w[2] / p[2].z);
+    if (is("depth_is_mean")) return (p[0].z + p[1].z + p[2].z) / 3;
+    if (is("depth_of_one_vertex")) return p[0].z;
+    if (is("depth_truncated")) return std::trunc(w[0] * p[0].z + w[1] * p[1].z + w[2] * p[2].z);
+    if (is("depth_by_reciprocals")) return 1 / (w[0] / p[0].z + w[1] / p[1].z + w[2] / p[2].z);
     return w[0] * p[0].z + w[1] * p[1].z + w[2] * p[2].z;
   }
 
@@ -152,14 +156,16 @@ class Rasteriser {
     const T z = depth_at(p, w, area, x, y);
     const int stride = is("stride_is_height") ? task_.height : task_.width;
     T& stored = depth_[static_cast<std::size_t>(y * stride + x) % depth_.size()];
-    const bool nearer = is("farther_wins") ? z > stored : is("equal_wins") ? z <= stored : z < stored;
+    const bool nearer = is("compare_reversed") ? z > stored : is("equal_wins") ? z <= stored : z < stored;
     out_.print("compare", "x", x, "y", y, "z", static_cast<double>(z), "nearer", nearer);
-    if (is("depth_always_kept") && !nearer) stored = z;
+    if (is("depth_always") && !nearer) stored = z;
     if (!nearer) return;
     if (!is("depth_not_kept")) stored = z;
-    out_.print("wz", "x", x, "y", y, "z", static_cast<double>(is("depth_squared") ? z * z : z));
-    out_.print("wp", "x", is("colour_beside") && x > 0 ? x - 1 : x, "y", y, "polygon",
-               is("colour_of_next") ? (number + 1) % static_cast<int>(task_.polygons.size()) : number);
+    // With a camera its steps have the names of the method's own page.
+    out_.print(task_.camera.there ? "write_depth" : "wz", "x", x, "y", y, "z",
+               static_cast<double>(is("depth_squared") ? z * z : z));
+    out_.print(task_.camera.there ? "write_pixel" : "wp", "x", is("colour_beside") && x > 0 ? x - 1 : x, "y", y,
+               "polygon", is("colour_of_next") ? (number + 1) % static_cast<int>(task_.polygons.size()) : number);
   }
 
   const Task& task_;

@@ -75,6 +75,29 @@ std::vector<WrongPrograms> of_viewing() {
             "depth_axis_reversed", "centres_half_off"}}};
 }
 
+/// Programs of today, which print nothing of how they come to their pixels.
+std::vector<WrongPrograms> of_weights() {
+  ZooProgram program{"z-buffer", zoo::barycentric, "float64 products"};
+  const ZooProgram with_camera = program;
+  program.short_names = true;
+  std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
+                            scene_of(ties())};
+  return {
+      {"weights",
+       program,
+       scenes,
+       {"picture_mirrored",  "one_pixel_off",        "vertices_rounded",      "vertices_truncated",  "one_winding_only",
+        "border_for_nobody", "border_for_both",      "border_for_other_side", "edge_not_asked",      "box_too_small",
+        "inside_margin",     "area_not_doubled",     "area_not_divided_by",   "weights_exchanged",   "weights_turned",
+        "weight_negative",   "weight_left_out",      "vertex_depth_twice",    "depth_of_one_vertex", "depth_is_mean",
+        "depth_truncated",   "depth_by_reciprocals", "stride_is_height",      "colour_of_next",      "colour_beside"},
+       {"not_normalised", "depth_squared"}},
+      {"weights, camera",
+       with_camera,
+       {seen("cyclic", 25, 70, 16, 10), seen("intersecting", 20, 65, 18, 12)},
+       {"window_taken_for_square", "z_v_for_depth"}}};
+}
+
 std::vector<WrongPrograms> of_areas() {
   return {{"areas",
            {"warnock", zoo::areas},
@@ -141,7 +164,11 @@ std::vector<Scene> scenes_of_edge_table() {
 std::vector<WrongPrograms> wrong_programs(const std::string& method) {
   if (method == "ray-casting") return of_rays();
   if (method == "scan-line") return of_flags();
-  if (method == "z-buffer") return of_viewing();
+  if (method == "z-buffer") {
+    std::vector<WrongPrograms> all = of_viewing();
+    for (WrongPrograms& one : of_weights()) all.push_back(std::move(one));
+    return all;
+  }
   if (method == "warnock") return of_areas();
   if (method == "floating-horizon") return of_horizon();
   if (method == "depth-sort") return of_depth_sort();

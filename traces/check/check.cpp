@@ -308,9 +308,7 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
   Situation at = formulas::situation_of(trace, state, header);
   checker.at = &at;
   at.moves_ended = moves_ended_edges(trace);
-  at.roundoff = precision.format == NumberFormat::float32 ? 0x1p-24 : 0x1p-53;
-  at.is_fixed = bits_of(precision.format) > 0;
-  if (!precision.every_digit) at.written = precision.relative, at.written_off = precision.largest_amount();
+  hold(at, precision);
 
   NoLog log;
   Filling filling(trace);
@@ -370,7 +368,6 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
       ++checker.report.causes[checker.inherited].inherited;
     }
     at.passed(position, e);
-    if constexpr (std::is_same_v<E, OutlineVertex>) at.drawn_now.known = false;  // the facet at work has another one
     checker.mark_step();
     state.position = position;
     ++checker.report.steps;
@@ -400,12 +397,9 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
   return std::move(checker.report);
 }
 
-/// The header with one convention declared otherwise, as a header writes it.
-struct Otherwise {
-  std::string_view key, word;
-  std::function<void(Header&)> change;
-};
-std::vector<Otherwise> all_others() {
+}  // namespace
+
+std::vector<Otherwise> other_conventions() {
   using Nearer = Comparison::Nearer;
   using Ties = Comparison::Ties;
   std::vector<Otherwise> others{
@@ -426,8 +420,6 @@ std::vector<Otherwise> all_others() {
   return others;
 }
 
-}  // namespace
-
 CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked, CheckMarks* marks,
                   const HeldTo& held) {
   return check_by(trace.header(), precision_of(trace, held), trace, on_cause, on_checked, marks);
@@ -446,7 +438,7 @@ bool KindJudged::covers(const KindJudged& other) const {
 
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report) {
   std::optional<OtherConvention> best;
-  for (const Otherwise& other : all_others()) {
+  for (const Otherwise& other : other_conventions()) {
     Header header = trace.header();
     other.change(header);
     if (header.conventions == trace.header().conventions && header.comparison == trace.header().comparison) continue;

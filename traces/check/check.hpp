@@ -113,6 +113,14 @@ CheckReport check(const Trace& trace, const OnCause& on_cause = nullptr, const O
 /// All that is wrong in a run, in its order, its numbers held to this.
 std::vector<Fault> faults_of(const Trace& trace, const Precision& precision);
 
+/// A header with one convention declared otherwise, as a header writes it: of those that may turn a wrong run into a
+/// right one.
+struct Otherwise {
+  std::string_view key, word;
+  std::function<void(Header&)> change;
+};
+std::vector<Otherwise> other_conventions();
+
 /// A convention that a trace's steps follow, other than its header says or leaves to be assumed.
 struct OtherConvention {
   std::string key, word;         ///< "nearer", "greater", as the header writes them

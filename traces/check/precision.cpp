@@ -367,6 +367,12 @@ std::string_view unit_of(std::string_view field) {
 
 }  // namespace
 
+void hold(formulas::Situation& at, const Precision& precision) {
+  at.roundoff = precision.format == NumberFormat::float32 ? 0x1p-24 : 0x1p-53;
+  at.is_fixed = bits_of(precision.format) > 0;
+  if (!precision.every_digit) at.written = precision.relative, at.written_off = precision.largest_amount();
+}
+
 double last_written_digit(double value, int digits) {
   return portable::pow(10.0, digits_of(value).exponent + 1 - digits);
 }

@@ -52,6 +52,9 @@ struct Precision {
   double allowed_depth(std::int64_t x, std::int64_t y) const { return depths ? depths->at(x, y) : 0; }
 };
 
+/// Holds what is said of a step to these numbers.
+void hold(formulas::Situation& at, const Precision& precision);
+
 /// One unit of the last digit of a number that is written with so many.
 double last_written_digit(double value, int digits);
 

@@ -435,6 +435,13 @@ std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const
     if (either) *either = some;
   } else if (const auto turned = mistakes::turned_of(reference, run, precision)) {
     likely.emplace().mistake = *turned;
+  } else if (const mistakes::Diagnosis drawn = mistakes::diagnosis_of_pixels(run, precision); !drawn.either.empty()) {
+    if (drawn.either.size() > 1) {
+      if (either) *either = drawn.either;
+    } else {
+      likely.emplace().mistake = drawn.either.front();
+      likely->also = drawn.also;
+    }
   } else if (const auto two = mistakes::pair_of(run, first, precision)) {
     likely.emplace().mistake = two->first;
     likely->also = two->second;

@@ -178,7 +178,7 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
 /// The known mistake that the run goes wrong by, where one is found to make its very numbers; or two that do together.
 struct Likely {
   mistakes::Mistake mistake{};
-  std::optional<mistakes::Mistake> also{};  ///< in the same number
+  std::optional<mistakes::Mistake> also{};  ///< besides
 };
 /// `either`, where it is there, takes the mistakes that make the same numbers, so that none of them is named: another
 /// run of the program may tell which.

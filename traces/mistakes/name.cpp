@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "traces/formulas/walk.hpp"
+#include "traces/mistakes/in_pixels.hpp"
 #include "traces/mistakes/of_methods.hpp"
 #include "traces/mistakes/of_polygons.hpp"
 #include "traces/mistakes/supposed.hpp"
@@ -187,6 +188,33 @@ std::optional<Pair> pair_of(const Trace& run, std::int64_t first, const Precisio
     if (!best || fit.as_made > best->second.as_made) best = &one;
   }
   return best ? std::optional(best->first) : std::nullopt;
+}
+
+Diagnosis diagnosis_of_pixels(const Trace& run, const Precision& precision) {
+  Diagnosis found;
+  for (const Together& ways : that_draw(run, precision)) {
+    const Mistake first = ways.front().mistake;
+    if (std::find(found.either.begin(), found.either.end(), first) == found.either.end()) found.either.push_back(first);
+    if (ways.size() < 2) continue;
+    // Of two together each must be the only one that explains its part.
+    const Mistake second = ways.back().mistake;
+    if (found.either.size() > 1 || (found.also && *found.also != second)) return {};
+    found.also = second;
+  }
+  return found;
+}
+
+Diagnosis diagnosis_of(const Trace& run, const CheckReport& report) {
+  constexpr std::int64_t most_steps = 5'000'000;
+  if (report.causes.empty() || run.size() > most_steps) return {};
+  const Fault& fault = report.causes.front().first;
+  const std::int64_t next = report.causes.size() > 1 ? report.causes[1].first.step : 0;
+  const bool depth_is_wrong = fault.field == "z" && is_of_pixel(fault.kind) && fault.kind != kind_of<DepthWrite>;
+  if (auto some = mistakes_of(run, fault.step, next, depth_is_wrong, report.precision); !some.empty())
+    return {std::move(some)};
+  if (Diagnosis found = diagnosis_of_pixels(run, report.precision); !found.either.empty()) return found;
+  if (const auto two = pair_of(run, fault.step, report.precision)) return {{two->first}, two->second};
+  return {};
 }
 
 }  // namespace zstep::mistakes

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "traces/check/check.hpp"
 #include "traces/check/precision.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/mistakes/mistake.hpp"
@@ -28,6 +29,17 @@ ByEnum<Mistake, Fit> fits_of(const Trace& run, const Precision& precision, std::
 /// one. `depth_is_wrong`: at the first step it is the depth of a pixel, which no mistake with the buffer makes.
 std::vector<Mistake> mistakes_of(const Trace& run, std::int64_t first, std::int64_t next, bool depth_is_wrong,
                                  const Precision& precision);
+
+/// What a run goes wrong by, found without a right one beside it.
+struct Diagnosis {
+  std::vector<Mistake> either{};  ///< one of these; several where they make the same numbers
+  std::optional<Mistake> also{};  ///< and this one besides
+};
+/// Of a run in which `report` finds something wrong: by what its steps compute, else by the pixels that it draws.
+/// Nothing where it is too long to be gone through several times.
+Diagnosis diagnosis_of(const Trace& run, const CheckReport& report);
+/// The same by its pixels alone.
+Diagnosis diagnosis_of_pixels(const Trace& run, const Precision& precision);
 
 /// Where no single one does, two mistakes that together make the number of the first wrong step, and all later ones
 /// that they would change together.

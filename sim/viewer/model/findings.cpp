@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sim/words/numbers.hpp"
 #include "traces/formulas/walk.hpp"
@@ -105,6 +106,8 @@ const StepMarks::Told& Findings::told(Session& session) {
     if (causes_[cause] == step) {
       const std::string follows = what_follows(checked_.report.causes[cause]);
       told_.note = name_of(cause) + (follows.empty() ? "." : ": " + follows + ".");
+      if (const auto likely = likely_in_words(checked_.likely); cause == 0 && !likely.empty())
+        told_.note += fmt::format(" {}", fmt::join(likely, " "));
     } else {
       told_.note =
           fmt::format("{} step {}. {}.", mark->wrong ? "The same fault as at" : "This follows from what is wrong at",

@@ -1,0 +1,422 @@
+#include "traces/mistakes/redrawn.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace zstep::mistakes {
+
+using formulas::DrawnCorner, formulas::DrawnFacet;
+using enum Mistake;
+
+namespace {
+
+/// What a mistake changes, in how many ways a program makes it, and in how many ways with one facet.
+struct Made {
+  Mistake mistake;
+  Changes changes;
+  int variants = 1, choices = 1;
+};
+constexpr std::array made_in_pixels{
+    Made{z_v_for_depth, Changes::depths},
+    Made{y_upside_down, Changes::places},
+    Made{centres_half_off, Changes::places, 8},
+    Made{clockwise_front, Changes::facing},
+    Made{compare_reversed, Changes::buffer},
+    Made{equal_wins, Changes::buffer},
+    Made{buffer_begins_at_0, Changes::buffer},
+    Made{depth_not_written, Changes::buffer},
+    Made{depth_always, Changes::buffer},
+    Made{colour_not_written, Changes::colours},
+    Made{colour_always, Changes::colours},
+    Made{x_y_exchanged, Changes::places},
+    Made{picture_mirrored, Changes::places},
+    Made{one_pixel_off, Changes::places, 4},
+    Made{vertices_rounded, Changes::places},
+    Made{vertices_truncated, Changes::places},
+    Made{window_taken_for_square, Changes::places},
+    Made{one_winding_only, Changes::facing, 2},
+    Made{border_for_nobody, Changes::inside},
+    Made{border_for_both, Changes::inside},
+    Made{border_for_other_side, Changes::inside},
+    Made{edge_not_asked, Changes::inside, 1, 3},
+    Made{box_too_small, Changes::inside, 3},
+    Made{inside_margin, Changes::inside, 2},
+    Made{area_not_doubled, Changes::depths, 2, 4},
+    Made{area_not_divided_by, Changes::depths, 2},
+    Made{weights_exchanged, Changes::depths, 1, 3},
+    Made{weights_turned, Changes::depths, 1, 2},
+    Made{weight_negative, Changes::depths, 1, 3},
+    Made{weight_left_out, Changes::depths, 1, 3},
+    Made{vertex_depth_twice, Changes::depths, 1, 6},
+    Made{depth_of_one_vertex, Changes::depths, 1, 3},
+    Made{depth_is_mean, Changes::depths},
+    Made{depth_truncated, Changes::depths, 2},
+    Made{depth_by_reciprocals, Changes::depths},
+    Made{stride_is_height, Changes::buffer},
+    Made{colour_of_next, Changes::colours},
+    Made{colour_beside, Changes::colours, 4},
+};
+const Made* made_as(Mistake mistake) {
+  const auto found = std::find_if(made_in_pixels.begin(), made_in_pixels.end(),
+                                  [&](const Made& one) { return one.mistake == mistake; });
+  return found == made_in_pixels.end() ? nullptr : &*found;
+}
+
+double twice_area(std::span<const DrawnCorner> outline) {
+  double twice = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const DrawnCorner &p = outline[i], &q = outline[(i + 1) % outline.size()];
+    twice += (p.x - outline[0].x) * (q.y - outline[0].y) - (q.x - outline[0].x) * (p.y - outline[0].y);
+  }
+  return twice;
+}
+
+/// Where a vertex comes to.
+void move(const Way& way, const Raster& raster, DrawnCorner& p) {
+  const double width = raster.width, height = raster.height;
+  const auto whole = [&](double (*rounded)(double)) { p.x = rounded(p.x), p.y = rounded(p.y), p.off_x = p.off_y = 0; };
+  switch (way.mistake) {
+    case y_upside_down:
+      p.y = height - 1 - p.y;
+      break;
+    case picture_mirrored:
+      p.x = width - 1 - p.x;
+      break;
+    case x_y_exchanged:
+      std::swap(p.x, p.y), std::swap(p.off_x, p.off_y);
+      break;
+    case centres_half_off: {  // in both directions, or in one
+      constexpr std::array<std::pair<double, double>, 8> by{
+          {{0.5, 0.5}, {-0.5, -0.5}, {0.5, 0}, {-0.5, 0}, {0, 0.5}, {0, -0.5}, {0.5, -0.5}, {-0.5, 0.5}}};
+      p.x += by[static_cast<std::size_t>(way.variant)].first, p.y += by[static_cast<std::size_t>(way.variant)].second;
+      break;
+    }
+    case one_pixel_off:
+      (way.variant < 2 ? p.x : p.y) += way.variant % 2 == 0 ? 1 : -1;
+      break;
+    case vertices_rounded:
+      whole([](double x) { return std::round(x); });
+      break;
+    case vertices_truncated:
+      whole([](double x) { return std::trunc(x); });
+      break;
+    case window_taken_for_square:
+      p.x = (p.x + 0.5 - width / 2) * width / height + width / 2 - 0.5;
+      p.off_x *= width / height;
+      break;
+    default:
+      break;
+  }
+}
+
+/// Depths at the corners of a triangle.
+void change_depths(const Way& way, int choice, std::span<DrawnCorner> p) {
+  const auto k = static_cast<std::size_t>(choice);
+  const auto take = [](DrawnCorner& to, const DrawnCorner& from) { to.z = from.z, to.off_z = from.off_z; };
+  const auto times = [](DrawnCorner& corner, double factor) { corner.z *= factor, corner.off_z *= std::abs(factor); };
+  const auto exchange = [](DrawnCorner& one, DrawnCorner& other) {
+    std::swap(one.z, other.z), std::swap(one.off_z, other.off_z);
+  };
+  const double twice = std::abs(twice_area(p));
+  double last = 0;
+  switch (way.mistake) {
+    case weights_exchanged:
+      exchange(p[k], p[(k + 1) % 3]);
+      break;
+    case weights_turned:
+      exchange(p[0], p[1 + k]), exchange(p[1], p[2]);
+      break;
+    case weight_negative:
+      times(p[k], -1);
+      break;
+    case weight_left_out:
+      times(p[k], 0);
+      break;
+    case vertex_depth_twice:
+      take(p[k / 2], p[(k / 2 + 1 + k % 2) % 3]);
+      break;
+    case depth_of_one_vertex:
+      for (DrawnCorner& one : p) take(one, DrawnCorner(p[k]));
+      break;
+    case depth_is_mean: {
+      const double mean = (p[0].z + p[1].z + p[2].z) / 3, off = std::max({p[0].off_z, p[1].off_z, p[2].off_z});
+      for (DrawnCorner& one : p) one.z = mean, one.off_z = off;
+      break;
+    }
+    case area_not_doubled:
+      // Where the last weight is what the others leave of 1, only those are too large.
+      if (k > 0) last = p[k - 1].z;
+      for (DrawnCorner& one : p) {
+        const double factor = way.variant == 0 ? 2 : 0.5;
+        times(one, factor);
+        one.z += (1 - factor) * last;
+      }
+      break;
+    case area_not_divided_by:
+      for (DrawnCorner& one : p) times(one, way.variant == 0 ? twice : twice / 2);
+      break;
+    case depth_by_reciprocals:
+      for (DrawnCorner& one : p) one.off_z /= one.z * one.z, one.z = 1 / one.z;
+      break;
+    default:
+      break;
+  }
+}
+
+/// Of an outline without one of its edges: the two others go on beyond the picture.
+std::vector<DrawnCorner> without_edge(std::span<const DrawnCorner> triangle, std::size_t edge, const Raster& raster) {
+  const DrawnCorner &apex = triangle[(edge + 2) % 3], &one = triangle[edge], &other = triangle[(edge + 1) % 3];
+  const double least =
+      std::min(std::hypot(one.x - apex.x, one.y - apex.y), std::hypot(other.x - apex.x, other.y - apex.y));
+  double reach = raster.width + raster.height;
+  for (const DrawnCorner& p : triangle) reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
+  const double times = std::exp2(std::ceil(std::log2(std::max(1.0, 4 * reach / std::max(least, 1e-3)))));
+  const auto beyond = [&](const DrawnCorner& p) {
+    DrawnCorner far = p;
+    far.x = apex.x + (p.x - apex.x) * times, far.y = apex.y + (p.y - apex.y) * times;
+    far.off_x *= times, far.off_y *= times;
+    return far;
+  };
+  return {apex, beyond(one), beyond(other)};
+}
+
+const Way* way_that(std::span<const Way> ways, Changes changes) {
+  const auto found =
+      std::find_if(ways.begin(), ways.end(), [&](const Way& way) { return changes_of(way.mistake) == changes; });
+  return found == ways.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::optional<Changes> changes_of(Mistake mistake) {
+  const Made* made = made_as(mistake);
+  return made ? std::optional(made->changes) : std::nullopt;
+}
+
+std::span<const Way> ways_to_draw() {
+  static const std::vector<Way> all = [] {
+    std::vector<Way> ways;
+    for (const Mistake mistake : values_of<Mistake>)
+      if (const Made* made = made_as(mistake))
+        for (int variant = 0; variant < made->variants; ++variant) ways.push_back({mistake, variant});
+    return ways;
+  }();
+  return all;
+}
+
+int Redrawn::choices(std::span<const Way> ways) {
+  int choices = 1;
+  for (const Way& way : ways) choices *= made_as(way.mistake)->choices;
+  return choices;
+}
+
+bool Redrawn::is_left_out(const DrawnFacet& right, std::span<const Way> ways, bool cull, const Given& given) {
+  const Way* way = way_that(ways, Changes::facing);
+  if (!way) return cull && right.faces_away();
+  if (way->mistake == clockwise_front)
+    return cull && given.scene.camera.kind != Camera::Kind::screen && !right.faces_away();
+  return (twice_area(right.outline()) > 0) == (way->variant == 0) || (cull && right.faces_away());
+}
+
+std::optional<Redrawn> Redrawn::of(const DrawnFacet& right, std::span<const Way> ways, int choice, const Given& given) {
+  const auto drawn = [&](const Header& header, std::vector<DrawnCorner> corners) {
+    return DrawnFacet::from_run(given.scene, header, std::move(corners), given.roundoff);
+  };
+  const Way *places = way_that(ways, Changes::places), *inside = way_that(ways, Changes::inside),
+            *depths = way_that(ways, Changes::depths);
+  const Raster& raster = given.scene.raster;
+  const int of_inside = inside ? choice % made_as(inside->mistake)->choices : 0;
+  const int of_depths = inside ? choice / made_as(inside->mistake)->choices : choice;
+  std::vector<DrawnCorner> outline(right.outline().begin(), right.outline().end());
+  if (places)
+    for (DrawnCorner& corner : outline) move(*places, raster, corner);
+  Redrawn redrawn(right);
+  redrawn.width_ = raster.width, redrawn.height_ = raster.height;
+  std::vector<DrawnCorner> border = outline;
+  Header header = given.header;
+  if (inside) {
+    double least_x = outline[0].x, most_x = least_x, least_y = outline[0].y, most_y = least_y;
+    for (const DrawnCorner& p : outline) {
+      least_x = std::min(least_x, p.x), most_x = std::max(most_x, p.x);
+      least_y = std::min(least_y, p.y), most_y = std::max(most_y, p.y);
+    }
+    const Box box{std::floor(least_x), std::ceil(most_x), std::floor(least_y), std::ceil(most_y)};
+    const double end_x = inside->variant == 1 ? box.last_x : std::floor(most_x) - 1,
+                 end_y = inside->variant == 0 ? box.last_y : std::floor(most_y) - 1;
+    switch (inside->mistake) {
+      case border_for_both:
+        header.conventions.coverage = Conventions::Coverage::inclusive;
+        break;
+      case border_for_other_side:
+        redrawn.is_turned_ = true;
+        break;
+      case edge_not_asked:
+        if (outline.size() != 3) return std::nullopt;
+        border = without_edge(outline, static_cast<std::size_t>(of_inside), raster);
+        redrawn.box_at_most_ = box;
+        redrawn.box_ = Box{std::ceil(least_x), std::floor(most_x), std::ceil(least_y), std::floor(most_y)};
+        break;
+      case inside_margin: {
+        if (outline.size() != 3) return std::nullopt;
+        const double twice = twice_area(outline);
+        redrawn.margin_ = Margin{{outline[0], outline[1], outline[2]},
+                                 inside->variant == 0 ? twice
+                                 : twice > 0          ? 1.0
+                                                      : -1.0};
+        redrawn.box_at_most_ = box;
+        redrawn.box_ = Box{std::ceil(least_x), std::floor(most_x), std::ceil(least_y), std::floor(most_y)};
+        break;
+      }
+      case box_too_small:
+        redrawn.box_ = redrawn.box_at_most_ = Box{box.first_x, end_x, box.first_y, end_y};
+        break;
+      default:
+        break;
+    }
+  }
+  if (places || inside) {
+    std::vector<DrawnCorner> turned = border;
+    for (DrawnCorner& p : turned) p.x = raster.width - 1 - p.x, p.y = raster.height - 1 - p.y;
+    const bool for_nobody = inside && inside->mistake == border_for_nobody;
+    if (for_nobody) redrawn.also_inside_ = drawn(header, turned);
+    auto found = drawn(header, redrawn.is_turned_ ? std::move(turned) : std::move(border));
+    if (!found || (for_nobody && !redrawn.also_inside_)) return std::nullopt;
+    redrawn.inside_ = std::move(*found);
+  }
+  if (depths && depths->mistake == z_v_for_depth) {
+    if (given.scene.camera.kind != Camera::Kind::perspective || header.conventions.depth == Conventions::Depth::view)
+      return std::nullopt;
+    for (DrawnCorner& p : outline) {
+      const double z_v = given.header.conventions.depth == Conventions::Depth::corrected
+                             ? 1 / p.z
+                             : view_depth(given.scene.camera, given.header.conventions, p.z);
+      p.off_z = p.z == 0 ? p.off_z : view_depth_error(given.scene.camera, given.header.conventions, p.z, p.off_z);
+      p.z = z_v;
+    }
+  } else if (given.header.conventions.depth == Conventions::Depth::corrected) {
+    redrawn.after_ = After::reciprocal;
+  }
+  if (depths && depths->mistake == depth_by_reciprocals) {
+    if (redrawn.after_ == After::reciprocal) return std::nullopt;
+    redrawn.after_ = After::reciprocal;
+  }
+  if (depths && depths->mistake == depth_truncated) {
+    if (redrawn.after_ == After::reciprocal) return std::nullopt;
+    redrawn.after_ = depths->variant == 0 ? After::truncated : After::rounded;
+  }
+  if (!depths && !places) {
+    redrawn.depths_ = {right};
+    return redrawn;
+  }
+  if (!depths || depths->mistake == z_v_for_depth || depths->mistake == depth_truncated) {
+    auto whole = drawn(given.header, std::move(outline));
+    if (!whole) return std::nullopt;
+    redrawn.depths_.push_back(std::move(*whole));
+    return redrawn;
+  }
+  // Weights are those of triangles: of more corners, as a fan.
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+    std::vector<DrawnCorner> triangle{outline[0], outline[i], outline[i + 1]};
+    change_depths(*depths, of_depths, triangle);
+    if (auto one = drawn(given.header, std::move(triangle))) redrawn.depths_.push_back(std::move(*one));
+  }
+  if (redrawn.depths_.empty()) return std::nullopt;
+  return redrawn;
+}
+
+Redrawn::Cover Redrawn::cover(std::int32_t x, std::int32_t y) const {
+  if (margin_) return box_at_most_->holds(x, y) ? Cover::either : Cover::outside;
+  const std::int32_t turned_x = width_ - 1 - x, turned_y = height_ - 1 - y;
+  Cover found = is_turned_ ? inside_.cover(turned_x, turned_y) : inside_.cover(x, y);
+  if (also_inside_) found = std::min(found, also_inside_->cover(turned_x, turned_y));
+  if (box_at_most_ && !box_at_most_->holds(x, y)) return Cover::outside;
+  return box_ && !box_->holds(x, y) ? std::min(found, Cover::either) : found;
+}
+
+double Redrawn::least_weight(std::int32_t x, std::int32_t y) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DrawnCorner &p = margin_->corners[i], &q = margin_->corners[(i + 1) % 3];
+    least = std::min(least, ((q.x - p.x) * (y - p.y) - (x - p.x) * (q.y - p.y)) / margin_->divided_by);
+  }
+  return least;
+}
+
+Redrawn::Depths Redrawn::depths(std::int32_t x, std::int32_t y) const {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  Depths depths{any, -any};
+  for (const DrawnFacet& facet : depths_) {
+    if (depths_.size() > 1 && facet.cover(x, y) == Cover::outside) continue;
+    if (!facet.has_depth()) return {-any, any};
+    const double linear = facet.linear_at(x, y), low = linear - facet.off(), high = linear + facet.off();
+    switch (after_) {
+      case After::nothing:
+        depths = {std::min(depths.low, low), std::max(depths.high, high)};
+        break;
+      case After::reciprocal:
+        if (low <= 0 && high >= 0) return {-any, any};
+        depths = {std::min(depths.low, 1 / high), std::max(depths.high, 1 / low)};
+        break;
+      case After::truncated:
+        depths = {std::min(depths.low, std::trunc(low)), std::max(depths.high, std::trunc(high))};
+        break;
+      case After::rounded:
+        depths = {std::min(depths.low, std::round(low)), std::max(depths.high, std::round(high))};
+        break;
+    }
+  }
+  return depths.low <= depths.high ? depths : Depths{-any, any};
+}
+
+Buffer::Buffer(std::span<const Way> ways, const Given& given)
+    : ways_(ways),
+      comparison_(given.header.comparison),
+      width_(given.scene.raster.width),
+      height_(given.scene.raster.height),
+      stored_(pixel_count(width_, height_)) {
+  double first = made(buffer_begins_at_0) ? 0 : given.header.empty_depth();
+  if (comparison_.nearer == Comparison::Nearer::greater) first = -first;
+  begins_with_ = {first, first};
+  clear();
+}
+
+bool Buffer::made(Mistake mistake) const {
+  return std::any_of(ways_.begin(), ways_.end(), [&](const Way& way) { return way.mistake == mistake; });
+}
+
+Redrawn::Depths& Buffer::stored(std::int32_t x, std::int32_t y) {
+  const std::size_t stride = static_cast<std::size_t>(made(stride_is_height) ? height_ : width_);
+  return stored_[(static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x)) % stored_.size()];
+}
+
+std::optional<bool> Buffer::answer(Redrawn::Depths z, Redrawn::Depths stored) const {
+  const bool reversed = made(compare_reversed);
+  const bool last = (comparison_.ties == Comparison::Ties::last) != made(equal_wins);
+  if (z.high < stored.low) return !reversed;
+  if (z.low > stored.high) return reversed;
+  const bool same = z.low == z.high && stored.low == stored.high;
+  return same ? std::optional(last) : std::nullopt;
+}
+
+std::optional<bool> Buffer::ask(std::int32_t x, std::int32_t y, Redrawn::Depths z) {
+  if (comparison_.nearer == Comparison::Nearer::greater) z = {-z.high, -z.low};
+  Redrawn::Depths& there = stored(x, y);
+  const std::optional<bool> nearer = answer(z, there);
+  if (made(depth_always)) there = z;
+  else if (made(depth_not_written)) return nearer;
+  else if (!nearer) there = {std::min(z.low, there.low), std::max(z.high, there.high)};
+  else if (*nearer) there = z;
+  return nearer;
+}
+
+bool Buffer::may_answer(std::int32_t x, std::int32_t y, Redrawn::Depths z, bool nearer) {
+  if (comparison_.nearer == Comparison::Nearer::greater) z = {-z.high, -z.low};
+  Redrawn::Depths& there = stored(x, y);
+  const std::optional<bool> known = answer(z, there);
+  if (made(depth_always) || (nearer && !made(depth_not_written))) there = z;
+  return !known || *known == nearer;
+}
+
+}  // namespace zstep::mistakes
