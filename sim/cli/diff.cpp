@@ -22,14 +22,13 @@
 #include "sim/cli/words.hpp"
 #include "sim/cost/bounds.hpp"
 #include "sim/image/file.hpp"
-#include "sim/image/tables.hpp"
 #include "sim/pages/page.hpp"
 #include "sim/pages/pictures.hpp"
 #include "sim/words/escaped.hpp"
+#include "sim/words/judged.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
-#include "traces/formulas/rounding.hpp"
 #include "traces/formulas/walk.hpp"
 #include "traces/replay/replay.hpp"
 #include "traces/text.hpp"
@@ -108,6 +107,7 @@ int runs(const DiffOptions& options) {
                                      [](const diff::Cause& cause) { return cause.part == diff::Part::different; });
   if (pictures.difference.colors > 0 && (no_cause || a.header().algorithm != b.header().algorithm))
     text.seen = seen_text(a, picture_a, b, picture_b);
+  if (!no_cause) text.likely = likely_in_words(mistakes::diagnosis_of(b, check(b)));
   for (const std::string& impossible : {impossible_a, impossible_b})
     if (!impossible.empty()) text.notes.push_back("compared up to a step that is impossible: " + impossible);
   if (report.alignment.not_kept > 0) text.notes.push_back(not_followed_text(report));
@@ -144,8 +144,15 @@ int run(const DiffOptions& options) {
   check_reads_once(options.a, options.b);
   check_outputs({}, {options.a, options.b},
                 options.page.empty() ? std::vector<std::string>{} : std::vector<std::string>{options.page});
-  const std::string extension = std::filesystem::path(options.b).extension().string();
-  const bool picture = extension == ".png" || extension == ".npy" || extension == ".pfm";
+  if (is_picture(options.a)) {
+    if (options.view || !options.page.empty())
+      throw InputError(options.view ? "--view" : "--html", "shows a run, but this is a picture", "leave it out");
+    return diff_of_picture(options);
+  }
+  if (const std::string given = options.run.given(); !given.empty())
+    throw InputError(given, "is for the scene of a picture, but this is a run, which has its own conventions",
+                     "leave it out");
+  const bool picture = is_picture(options.b);
   if (picture && options.view)
     throw InputError("--view", "shows two runs, but this is a run and a picture",
                      "leave it out; --html FILE.html shows pictures");
@@ -162,10 +169,15 @@ int view_against(const std::string& a, const std::string& b, const ShowOptions& 
 void add_diff(CLI::App& app, Action& action) {
   const auto options = std::make_shared<DiffOptions>();
   CLI::App* command = app.add_subcommand("diff", "Where do two runs part, and what follows from it?");
-  command->add_option("a", options->a, "A .ztrace or .jsonl file, or - for standard input")
-      ->type_name("A.ztrace")
+  command
+      ->add_option("a", options->a,
+                   "A .ztrace or .jsonl file, or - for standard input; or a picture (.png), depths (.npy, .pfm) or "
+                   "numbers of polygons (.npy) of any program, beside its scene")
+      ->type_name("A")
       ->required();
-  command->add_option("b", options->b, "Another; or a picture (.png), or depths (.npy, .pfm), of any program")
+  command
+      ->add_option("b", options->b,
+                   "Another; or a picture, or depths, of any program; beside a picture its scene or mesh, or a trace")
       ->type_name("B")
       ->required();
   command->add_flag("--all", options->all, "Print all causes, not ten");
@@ -173,6 +185,7 @@ void add_diff(CLI::App& app, Action& action) {
   command->add_flag("--view", options->view, "Then open the viewer with both runs, where they first part")
       ->excludes(json);
   add_show_options(*command, options->show);
+  add_run_options(*command, options->run, false);
   command->add_option("--html", options->page, "Write one page with the pictures")->type_name("FILE.html");
   command->footer(
       "Steps are matched by what they are about (the same edge, pixel, polygon, ray), not by their order or number.\n"
@@ -183,7 +196,9 @@ void add_diff(CLI::App& app, Action& action) {
       "  zstep diff right.ztrace run.jsonl\n"
       "  zstep diff right.ztrace run.jsonl --view\n"
       "  zstep diff right.ztrace - < run.jsonl\n"
-      "  zstep diff run.ztrace depths.npy --html page.html");
+      "  zstep diff run.ztrace depths.npy --html page.html\n"
+      "  zstep diff my_picture.png pyramid-behind\n"
+      "  zstep diff my_depths.npy cube --depth zero-to-one");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
@@ -207,6 +222,7 @@ std::string diff_page(const DiffText& text, const diff::DiffReport& report, cons
   for (const std::string& note : text.notes) page += fmt::format("<p>{}</p>\n", markup(note));
   page += fmt::format("<p>{}</p>\n", markup(text.pictures));
   for (const std::string& sentence : text.seen) page += fmt::format("<p>{}</p>\n", markup(sentence));
+  for (const std::string& line : text.likely) page += fmt::format("<p>{}</p>\n", markup(line));
   page += figure(pictures.a, "A", "the picture of A");
   page += figure(pictures.b, "B", "the picture of B");
   page += figure(pictures.map, "Where they differ: the darker, the more", "the pixels that differ, dark on white");
@@ -238,8 +254,6 @@ std::string diff_page(const DiffText& text, const diff::DiffReport& report, cons
   return page.append(page_end);
 }
 
-// zstep diff of a run and a picture, or a table of depths, of another program.
-
 void check_sizes(std::int32_t width_a, std::int32_t height_a, std::int32_t width_b, std::int32_t height_b,
                  const std::string& b) {
   if (width_a == width_b && height_a == height_b) return;
@@ -253,70 +267,6 @@ void write_diff_page(const DiffOptions& options, const DiffText& text, const dif
   const std::string page = diff_page(text, report, pictures);
   write_file(options.page, std::span(reinterpret_cast<const std::uint8_t*>(page.data()), page.size()));
   if (!options.json) say_written(options.page, "one page");
-}
-
-int diff_with_picture(const DiffOptions& options) {
-  const Trace a = open_trace(options.a);
-  Replay end(a);
-  end.go_to(a.size());
-  const Picture& picture = end.state().picture;
-  const Raster& raster = a.scene().raster;
-  const std::string extension = std::filesystem::path(options.b).extension().string();
-  PicturePair pictures;
-  pictures.a = image_of(picture, a.scene(), 1);
-  Precision precision = precision_of(a);
-  bool float32 = extension == ".pfm";
-  if (extension == ".png") {
-    pictures.b = read_png(options.b);
-    check_sizes(raster.width, raster.height, pictures.b.width, pictures.b.height, options.b);
-    pictures.difference = diff::compare_colors(pictures.a.rgb, pictures.b.rgb);
-  } else {
-    std::vector<double> depths;
-    std::int32_t width = 0, height = 0;
-    if (extension == ".pfm") {
-      const Pfm table = read_pfm(options.b);
-      depths.assign(table.values.begin(), table.values.end());
-      width = table.width, height = table.height;
-    } else {
-      const Npy table = read_npy(options.b);
-      std::visit([&](const auto& values) { depths.assign(values.begin(), values.end()); }, table.values);
-      width = table.width, height = table.height;
-      float32 = std::holds_alternative<std::vector<float>>(table.values);
-      if (std::holds_alternative<std::vector<std::int32_t>>(table.values))
-        throw InputError(options.b, "has whole numbers", "give depths as float32 or float64");
-    }
-    if (float32) precision.relative = std::max(precision.relative, formulas::rounding_of_float32);
-    precision.depths =
-        compare::held_to_bounds(a, float32 ? NumberFormat::float32 : a.header().conventions.number_format).depths;
-    check_sizes(raster.width, raster.height, width, height, options.b);
-    const auto same = [](double z) { return z; };
-    if (raster.y_up && precision.depths) {  // tables of depths have the top row first
-      auto turned = std::make_shared<DepthBounds>(*precision.depths);
-      turned->of_pixel = top_row_first<double>(turned->of_pixel, raster.width, raster.height, true, same);
-      precision.depths = std::move(turned);
-    }
-    pictures.difference =
-        diff::compare_depths(top_row_first<double>(picture.depth, raster.width, raster.height, raster.y_up, same),
-                             depths, precision, diff::buffers_of(a, picture).empty);
-  }
-  pictures.map = map_of(pictures.difference.apart, raster.width, raster.height, false);
-  diff::DiffReport report;
-  report.precision = precision;
-  const DiffText text{printable(a.name()), printable(options.b), {}, {}, pictures_text(pictures.difference)};
-  write_diff_page(options, text, report, pictures);
-  const diff::BufferDifference& found = pictures.difference;
-  if (options.json) {
-    print_diff_json(text, report, found);
-  } else {
-    fmt::print("A: {}\nB: {}\n{}\n", text.name_a, text.name_b, text.pictures);
-    if (found.first) {
-      const auto x = *found.first % raster.width, row = *found.first / raster.width;
-      const auto y = raster.y_up ? raster.height - 1 - row : row;
-      fmt::print("The first from the top is ({}, {}):\n  zstep explain {} {} {}\n", x, y,
-                 printable(shell_word(options.a)), x, y);
-    }
-  }
-  return found.colors + found.depths == 0 ? exit_code::done : exit_code::finding;
 }
 
 }  // namespace zstep::cli

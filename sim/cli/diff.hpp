@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/image/png.hpp"
 #include "traces/diff/buffers.hpp"
@@ -17,6 +18,7 @@ struct DiffOptions {
   std::string a, b, page;
   bool all = false, json = false, view = false;
   ShowOptions show;
+  RunOptions run;  ///< of the scene beside which a picture is held
 };
 
 /// One run's side of a cause.
@@ -47,6 +49,7 @@ struct DiffText {
   std::string pictures;  ///< one sentence
   /// Where causes do not tell it: which polygons are seen otherwise, and how that came.
   std::vector<std::string> seen = {};
+  std::vector<std::string> likely = {};  ///< the mistake that B goes wrong by, as likely_in_words() says it
 };
 
 /// All of it in words.
@@ -61,8 +64,12 @@ void print_diff_json(const DiffText& text, const diff::DiffReport& report, const
 /// Two runs in one window: matched first, with progress on the terminal.
 int view_against(const std::string& a, const std::string& b, const ShowOptions& show);
 
+/// Does its name end as a picture's, or as that of a table of depths or polygons?
+bool is_picture(const std::string& path);
 /// A run against the picture of another program; returns the exit code.
 int diff_with_picture(const DiffOptions& options);
+/// A picture against its scene alone, as it should be drawn and as the known mistakes would draw it; likewise.
+int diff_of_picture(const DiffOptions& options);
 /// Throws InputError unless both are of one size.
 void check_sizes(std::int32_t width_a, std::int32_t height_a, std::int32_t width_b, std::int32_t height_b,
                  const std::string& b);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "sim/cli/diff.hpp"
@@ -246,6 +247,7 @@ void print_diff(const DiffText& text, const DiffReport& report, const diff::Buff
                counted(report.differences(), "difference", "differences"));
   fmt::print("{}\n", text.pictures);
   for (const std::string& sentence : text.seen) fmt::print("{}\n", sentence);
+  if (!text.likely.empty()) fmt::print("Of B:\n  {}\n", fmt::join(text.likely, "\n  "));
   fmt::print("\n");
   for (std::size_t i = 0; i < text.causes.size(); ++i) {
     const CauseText& cause = text.causes[i];
@@ -299,6 +301,7 @@ void print_diff_json(const DiffText& text, const DiffReport& report, const diff:
                  {"causes", causes},
                  {"kinds", kinds},
                  {"seen", text.seen},
+                 {"likely", text.likely},
                  {"pixels", pictures.pixels},
                  {"colors_differ", pictures.colors},
                  {"depths_differ", pictures.depths},

@@ -222,6 +222,17 @@ std::string no_depth_text(const Trace& trace, Trace::Pixel pixel, std::int64_t a
                      grouped(at));
 }
 
+/// The mistake that the run is likely to go wrong by, where a number of this chain is wrong.
+std::vector<std::string> likely_text(const Trace& trace, const answers::Chain& chain) {
+  const bool wrong = std::any_of(chain.links.begin(), chain.links.end(), [](const answers::ChainLink& link) {
+    return std::any_of(link.values.begin(), link.values.end(),
+                       [](const answers::ChainValue& value) { return !answers::doubt_text(value).empty(); });
+  });
+  constexpr std::int64_t most_steps = 1'000'000;  // the run is gone through several times
+  if (!wrong || trace.size() > most_steps) return {};
+  return likely_in_words(mistakes::diagnosis_of(trace, check(trace)));
+}
+
 int explain(const ExplainOptions& options) {
   const Trace trace = open_trace(options.trace);
   const answers::Question question = question_of(trace, options);
@@ -231,8 +242,15 @@ int explain(const ExplainOptions& options) {
   if (chain.links.empty()) return exit_code::done;
   Exactness exactness;
   if (options.exact) exactness = answers::exactness_of(chain, trace);
-  if (options.json) fmt::print("{}\n", printable_json(json_of(trace, chain, exactness).dump(2)));
-  else fmt::print("{}", text_of(trace, chain, exactness));
+  const std::vector<std::string> likely = likely_text(trace, chain);
+  if (options.json) {
+    nlohmann::ordered_json all = json_of(trace, chain, exactness);
+    if (!likely.empty()) all["likely"] = likely;
+    fmt::print("{}\n", printable_json(all.dump(2)));
+  } else {
+    fmt::print("{}", text_of(trace, chain, exactness));
+    if (!likely.empty()) fmt::print("{}\n", fmt::join(likely, "\n  "));
+  }
   return exit_code::done;
 }
 

@@ -45,21 +45,42 @@ void write_png(const std::filesystem::path& path, int width, int height, std::sp
   write_file(path, png_bytes(width, height, rgb));
 }
 
-Image read_png(const std::filesystem::path& path, std::uintmax_t most_bytes, std::size_t most_pixels) {
-  const std::vector<std::uint8_t> bytes = read_file(path, most_bytes);
-  const auto damaged = [&](const char* message) {
-    return InputError(path.string(), fmt::format("is no PNG that can be read ({})", message), "give a whole PNG file");
-  };
-  PngImage image;
-  if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) throw damaged(image.message);
+namespace {
+
+InputError damaged(const std::filesystem::path& path, const char* message) {
+  return {path.string(), fmt::format("is no PNG that can be read ({})", message), "give a whole PNG file"};
+}
+void begin_read(PngImage& image, const std::vector<std::uint8_t>& bytes, const std::filesystem::path& path,
+                std::size_t most_pixels) {
+  if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) throw damaged(path, image.message);
   if (static_cast<std::size_t>(image.width) * image.height > most_pixels)
     throw InputError(path.string(), fmt::format("has {}x{} pixels", image.width, image.height),
                      "give a smaller picture");
+}
+
+}  // namespace
+
+Image read_png(const std::filesystem::path& path, std::uintmax_t most_bytes, std::size_t most_pixels) {
+  const std::vector<std::uint8_t> bytes = read_file(path, most_bytes);
+  PngImage image;
+  begin_read(image, bytes, path, most_pixels);
   image.format = PNG_FORMAT_RGB;
   Image result{static_cast<int>(image.width), static_cast<int>(image.height), {}};
   result.rgb.resize(bytes_of(result.width, result.height));
   const png_color white{255, 255, 255};
-  if (!png_image_finish_read(&image, &white, result.rgb.data(), 0, nullptr)) throw damaged(image.message);
+  if (!png_image_finish_read(&image, &white, result.rgb.data(), 0, nullptr)) throw damaged(path, image.message);
+  return result;
+}
+
+std::optional<Grey16> read_grey16(const std::filesystem::path& path) {
+  constexpr std::size_t most_pixels = std::size_t{1} << 26;
+  const std::vector<std::uint8_t> bytes = read_file(path);
+  PngImage image;
+  begin_read(image, bytes, path, most_pixels);
+  if (image.format != PNG_FORMAT_LINEAR_Y) return std::nullopt;
+  Grey16 result{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  result.values.resize(static_cast<std::size_t>(image.width) * image.height);
+  if (!png_image_finish_read(&image, nullptr, result.values.data(), 0, nullptr)) throw damaged(path, image.message);
   return result;
 }
 

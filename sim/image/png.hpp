@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,14 @@ void write_png(const std::filesystem::path& path, int width, int height, std::sp
 /// pixels.
 Image read_png(const std::filesystem::path& path, std::uintmax_t most_bytes = std::uintmax_t{1} << 30,
                std::size_t most_pixels = std::size_t{1} << 26);
+
+/// A picture of shades alone.
+struct Grey16 {
+  int width = 0, height = 0;
+  std::vector<std::uint16_t> values;  ///< [height * width], the top row first
+};
+/// Reads a PNG of 16 bits a pixel without colours; nothing of another PNG. Throws InputError as read_png() does.
+std::optional<Grey16> read_grey16(const std::filesystem::path& path);
 
 /// A chart as a picture, and the same as SVG.
 struct Drawing : Image {

@@ -181,10 +181,15 @@ constexpr std::size_t most_values = std::size_t{1} << 28;
 /// The words of the head, one after another.
 class Head {
  public:
-  Head(const std::vector<std::uint8_t>& bytes, const std::filesystem::path& path) : bytes_(bytes), path_(path) {}
+  Head(const std::vector<std::uint8_t>& bytes, const std::filesystem::path& path, std::string cure)
+      : bytes_(bytes), path_(path), cure_(std::move(cure)) {}
 
   std::string_view word() {
-    while (at_ < bytes_.size() && blank(bytes_[at_])) ++at_;
+    while (at_ < bytes_.size() && (blank(bytes_[at_]) || bytes_[at_] == '#')) {
+      const bool comment = bytes_[at_] == '#';
+      while (comment && at_ < bytes_.size() && bytes_[at_] != '\n') ++at_;
+      if (!comment) ++at_;
+    }
     const std::size_t begin = at_;
     while (at_ < bytes_.size() && !blank(bytes_[at_])) ++at_;
     return {reinterpret_cast<const char*>(bytes_.data()) + begin, at_ - begin};
@@ -205,14 +210,13 @@ class Head {
   }
   /// Behind the one blank that ends the head.
   std::size_t end() const { return at_ + 1; }
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(path_.string(), what, "give a grey .pfm: Pf, width and height, scale, then the rows");
-  }
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(path_.string(), what, cure_); }
 
  private:
   static bool blank(std::uint8_t c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
   const std::vector<std::uint8_t>& bytes_;
   const std::filesystem::path& path_;
+  std::string cure_;
   std::size_t at_ = 0;
 };
 
@@ -220,7 +224,7 @@ class Head {
 
 Pfm read_pfm(const std::filesystem::path& path) {
   const std::vector<std::uint8_t> bytes = read_file(path);
-  Head head(bytes, path);
+  Head head(bytes, path, "give a grey .pfm: Pf, width and height, scale, then the rows");
   if (const std::string_view kind = head.word(); kind != "Pf")
     head.fail(kind == "PF" ? "has colours, not depths" : "is no .pfm");
   Pfm table;
@@ -244,6 +248,36 @@ Pfm read_pfm(const std::filesystem::path& path) {
     std::memcpy(&table.values[row * width + i % width], four, sizeof four);
   }
   return table;
+}
+
+Image read_pnm(const std::filesystem::path& path) {
+  constexpr int most_value = 65535;
+  const std::vector<std::uint8_t> bytes = read_file(path);
+  Head head(bytes, path, "give a .ppm or .pgm: P2, P3, P5 or P6, width and height, the largest value, then the rows");
+  const std::string_view kind = head.word();
+  const bool color = kind == "P3" || kind == "P6", text = kind == "P2" || kind == "P3";
+  if (!color && !text && kind != "P5") head.fail("is no .ppm or .pgm");
+  Image image{head.number<int>("width"), head.number<int>("height"), {}};
+  const int most = head.number<int>("largest value");
+  if (image.width < 1 || image.height < 1 || most < 1 || most > most_value)
+    head.fail("has no size, or no largest value");
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+                    count = pixels * (color ? 3 : 1), width = most > 255 ? 2 : 1;
+  // A number of a text is a digit and a blank at least.
+  if (pixels > most_values || (text && count > bytes.size()))
+    head.fail(fmt::format("has not {}x{} pixels", image.width, image.height));
+  const std::size_t begin = head.end();
+  if (!text && (begin > bytes.size() || bytes.size() - begin < count * width))
+    head.fail(fmt::format("has not the {} bytes of {}x{} pixels", count * width, image.width, image.height));
+  image.rgb.reserve(pixels * 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = begin + i * width;
+    const int value = text ? head.number<int>("value") : width == 1 ? bytes[at] : bytes[at] << 8 | bytes[at + 1];
+    if (value < 0 || value > most) head.fail(fmt::format("has a value that is not from 0 to {}", most));
+    const auto byte = static_cast<std::uint8_t>((value * 255 + most / 2) / most);
+    image.rgb.insert(image.rgb.end(), color ? 1 : 3, byte);
+  }
+  return image;
 }
 
 }  // namespace zstep

@@ -1,4 +1,5 @@
-// Tables of numbers as files: NumPy's .npy (numpy.lib.format; np.load() reads them as [height, width]) and .pfm.
+// Tables of numbers and pictures as other programs write them: NumPy's .npy (numpy.lib.format; np.load() reads them as
+// [height, width]) and .pfm.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +7,8 @@
 #include <span>
 #include <variant>
 #include <vector>
+
+#include "sim/image/png.hpp"
 
 namespace zstep {
 
@@ -34,5 +37,9 @@ struct Pfm {
 
 /// Reads a grey one ("Pf"). Throws InputError for anything else.
 Pfm read_pfm(const std::filesystem::path& path);
+
+/// Reads a portable pixmap or graymap, as text (P2, P3) or bytes (P5, P6), with values up to 65535, as 8-bit RGB.
+/// Throws InputError for anything else.
+Image read_pnm(const std::filesystem::path& path);
 
 }  // namespace zstep

@@ -206,4 +206,97 @@ TEST_CASE("diff tells of causes beyond a step that does not go with what was bef
   CHECK(run(folder, "diff c.jsonl a.ztrace").code == 1);
 }
 
+TEST_CASE("diff: a picture is held against its scene, by colours, by numbers of polygons and by depths") {
+  const Folder folder;
+  REQUIRE(run(folder, "render cyclic --save a.png --save-ids ids.npy --save-depth-raw z.npy").code == 0);
+  for (const char* right : {"a.png cyclic", "ids.npy cyclic", "z.npy cyclic"}) {
+    const Outcome outcome = run(folder, std::string("diff ") + right);
+    CHECK(outcome.code == 0);
+    CHECK(has(outcome.out, "The picture is right: none of "));
+  }
+  REQUIRE(run(folder, "record cyclic -o run.ztrace").code == 0);
+  CHECK(run(folder, "diff a.png run.ztrace").code == 0);
+  CHECK(run(folder, "diff a.png cyclic --theta 40").code == 1);
+  const Outcome sizes = run(folder, "diff a.png cyclic --size 16x16");
+  CHECK(sizes.code == 2);
+  CHECK(has(sizes.err, "cyclic: is 32x32 pixels, but A is 16x16"));
+}
+
+TEST_CASE("diff: another convention that explains a picture is named, and no mistake then") {
+  const Folder folder;
+  REQUIRE(run(folder, "render cyclic --save-depth-raw z.npy --depth zero-to-one").code == 0);
+  const Outcome outcome = run(folder, "diff z.npy cyclic --json");
+  CHECK(outcome.code == 1);
+  const auto report = nlohmann::json::parse(outcome.out);
+  CHECK(report["differ"] > 200);
+  CHECK(report["likely"].empty());
+  REQUIRE(report["conventions"].size() == 1);
+  CHECK(report["conventions"][0]["depth"] == "zero_to_one");
+  CHECK(report["conventions"][0]["differ"] == 0);
+  CHECK(run(folder, "diff z.npy cyclic --depth zero-to-one").code == 0);
+}
+
+TEST_CASE("diff: the mistake that makes a picture is named, and two that are made together") {
+  const Folder folder;
+  write_text(folder / "two.toml",
+             "coordinates = \"screen\"\nraster.width = 24\nraster.height = 16\n"
+             "[[polygon]]\ncolor = \"#d55e00\"\npoints = [[2.3, 1.2, 0.2], [21.7, 4.1, 0.6], [6.4, 13.8, 0.4]]\n"
+             "[[polygon]]\ncolor = \"#0072b2\"\npoints = [[20.6, 1.7, 0.3], [22.2, 14.3, 0.7], [1.1, 9.6, 0.9]]\n");
+  // A pixmap of the scene as zstep draws it, mirrored; and once more with the other polygon seen.
+  REQUIRE(run(folder, "render two.toml --save-ids ids.npy").code == 0);
+  const std::string npy = text_of(folder / "ids.npy");
+  constexpr std::size_t width = 24, height = 16;
+  const std::size_t begin = npy.size() - width * height * 4;
+  std::string mirrored = "P3\n24 16\n255\n";
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 0; x < width; ++x) {
+      const char polygon = npy[begin + 4 * (y * width + (width - 1 - x))];
+      mirrored += polygon == 0 ? "213 94 0 " : polygon == 1 ? "0 114 178 " : "255 255 255 ";
+    }
+  write_text(folder / "mirrored.ppm", mirrored);
+  const Outcome one = run(folder, "diff mirrored.ppm two.toml");
+  CHECK(one.code == 1);
+  CHECK(has(one.out, "So drawn it is this very picture:\n  Likely: The picture is mirrored."));
+  std::string reversed = npy;
+  // Where both are, the nearer one shows; here the farther one: what differs are the pixels of both.
+  REQUIRE(run(folder, "record two.toml -o run.ztrace").code == 0);
+  const Outcome compares =
+      run(folder, "query run.ztrace \"SELECT x, y FROM depth_compare GROUP BY x, y HAVING count(*) = 2\" --csv");
+  REQUIRE(compares.code == 0);
+  std::size_t both = 0;
+  for (std::size_t at = compares.out.find('\n') + 1; at < compares.out.size();) {
+    const std::size_t comma = compares.out.find(',', at), end = compares.out.find('\n', at);
+    const std::size_t x = std::stoul(compares.out.substr(at, comma - at)),
+                      y = std::stoul(compares.out.substr(comma + 1, end - comma - 1));
+    for (const std::size_t side : {x}) {
+      char& polygon = reversed[begin + 4 * (y * width + side)];
+      polygon = static_cast<char>(1 - polygon), ++both;
+    }
+    at = end + 1;
+  }
+  CHECK(both > 20);
+  // Turned over as well: line 15 first.
+  std::string turned = reversed;
+  for (std::size_t y = 0; y < height; ++y)
+    turned.replace(begin + y * width * 4, width * 4, reversed, begin + (height - 1 - y) * width * 4, width * 4);
+  write_text(folder / "turned.npy", turned);
+  const Outcome two = run(folder, "diff turned.npy two.toml --json");
+  CHECK(two.code == 1);
+  const auto report = nlohmann::json::parse(two.out);
+  REQUIRE(!report["likely"].empty());
+  CHECK(report["likely"][0]["differ"] == 0);
+  CHECK(report["likely"][0]["mistakes"] == nlohmann::json{"y_upside_down", "compare_reversed"});
+}
+
+TEST_CASE("diff: what cannot be held against a scene says so") {
+  const Folder folder;
+  REQUIRE(run(folder, "render cyclic --save a.png").code == 0);
+  REQUIRE(run(folder, "record cyclic -o run.ztrace").code == 0);
+  CHECK(has(run(folder, "diff a.png cyclic --view").err, "--view: shows a run, but this is a picture; leave it out"));
+  CHECK(has(run(folder, "diff a.png run.ztrace --depth view").err, "--depth: is for scenes, but this is a trace"));
+  CHECK(has(run(folder, "diff run.ztrace run.ztrace --depth view").err, "--depth: is for the scene of a picture"));
+  CHECK(run(folder, "diff a.png nowhere.toml").code == 2);
+  CHECK(run(folder, "diff nowhere.png cyclic").code == 2);
+}
+
 }  // namespace

@@ -156,3 +156,44 @@ TEST_CASE("writing replaces the file a link points to, not the link") {
   CHECK(fs::is_symlink(folder.path / "link"));
   CHECK(text_of(folder.path / "target") == "new");
 }
+
+TEST_CASE("portable pixmaps and graymaps are read as text and as bytes, with comments and with values of two bytes") {
+  const Folder folder;
+  const auto read = [&](const std::string& text) {
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    write_file(folder.path / "a.ppm", bytes);
+    return read_pnm(folder.path / "a.ppm");
+  };
+  const Image expected{2, 1, {255, 0, 51, 0, 255, 102}};
+  CHECK(read("P3\n# a comment\n2 1 # and one more\n255\n255 0 51  0 255 102\n") == expected);
+  CHECK(read("P3 2 1 5 5 0 1 0 5 2") == expected);
+  CHECK(read(std::string("P6\n2 1\n255\n\xff\0\x33\0\xff\x66", 17)) == expected);
+  CHECK(read(std::string("P6\n2 1\n65535\n\xff\xff\0\0\x33\x33\0\0\xff\xff\x66\x66", 25)) == expected);
+  const Image grey{1, 2, {0, 0, 0, 128, 128, 128}};
+  CHECK(read("P2 1 2 255 0 128") == grey);
+  CHECK(read(std::string("P5 1 2 255\n\0\x80", 13)) == grey);
+}
+
+TEST_CASE("a damaged pixmap says what is wrong with it") {
+  const Folder folder;
+  const auto said = [&](const std::string& text) -> std::string {
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    write_file(folder.path / "a.ppm", bytes);
+    try {
+      read_pnm(folder.path / "a.ppm");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(said("").find("is no .ppm or .pgm") != std::string::npos);
+  CHECK(said("P7 2 2 255 ").find("is no .ppm or .pgm") != std::string::npos);
+  CHECK(said("P3 2").find("has no height in its head") != std::string::npos);
+  CHECK(said("P3 0 2 255 ").find("has no size") != std::string::npos);
+  CHECK(said("P3 2 2 70000 ").find("has no size, or no largest value") != std::string::npos);
+  CHECK(said("P6 2 2 255\nabc").find("has not the 12 bytes of 2x2 pixels") != std::string::npos);
+  CHECK(said("P6 2000000000 2000000000 255\nabc").find("has not 2000000000x2000000000 pixels") != std::string::npos);
+  CHECK(said("P3 30000 30000 255 1 2 3").find("has not 30000x30000 pixels") != std::string::npos);
+  CHECK(said("P2 2 1 7 3 8").find("has a value that is not from 0 to 7") != std::string::npos);
+  CHECK(said("P2 2 1 7 3").find("has no value in its head") != std::string::npos);
+}
