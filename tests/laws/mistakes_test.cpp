@@ -122,32 +122,32 @@ constexpr BrokenProgram broken_programs[] = {
     {"colour_not_written", "edge table", 2, 173},
     {"colour_always", "edge table", 2, 184},
     {"x_y_exchanged", "edge table", 1, 13},
-    {"picture_mirrored", "weights", 1, 0},
-    {"one_pixel_off", "weights", 1, 0},
-    {"vertices_rounded", "weights", 1, 0},
-    {"vertices_truncated", "weights", 1, 0},
-    {"one_winding_only", "weights", 1, 0},
-    {"border_for_nobody", "weights", 1, 0},
-    {"border_for_both", "weights", 1, 0},
-    {"border_for_other_side", "weights", 1, 0},
-    {"edge_not_asked", "weights", 1, 0},
-    {"box_too_small", "weights", 1, 0},
-    {"inside_margin", "weights", 1, 0},
-    {"area_not_doubled", "weights", 1, 0},
-    {"area_not_divided_by", "weights", 1, 0},
-    {"weights_exchanged", "weights", 1, 0},
-    {"weights_turned", "weights", 1, 0},
-    {"weight_negative", "weights", 1, 0},
-    {"weight_left_out", "weights", 1, 0},
-    {"vertex_depth_twice", "weights", 1, 0},
-    {"depth_of_one_vertex", "weights", 1, 0},
-    {"depth_is_mean", "weights", 1, 0},
-    {"depth_truncated", "weights", 1, 0},
-    {"depth_by_reciprocals", "weights", 1, 0},
-    {"stride_is_height", "weights", 1, 0},
-    {"colour_of_next", "weights", 1, 0},
-    {"colour_beside", "weights", 1, 0},
-    {"window_taken_for_square", "weights, camera", 0, 0},
+    {"picture_mirrored", "weights", 1, 3},
+    {"one_pixel_off", "weights", 1, 3},
+    {"vertices_rounded", "weights", 1, 3},
+    {"vertices_truncated", "weights", 1, 3},
+    {"one_winding_only", "weights", 1, 132},
+    {"border_for_nobody", "weights, borders", 0, 3},
+    {"border_for_both", "weights, borders", 0, 27},
+    {"border_for_other_side", "weights, borders", 0, 3},
+    {"edge_not_asked", "weights", 1, 3},
+    {"box_too_small", "weights", 1, 129},
+    {"inside_margin", "weights", 1, 3},
+    {"area_not_doubled", "weights", 1, 3},
+    {"area_not_divided_by", "weights", 1, 3},
+    {"weights_exchanged", "weights", 1, 3},
+    {"weights_turned", "weights", 1, 3},
+    {"weight_negative", "weights", 1, 3},
+    {"weight_left_out", "weights", 1, 3},
+    {"vertex_depth_twice", "weights", 1, 3},
+    {"depth_of_one_vertex", "weights", 1, 3},
+    {"depth_is_mean", "weights", 1, 3},
+    {"depth_truncated", "weights", 1, 3},
+    {"depth_by_reciprocals", "weights", 1, 3},
+    {"stride_is_height", "weights, strides", 0, 283},
+    {"colour_of_next", "weights", 1, 5},
+    {"colour_beside", "weights", 1, 5},
+    {"window_taken_for_square", "weights, camera", 0, 3},
     {"flag_missed", "flags", 0, 34},
     {"wrong_of_two", "flags", 1, 130},
     {"plane_d_sign", "flags", 0, 8},
@@ -348,20 +348,24 @@ TEST_CASE("mistakes: programs that print less are treated alike") {
     const char *mistake, *name;  ///< "" where the catalogue does not have it
   };
   std::string table;
-  for (const Wrong& one : {Wrong{crossings, "farther_wins", "compare_reversed"}, Wrong{crossings, "", ""},
-                           Wrong{crossings, "z_along_x", ""}, Wrong{crossings, "z_from_the_right", ""},
-                           Wrong{crossings, "z_of_the_line", ""}, Wrong{crossings, "one_depth_off", ""},
-                           Wrong{crossings, "colour_of_the_next", ""}, Wrong{crossings, "both_ends_met", ""},
-                           Wrong{half_planes, "or_equal", "equal_wins"}, Wrong{half_planes, "", ""},
-                           Wrong{half_planes, "border_for_nobody", ""}, Wrong{half_planes, "border_for_all", ""},
-                           Wrong{half_planes, "weights_turned", ""}, Wrong{half_planes, "half_the_depth", ""}}) {
+  for (const Wrong& one :
+       {Wrong{crossings, "farther_wins", "compare_reversed"}, Wrong{crossings, "", ""},
+        Wrong{crossings, "z_along_x", ""}, Wrong{crossings, "z_from_the_right", ""},
+        Wrong{crossings, "z_of_the_line", ""}, Wrong{crossings, "one_depth_off", ""},
+        Wrong{crossings, "colour_of_the_next", "colour_of_next"}, Wrong{crossings, "both_ends_met", ""},
+        Wrong{half_planes, "or_equal", "equal_wins"}, Wrong{half_planes, "", ""},
+        Wrong{half_planes, "border_for_nobody", "border_for_nobody"},
+        Wrong{half_planes, "border_for_all", "border_for_both"}, Wrong{half_planes, "weights_turned", "weights_turned"},
+        Wrong{half_planes, "half_the_depth", ""}}) {
     int as_it_is = 0;
     for (const zoo::Task& task : tasks()) {
       if (one.program.run == zoo::half_planes && task.polygons.front().corners.size() > 3) continue;
       const std::string name = named(task, one.mistake, one.program);
       if (name == "-") continue;
       as_it_is += name == one.name;
-      if (name != one.name) table += std::string("\n") + one.mistake + ": " + (name.empty() ? "no name" : name);
+      // Where other mistakes would give the same, none is named.
+      if (name != one.name && !name.empty())
+        table += std::string("\n") + one.mistake + ": " + (name.empty() ? "no name" : name);
     }
     CAPTURE(std::string(one.mistake));
     CHECK(as_it_is > 0);

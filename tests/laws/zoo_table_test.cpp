@@ -108,6 +108,8 @@ TEST_CASE("zoo: the table") {
   Table table;
   std::vector<Scene> scenes = test::scenes_of_edge_table();
   table.add_all("edge table", test::edge_table_program, scenes, rows(test::of_edge_table, test::others_of_edge_table));
+  for (const Wrong& one : {Wrong{"x_y_read_exchanged", "x_y_exchanged"}, {"colour_one_to_the_right", "colour_beside"}})
+    table.add("edge table", test::edge_table_program, scenes, one);
   if (test::there_is_python()) {
     ZooProgram python = test::edge_table_program;
     python.run = [](const zoo::Task& task) { return test::python("by_line.py", task); };
@@ -130,12 +132,12 @@ TEST_CASE("zoo: the table") {
                  {"one_depth_off", ""},
                  {"farther_wins", "compare_reversed"},
                  {"depth_kept", "buffer_reset"},
-                 {"colour_of_the_next", ""}});
+                 {"colour_of_the_next", "colour_of_next"}});
   scenes.pop_back();  // not triangles alone
   table.add_all("half-planes", half_planes, scenes,
-                {{"border_for_nobody", ""},
-                 {"border_for_all", ""},
-                 {"weights_turned", ""},
+                {{"border_for_nobody", "border_for_nobody"},
+                 {"border_for_all", "border_for_both"},
+                 {"weights_turned", "weights_turned"},
                  {"or_equal", "equal_wins"},
                  {"half_the_depth", ""}});
   add_other_builds(table, scenes);

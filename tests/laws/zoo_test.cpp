@@ -455,7 +455,8 @@ TEST_CASE("zoo: a picture alone names the mistake of the program that drew it") 
     if (found.front().differ == 0) return;  // it does not show in the picture
     Row& row = rows[mistake];
     ++row.seen;
-    const std::string name = name_for(mistake);
+    // In a picture nothing tells a depth that is not kept from one that is not written.
+    const std::string name = mistake == "depth_not_kept" ? "depth_not_written" : name_for(mistake);
     std::vector<std::string> said;
     for (std::size_t i = 1; i < found.size() && found[i].differ == 0; ++i) {
       std::string ids;
@@ -480,7 +481,8 @@ TEST_CASE("zoo: a picture alone names the mistake of the program that drew it") 
   MESSAGE("mistake, pictures in which it shows, named, named beside others that draw the same, not named, wrongly\n",
           table);
   MESSAGE(right, " of ", seen, " named, ", among, " more beside others that draw the same, ", wrong, " wrongly");
-  CHECK(right + among >= 0.7 * seen);
+  CHECK(right + among >= 0.8 * seen);
+  CHECK(wrong <= 0.05 * seen);
 }
 
 }  // namespace

@@ -75,27 +75,55 @@ std::vector<WrongPrograms> of_viewing() {
             "depth_axis_reversed", "centres_half_off"}}};
 }
 
+/// Squares that are cut along a diagonal, each with a neighbour, all in one plane: centres on edges of every kind.
+Scene cut_square(int number) {
+  zoo::Task task;
+  task.width = 18 + number, task.height = 14;
+  const int x = 2 + number % 3, y = 1 + number % 2, side = number % 2 == 0 ? 8 : 4;
+  for (const auto& [across, down] : {std::pair(0, 0), {side, 0}, {side, side}, {0, side}, {side + 4, 0}})
+    task.points.push_back({1.0 * (x + across), 1.0 * (y + down), 0.125 + (across + 2 * down) / 64.0});
+  task.polygons = {{0, {0, 1, 2}}, {1, {0, 2, 3}}, {2, {1, 4, 2}}};
+  Scene scene = scene_of(task);
+  scene.name = fmt::format("a cut square {}", number);
+  return scene;
+}
+/// Two triangles over most of a wide picture, the farther one last.
+Scene wide(int number) {
+  zoo::Task task;
+  task.width = 26 + number, task.height = 10;
+  const double w = task.width, h = task.height;
+  task.points = {{0.5, 0.25, 0.25},      {w - 2.5, 1.25, 0.375},    {3.5 + number, h - 1.5, 0.3125},
+                 {w - 1.5, 0.75, 0.625}, {w - 4.5, h - 1.25, 0.75}, {1.5, h - 2.75, 0.875}};
+  task.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}};
+  Scene scene = scene_of(task);
+  scene.name = fmt::format("wide {}", number);
+  return scene;
+}
+
 /// Programs of today, which print nothing of how they come to their pixels.
 std::vector<WrongPrograms> of_weights() {
   ZooProgram program{"z-buffer", zoo::barycentric, "float64 products"};
   const ZooProgram with_camera = program;
   program.short_names = true;
-  std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
-                            scene_of(ties())};
-  return {
-      {"weights",
-       program,
-       scenes,
-       {"picture_mirrored",  "one_pixel_off",        "vertices_rounded",      "vertices_truncated",  "one_winding_only",
-        "border_for_nobody", "border_for_both",      "border_for_other_side", "edge_not_asked",      "box_too_small",
-        "inside_margin",     "area_not_doubled",     "area_not_divided_by",   "weights_exchanged",   "weights_turned",
-        "weight_negative",   "weight_left_out",      "vertex_depth_twice",    "depth_of_one_vertex", "depth_is_mean",
-        "depth_truncated",   "depth_by_reciprocals", "stride_is_height",      "colour_of_next",      "colour_beside"},
-       {"not_normalised", "depth_squared"}},
-      {"weights, camera",
-       with_camera,
-       {seen("cyclic", 25, 70, 16, 10), seen("intersecting", 20, 65, 18, 12)},
-       {"window_taken_for_square", "z_v_for_depth"}}};
+  std::vector<Scene> borders, strides;
+  for (int number = 0; number < 5; ++number) borders.push_back(cut_square(number)), strides.push_back(wide(number));
+  return {{"weights",
+           program,
+           {on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26), on_the_raster(20, 8, 34),
+            on_the_raster(31, 5, 40)},
+           {"picture_mirrored",    "one_pixel_off",  "vertices_rounded", "vertices_truncated",   "one_winding_only",
+            "edge_not_asked",      "box_too_small",  "inside_margin",    "area_not_doubled",     "area_not_divided_by",
+            "weights_exchanged",   "weights_turned", "weight_negative",  "weight_left_out",      "vertex_depth_twice",
+            "depth_of_one_vertex", "depth_is_mean",  "depth_truncated",  "depth_by_reciprocals", "colour_of_next",
+            "colour_beside"},
+           {"not_normalised", "depth_squared"}},
+          {"weights, borders", program, borders, {"border_for_nobody", "border_for_both", "border_for_other_side"}},
+          {"weights, strides", program, strides, {"stride_is_height"}},
+          {"weights, camera",
+           with_camera,
+           {seen("cyclic", 25, 70, 16, 10), seen("intersecting", 20, 65, 18, 12), seen("cyclic", 10, 60, 20, 12),
+            seen("intersecting", 40, 60, 16, 12), seen("cyclic", 40, 50, 18, 10)},
+           {"window_taken_for_square", "z_v_for_depth"}}};
 }
 
 std::vector<WrongPrograms> of_areas() {

@@ -53,12 +53,9 @@ inline constexpr const char* of_edge_table[] = {
     "written_before_test", "depth_not_written",    "depth_always",       "colour_not_written",   "colour_always",
     "x_y_exchanged",       "y_upside_down"};
 inline constexpr const char* others_of_edge_table[] = {
-    "swapped_vertex",        "dropped_increment",       "wrong_rounding",
-    "missing_retirement",    "entered_in_front",        "mean_depth",
-    "depth_doubled_at_ends", "spans_of_even_lines",     "slope_negative",
-    "z_slope_halved",        "first_polygon_always",    "x_y_read_exchanged",
-    "rows_rounded_down",     "colour_one_to_the_right", "colour_upside_down",
-    "dz_dx_of_first_span"};
+    "swapped_vertex",       "dropped_increment",     "wrong_rounding",      "missing_retirement", "entered_in_front",
+    "mean_depth",           "depth_doubled_at_ends", "spans_of_even_lines", "slope_negative",     "z_slope_halved",
+    "first_polygon_always", "rows_rounded_down",     "colour_upside_down",  "dz_dx_of_first_span"};
 std::vector<Scene> scenes_of_edge_table();
 inline const ZooProgram edge_table_program{"z-buffer",
                                            zoo::edge_table,

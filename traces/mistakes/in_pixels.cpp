@@ -1,6 +1,7 @@
 #include "traces/mistakes/in_pixels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -140,7 +141,8 @@ class Explains {
     // Of what is not known nothing is explained.
     if (10 * known_ < 9 * std::ssize(pixels_.asked) || !no_facet_is_missing(begun)) return false;
     // A number that separates the weights inside from those outside, and that is not 0.
-    if (made(inside_margin) && (!(outside_ < inside_) || (outside_ < 0 && inside_ >= 0))) return false;
+    constexpr double nothing = 1e-6;
+    if (made(inside_margin) && (!(outside_ < inside_) || (outside_ < nothing && inside_ > -nothing))) return false;
     Buffer buffer(ways_, given_);
     for (const Turn& turn : pixels_.turns) {
       is_last_ = &turn == &pixels_.turns.back();
@@ -160,20 +162,30 @@ class Explains {
     const std::span<const Asked> asked = turn.asked.of(pixels_.asked);
     if (!turn.right) return asked.empty();
     if (Redrawn::is_left_out(*turn.right, ways_, culls(), given_)) return asked.empty();
+    // Which of the vertices it is made with is the same for all facets that go round the same way.
+    std::uint64_t& may_be = may_be_[Redrawn::is_clockwise(*turn.right)];
+    std::int64_t known = 0;
     for (int choice = 0; choice < Redrawn::choices(ways_); ++choice) {
+      const std::uint64_t bit = std::uint64_t{1} << choice;
+      if ((may_be & bit) == 0) continue;
       const auto drawn = Redrawn::of(*turn.right, ways_, choice, given_);
-      if (drawn && are_of(*drawn, asked)) return true;
+      const auto depths = drawn ? depths_known(*drawn, asked) : std::nullopt;
+      if (depths) known = std::max(known, *depths);
+      else may_be &= ~bit;
     }
-    return false;
+    known_ += known;
+    const std::uint64_t all = (std::uint64_t{1} << Redrawn::choices(ways_)) - 1;
+    return (may_be & all) != 0;
   }
-  bool are_of(const Redrawn& drawn, std::span<const Asked> asked) {
+  /// Of how many of these pixels the depth is known, where they are the facet's, and all that it has.
+  std::optional<std::int64_t> depths_known(const Redrawn& drawn, std::span<const Asked> asked) {
     ++drawn_by_.turn;
     std::int64_t known = 0;
     for (const Asked& one : asked) {
-      if (drawn.cover(one.x, one.y) == Redrawn::Cover::outside) return false;
+      if (drawn.cover(one.x, one.y) == Redrawn::Cover::outside) return std::nullopt;
       const Redrawn::Depths depths = drawn.depths(one.x, one.y);
       const double off = pixels_.relative * std::abs(one.z) + pixels_.absolute;
-      if (!(one.z >= depths.low - off && one.z <= depths.high + off)) return false;
+      if (!(one.z >= depths.low - off && one.z <= depths.high + off)) return std::nullopt;
       drawn_by_.turn_of[pixel(one.x, one.y)] = drawn_by_.turn, known += std::isfinite(depths.high - depths.low);
     }
     bool all = true;
@@ -182,14 +194,13 @@ class Explains {
       drawn.each_compared([&](std::int32_t x, std::int32_t y) {
         if (!is_last_ && !was_drawn(x, y)) outside_ = std::max(outside_, drawn.least_weight(x, y));
       });
-      if (!(outside_ < inside_)) return false;
+      if (!(outside_ < inside_)) return std::nullopt;
     }
     if (!is_last_)  // there the run may be cut off
       drawn.each_pixel([&](std::int32_t x, std::int32_t y, Redrawn::Cover cover) {
         all = all && (cover != Redrawn::Cover::inside || was_drawn(x, y));
       });
-    known_ += all ? known : 0;
-    return all;
+    return all ? std::optional(known) : std::nullopt;
   }
   bool answers_are_right(const Turn& turn, Buffer& buffer) const {
     const std::span<const Asked> asked = turn.asked.of(pixels_.asked);
@@ -254,6 +265,7 @@ class Explains {
   const Given& given_;
   const Together& ways_;
   DrawnBy& drawn_by_;
+  std::array<std::uint64_t, 2> may_be_{~std::uint64_t{0}, ~std::uint64_t{0}};       ///< choices, of either way round
   std::int64_t known_ = 0;                                                          ///< depths
   double outside_ = -std::numeric_limits<double>::infinity(), inside_ = -outside_;  ///< weights
   bool is_last_ = false;
@@ -293,8 +305,8 @@ class Redrawing {
       right_[facet] = DrawnFacet::from_scene(scene, header, index32(facet), roundoff);
   }
 
-  /// Of these mistakes, made in the same way with each facet.
-  Likeness like(const Seen& seen, const Together& ways, int choice, std::int64_t most) {
+  /// Of these mistakes, made in one way with facets that go round clockwise, and in one with the others.
+  Likeness like(const Seen& seen, const Together& ways, int clockwise, int counter, std::int64_t most) {
     const Scene& scene = given_.scene;
     const std::int32_t polygons = std::max(1, size32(scene.polygons));
     const std::int32_t width = scene.raster.width, height = scene.raster.height;
@@ -307,8 +319,11 @@ class Redrawing {
     for (const Way& way : ways)
       if (way.mistake == colour_beside) beside = &way;
     for (std::size_t facet = 0; facet < right_.size(); ++facet) {
-      if (!right_[facet] || Redrawn::is_left_out(*right_[facet], ways, given_.header.conventions.cull, given_))
-        continue;
+      if (!right_[facet]) continue;
+      // With a margin that nobody knows each pixel around may be inside.
+      if (made(inside_margin) || !Redrawn::is_known(*right_[facet], ways, given_)) return {ways, most + 1, 0};
+      if (Redrawn::is_left_out(*right_[facet], ways, given_.header.conventions.cull, given_)) continue;
+      const int choice = Redrawn::is_clockwise(*right_[facet]) ? clockwise : counter;
       const auto drawn = Redrawn::of(*right_[facet], ways, choice, given_);
       if (!drawn) continue;
       const std::int32_t polygon = scene.facets[facet].polygon;
@@ -384,7 +399,7 @@ std::vector<Likeness> likenesses(const Scene& scene, const Header& header, doubl
                                  const std::function<bool(double)>& on_done) {
   constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
   Redrawing redrawing(scene, header, roundoff);
-  std::vector<Likeness> found{redrawing.like(seen, {}, 0, any)};
+  std::vector<Likeness> found{redrawing.like(seen, {}, 0, 0, any)};
   const std::int64_t right = found.front().differ;
   if (right == 0) return found;
   std::int64_t best = explained(right), done = 0, all = 0;
@@ -395,8 +410,9 @@ std::vector<Likeness> likenesses(const Scene& scene, const Header& header, doubl
     if (!goes_on || (found.size() > 1 && best == 0)) break;
     each_together(pairs, [&](const Together& ways) {
       std::optional<Likeness> likest;
-      for (int choice = 0; choice < Redrawn::choices(ways); ++choice) {
-        Likeness one = redrawing.like(seen, ways, choice, best);
+      const int choices = Redrawn::choices(ways);
+      for (int both = 0; both < choices * (pairs ? 1 : choices); ++both) {
+        Likeness one = redrawing.like(seen, ways, both % choices, pairs ? both : both / choices, best);
         const bool is_known = 10 * one.sure >= 9 * found.front().sure;
         if (one.differ <= best && is_known && (!likest || one.differ < likest->differ)) likest = std::move(one);
       }
@@ -412,7 +428,7 @@ std::vector<Likeness> likenesses(const Scene& scene, const Header& header, doubl
 std::vector<OtherLikeness> likenesses_otherwise(const Scene& scene, const Header& header, double roundoff,
                                                 const Seen& seen) {
   constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
-  const Likeness right = Redrawing(scene, header, roundoff).like(seen, {}, 0, any);
+  const Likeness right = Redrawing(scene, header, roundoff).like(seen, {}, 0, 0, any);
   std::vector<OtherLikeness> found;
   for (const Otherwise& other : other_conventions()) {
     Header changed = header;
@@ -423,7 +439,7 @@ std::vector<OtherLikeness> likenesses_otherwise(const Scene& scene, const Header
     if (other.key == "depth")
       changed.comparison.nearer =
           greater_is_nearer(changed.conventions.depth) ? Comparison::Nearer::greater : Comparison::Nearer::smaller;
-    const Likeness one = Redrawing(scene, changed, roundoff).like(seen, {}, 0, explained(right.differ));
+    const Likeness one = Redrawing(scene, changed, roundoff).like(seen, {}, 0, 0, explained(right.differ));
     if (one.differ <= explained(right.differ) && 10 * one.sure >= 9 * right.sure)
       found.push_back({std::string(other.key), std::string(other.word), one.differ, one.sure});
   }

@@ -217,10 +217,31 @@ bool Redrawn::is_left_out(const DrawnFacet& right, std::span<const Way> ways, bo
   if (!way) return cull && right.faces_away();
   if (way->mistake == clockwise_front)
     return cull && given.scene.camera.kind != Camera::Kind::screen && !right.faces_away();
-  return (twice_area(right.outline()) > 0) == (way->variant == 0) || (cull && right.faces_away());
+  return is_clockwise(right) == (way->variant == 0) || (cull && right.faces_away());
+}
+
+bool Redrawn::is_clockwise(const DrawnFacet& right) { return twice_area(right.outline()) > 0; }
+
+bool Redrawn::is_known(const DrawnFacet& right, std::span<const Way> ways, const Given& given) {
+  const Conventions::Depth depth = given.header.conventions.depth;
+  return std::all_of(ways.begin(), ways.end(), [&](const Way& way) {
+    switch (way.mistake) {
+      case z_v_for_depth:
+        return given.scene.camera.kind == Camera::Kind::perspective && depth != Conventions::Depth::view;
+      case depth_by_reciprocals:
+      case depth_truncated:
+        return depth != Conventions::Depth::corrected;
+      case edge_not_asked:
+      case inside_margin:
+        return right.outline().size() == 3;
+      default:
+        return true;
+    }
+  });
 }
 
 std::optional<Redrawn> Redrawn::of(const DrawnFacet& right, std::span<const Way> ways, int choice, const Given& given) {
+  if (!is_known(right, ways, given)) return std::nullopt;
   const auto drawn = [&](const Header& header, std::vector<DrawnCorner> corners) {
     return DrawnFacet::from_run(given.scene, header, std::move(corners), given.roundoff);
   };
@@ -253,13 +274,11 @@ std::optional<Redrawn> Redrawn::of(const DrawnFacet& right, std::span<const Way>
         redrawn.is_turned_ = true;
         break;
       case edge_not_asked:
-        if (outline.size() != 3) return std::nullopt;
         border = without_edge(outline, static_cast<std::size_t>(of_inside), raster);
         redrawn.box_at_most_ = box;
         redrawn.box_ = Box{std::ceil(least_x), std::floor(most_x), std::ceil(least_y), std::floor(most_y)};
         break;
       case inside_margin: {
-        if (outline.size() != 3) return std::nullopt;
         const double twice = twice_area(outline);
         redrawn.margin_ = Margin{{outline[0], outline[1], outline[2]},
                                  inside->variant == 0 ? twice
@@ -286,8 +305,6 @@ std::optional<Redrawn> Redrawn::of(const DrawnFacet& right, std::span<const Way>
     redrawn.inside_ = std::move(*found);
   }
   if (depths && depths->mistake == z_v_for_depth) {
-    if (given.scene.camera.kind != Camera::Kind::perspective || header.conventions.depth == Conventions::Depth::view)
-      return std::nullopt;
     for (DrawnCorner& p : outline) {
       const double z_v = given.header.conventions.depth == Conventions::Depth::corrected
                              ? 1 / p.z
@@ -298,14 +315,9 @@ std::optional<Redrawn> Redrawn::of(const DrawnFacet& right, std::span<const Way>
   } else if (given.header.conventions.depth == Conventions::Depth::corrected) {
     redrawn.after_ = After::reciprocal;
   }
-  if (depths && depths->mistake == depth_by_reciprocals) {
-    if (redrawn.after_ == After::reciprocal) return std::nullopt;
-    redrawn.after_ = After::reciprocal;
-  }
-  if (depths && depths->mistake == depth_truncated) {
-    if (redrawn.after_ == After::reciprocal) return std::nullopt;
+  if (depths && depths->mistake == depth_by_reciprocals) redrawn.after_ = After::reciprocal;
+  if (depths && depths->mistake == depth_truncated)
     redrawn.after_ = depths->variant == 0 ? After::truncated : After::rounded;
-  }
   if (!depths && !places) {
     redrawn.depths_ = {right};
     return redrawn;

@@ -45,10 +45,14 @@ class Redrawn {
 
   /// In how many ways these mistakes are made with a facet, as the program may begin with any of its vertices.
   static int choices(std::span<const Way> ways);
-  /// Nothing where nothing can be said of it: `right` is the facet as it should be.
+  /// Can it be said what these mistakes make of it?
+  static bool is_known(const formulas::DrawnFacet& right, std::span<const Way> ways, const Given& given);
+  /// Nothing where that is not known, or it is drawn without an area; `right` is the facet as it should be.
   static std::optional<Redrawn> of(const formulas::DrawnFacet& right, std::span<const Way> ways, int choice,
                                    const Given& given);
-  /// Is it left out for how its vertices go round? `cull`: back faces are dropped.
+  /// Do its corners go clockwise as it is seen?
+  static bool is_clockwise(const formulas::DrawnFacet& right);
+  /// Is it left out for how they go round? `cull`: back faces are dropped.
   static bool is_left_out(const formulas::DrawnFacet& right, std::span<const Way> ways, bool cull, const Given& given);
 
   Cover cover(std::int32_t x, std::int32_t y) const;
