@@ -260,6 +260,11 @@ TEST_CASE("what lessons say about other runs than their own is so") {
        "[conventions]\nnumber_format = \"fixed16\"",
        "{frame(32, 24) = W}",
        {{"eye = [0, 0, 0]", "eye = [0, 0.1, 0]"}}},
+      {"edge-functions: boxes alone", "fan.toml", "half-space", "",
+       "{count(test) = 367} {count(test where not inside) = 207}"},
+      {"edge-functions: tiles without their depths", "fan.toml", "half-space", "[options]\ntiles = \"8\"",
+       "{count(test) = 259} {count(test where not inside) = 163}"},
+      {"edge-functions: spans ask no pixel outside", "fan.toml", "z-buffer", "", "{count(interpolate_z) = 160}"},
   };
   for (const Run& run : runs) check(run);
 }
