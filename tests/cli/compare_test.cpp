@@ -149,7 +149,7 @@ TEST_CASE("compare-methods: mistakes") {
   check_refused("cube --modes colour=red", "is not CONVENTION=WORD,WORD");
   check_refused("cube --modes depth", "is not CONVENTION=WORD,WORD");
   check_refused("cube --modes depth=view --methods z-buffer", "--methods: does not go with --modes");
-  check_refused("cube --modes depth=all --plot a.png", "6 modes are too many for one chart; give at most 4");
+  check_refused("cube --modes depth=all --plot a.png", "7 modes are too many for one chart; give at most 4");
   check_refused("delhi --modes depth=view --plot a.png", "this scene has no such planes");
   check_refused("cube --sweep middle=1..2", "is not near=FROM..TO");
   check_refused("cube --sweep near=2..1", "does not go from a distance above 0");

@@ -235,13 +235,15 @@ void DrawnFacet::find_intervals(const Scene& scene, const Header& header, double
   begin_of_row_.push_back(0);
   for (std::int32_t y = first_row_; y < end; ++y) {
     crossings.clear();
-    bool unsure = false;  // whether the line meets a corner
+    bool unsure = false;       // whether the line meets a corner
+    bool by_rounding = false;  // and rounding says so
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (std::size_t edge = 0; edge < outline_.size(); ++edge) {
       const DrawnCorner &p = outline_[edge], &q = outline_[(edge + 1) % outline_.size()];
       const double upper = std::min(p.y, q.y), lower = std::max(p.y, q.y);
       const double slack = p.off_y + undeclared;
       unsure = unsure || (slack > 0 && std::abs(p.y - y) <= slack);
+      by_rounding = by_rounding || (p.off_y > 0 && std::abs(p.y - y) <= p.off_y);
       if (upper - slack <= y + 0.5 && lower + slack >= y - 0.5)
         least = std::min({least, p.x, q.x}), most = std::max({most, p.x, q.x});
       const auto goes_on = past_end ? turns_down(outline_.size(), p.y == lower ? edge : (edge + 1) % outline_.size(),
@@ -255,7 +257,8 @@ void DrawnFacet::find_intervals(const Scene& scene, const Header& header, double
     if (unsure || crossings.size() % 2 != 0) {
       if (least <= most)
         intervals_.push_back({y, width, -1, std::max(0, limited_column(std::floor(least - 1), width)),
-                              std::min(width - 1, limited_column(std::ceil(most + 1), width)), 0, 0, least, most, 0});
+                              std::min(width - 1, limited_column(std::ceil(most + 1), width)), 0, 0, least, most,
+                              by_rounding ? std::numeric_limits<double>::infinity() : 0});
     } else {
       // Where two lie closer together than they are known, either may come first: but the k-th from the left is not
       // left of the k-th of the places that they are at least at, nor right of the k-th of those at most.
@@ -270,7 +273,7 @@ void DrawnFacet::find_intervals(const Scene& scene, const Header& header, double
         const auto first = [&](double x) { return std::max(0, limited_column(first_pixel(x, coverage), width)); };
         const auto last = [&](double x) { return std::min(width - 1, limited_column(last_pixel(x, coverage), width)); };
         intervals_.push_back({y, first(most_x[i]), last(least_x[i + 1]), first(least_x[i]), last(most_x[i + 1]),
-                              left.edge, right.edge, left.x, right.x, std::max(left.off, right.off) + undeclared});
+                              left.edge, right.edge, left.x, right.x, std::max(left.off, right.off)});
       }
     }
     begin_of_row_.push_back(intervals_.size());
@@ -295,14 +298,14 @@ bool DrawnFacet::has_depth_at(std::int32_t x, std::int32_t y) const {
   const std::int64_t row = std::int64_t{y} - first_row_;
   if (row < 0 || row + 1 >= std::ssize(begin_of_row_)) return false;
   const bool only_inside = coverage_ == Conventions::Coverage::top_left;
+  const auto says = [&](const Interval& of) {
+    if (only_inside && (x < of.first_maybe || x > of.last_maybe)) return false;
+    if (!only_inside && (of.first > of.last || x < of.x_left || x > of.x_right)) return false;
+    const bool is_wide = of.first <= of.last && of.x_right - of.x_left >= 1;
+    return of.off == 0 || is_wide || (x >= of.x_left + of.off && x <= of.x_right - of.off);
+  };
   return std::any_of(intervals_.begin() + static_cast<std::ptrdiff_t>(begin_of_row_[row]),
-                     intervals_.begin() + static_cast<std::ptrdiff_t>(begin_of_row_[row + 1]), [&](const Interval& of) {
-                       if (of.first > of.last || !(of.x_left < of.x_right)) return false;
-                       const double beyond = only_inside && of.x_right - of.x_left >= 1 ? of.off
-                                             : of.x_right - of.x_left >= 1              ? 0
-                                                                                        : -of.off;
-                       return x >= of.x_left - beyond && x <= of.x_right + beyond;
-                     });
+                     intervals_.begin() + static_cast<std::ptrdiff_t>(begin_of_row_[row + 1]), says);
 }
 
 std::optional<DrawnFacet::Beside> DrawnFacet::beside(std::int32_t x, std::int32_t y) const {

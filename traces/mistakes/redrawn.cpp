@@ -168,11 +168,14 @@ void change_depths(const Way& way, int choice, std::span<DrawnCorner> p) {
 /// Of an outline without one of its edges: the two others go on beyond the picture.
 std::vector<DrawnCorner> without_edge(std::span<const DrawnCorner> triangle, std::size_t edge, const Raster& raster) {
   const DrawnCorner &apex = triangle[(edge + 2) % 3], &one = triangle[edge], &other = triangle[(edge + 1) % 3];
-  const double least =
-      std::min(std::hypot(one.x - apex.x, one.y - apex.y), std::hypot(other.x - apex.x, other.y - apex.y));
-  double reach = raster.width + raster.height;
+  const auto far_from_apex = [&](const DrawnCorner& p) {
+    return std::max(std::abs(p.x - apex.x), std::abs(p.y - apex.y));
+  };
+  constexpr double shortest = 1e-3;
+  const double least = std::max(shortest, std::min(far_from_apex(one), far_from_apex(other)));
+  double reach = raster.width + raster.height, times = 1;
   for (const DrawnCorner& p : triangle) reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
-  const double times = std::exp2(std::ceil(std::log2(std::max(1.0, 4 * reach / std::max(least, 1e-3)))));
+  while (times * least < 4 * reach) times *= 2;
   const auto beyond = [&](const DrawnCorner& p) {
     DrawnCorner far = p;
     far.x = apex.x + (p.x - apex.x) * times, far.y = apex.y + (p.y - apex.y) * times;
