@@ -197,8 +197,8 @@ void add_diff(CLI::App& app, Action& action) {
       "  zstep diff right.ztrace run.jsonl --view\n"
       "  zstep diff right.ztrace - < run.jsonl\n"
       "  zstep diff run.ztrace depths.npy --html page.html\n"
-      "  zstep diff my_picture.png pyramid-behind\n"
-      "  zstep diff my_depths.npy cube --depth zero-to-one");
+      "  zstep diff picture.png pyramid-behind\n"
+      "  zstep diff depths.npy pyramid-behind --depth pseudodepth");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

@@ -179,6 +179,13 @@ TEST_CASE(
           runs += is_right(method, scene, conventions);
         }
   CHECK(runs > 300);
+  // An edge that faces hide to the middle and from there on: what is between them is less than can be drawn.
+  for (const test::NGonKind& kind : test::n_gon_kinds())
+    for (const Scene& scene : test::two_views(kind.make(46), 46)) {
+      Conventions conventions;
+      conventions.cull = false;
+      CHECK(is_right(zstep::method("hidden-line"), scene, conventions));
+    }
 }
 
 /// Meshes of every kind as files, and all that the tests and the lessons have.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "traces/formulas/of_polygons.hpp"
@@ -267,6 +268,23 @@ inline const LineRow* line_row(const Situation& at, std::int32_t number) {
   return number >= 0 && line < at.method().lines.size() ? &at.method().lines[line] : nullptr;
 }
 
+/// Is more than half of a part of a line behind faces? Between two of them it may be seen for less than can be drawn.
+inline bool is_mostly_hidden(const LineRow& row, double t_0, double t_1) {
+  std::vector<std::pair<double, double>> hidden;
+  for (const LineHide& hide : row.hidden) hidden.emplace_back(hide.t_0, hide.t_1);
+  std::sort(hidden.begin(), hidden.end());
+  if (!(t_0 < t_1))
+    return std::any_of(hidden.begin(), hidden.end(),
+                       [&](const auto& one) { return one.first <= t_0 && t_0 <= one.second; });
+  double length = 0, reached = t_0;
+  for (const auto& [from, to] : hidden) {
+    const double end = std::min(to, t_1);
+    length += std::max(0.0, end - std::max(from, reached));
+    reached = std::max(reached, end);
+  }
+  return length > 0.5 * (t_1 - t_0);
+}
+
 }  // namespace detail
 
 /// Parts of a line follow one another, each ends where something begins or ends to hide it, and those that a face hides
@@ -277,9 +295,7 @@ void derive(const LinePiece& e, const Situation& at, Out& out) {
   if (!row) return;
   out.is(&LinePiece::t_0, row->pieces.empty() ? 0.0 : row->pieces.back().t_1);
   out.rule(Rule::hides_of_line, e.t_0 <= e.t_1 && e.t_1 <= 1);
-  const double middle = (e.t_0 + e.t_1) / 2;
-  const bool hidden = std::any_of(row->hidden.begin(), row->hidden.end(),
-                                  [&](const LineHide& hide) { return hide.t_0 <= middle && middle <= hide.t_1; });
+  const bool hidden = detail::is_mostly_hidden(*row, e.t_0, e.t_1);
   if (!at.records<LineHide>()) return;
   std::vector<Rounded> ends{1.0};
   for (const LineHide& hide : row->hidden) ends.insert(ends.end(), {Rounded(hide.t_0), Rounded(hide.t_1)});
