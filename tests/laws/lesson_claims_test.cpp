@@ -265,6 +265,12 @@ TEST_CASE("what lessons say about other runs than their own is so") {
       {"edge-functions: tiles without their depths", "fan.toml", "half-space", "[options]\ntiles = \"8\"",
        "{count(test) = 259} {count(test where not inside) = 163}"},
       {"edge-functions: spans ask no pixel outside", "fan.toml", "z-buffer", "", "{count(interpolate_z) = 160}"},
+      {"perspective-correct: linearly, the middle of the floor is halfway up, and each stripe has eight scan lines",
+       "long-floor.toml", "z-buffer", "[conventions]\nattribute = \"linear\"",
+       "{count(attribute where x == 30 and y == 22 and attribute == 0.875) = 1} "
+       "{count(attribute where x == 30 and y == 10 and attribute == 1.25) = 1} "
+       "{count(attribute where x == 30 and polygon == \"F\" and attribute > 0.51 and attribute < 0.76) = 8} "
+       "{count(attribute where x == 8 and y == 11 and attribute == 1.45) = 1}"},
   };
   for (const Run& run : runs) check(run);
 }
