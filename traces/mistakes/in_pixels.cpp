@@ -333,6 +333,7 @@ class Redrawing {
         Shown& there = shown_[pixel_at(x, y, width)];
         std::optional<bool> nearer;
         if (cover == Redrawn::Cover::inside) nearer = buffer.ask(x, y, z);
+        else buffer.may_ask(x, y, z);
         if (!nearer) there.sure = there.deep = false;
         if (nearer && *nearer) there.low = z.low, there.high = z.high, there.deep = true;
         std::int32_t to_x = x, to_y = y;

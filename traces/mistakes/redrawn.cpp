@@ -426,6 +426,13 @@ std::optional<bool> Buffer::ask(std::int32_t x, std::int32_t y, Redrawn::Depths 
   return nearer;
 }
 
+void Buffer::may_ask(std::int32_t x, std::int32_t y, Redrawn::Depths z) {
+  const Redrawn::Depths before = stored(x, y);
+  ask(x, y, z);
+  Redrawn::Depths& there = stored(x, y);
+  there = {std::min(before.low, there.low), std::max(before.high, there.high)};
+}
+
 bool Buffer::may_answer(std::int32_t x, std::int32_t y, Redrawn::Depths z, bool nearer) {
   if (comparison_.nearer == Comparison::Nearer::greater) z = {-z.high, -z.low};
   Redrawn::Depths& there = stored(x, y);

@@ -115,6 +115,8 @@ class Buffer {
   void clear() { std::fill(stored_.begin(), stored_.end(), begins_with_); }
   /// Is the depth nearer than what is stored? Nothing where that is not known. Keeps what the program then keeps.
   std::optional<bool> ask(std::int32_t x, std::int32_t y, Redrawn::Depths z);
+  /// The same where it is not known whether the program asks at all.
+  void may_ask(std::int32_t x, std::int32_t y, Redrawn::Depths z);
   /// May the answer have been this one? Keeps likewise.
   bool may_answer(std::int32_t x, std::int32_t y, Redrawn::Depths z, bool nearer);
 
