@@ -299,6 +299,8 @@ float height_of(const std::vector<bool>& shown, const std::vector<float>& height
 std::vector<bool> lines_that_fit(const Page& page, std::size_t now, const std::vector<float>& heights, float fold,
                                  float room) {
   std::vector<bool> shown = lines_near(page, now);
+  // In a low pane what comes after the line at work is folded first.
+  for (std::size_t i = page.size(); --i > now && height_of(shown, heights, fold) > room;) shown[i] = false;
   for (std::size_t away = 1; away < page.size(); ++away)
     for (const std::size_t i : {now + away, now - away}) {  // before the first is beyond the last
       if (i >= page.size() || shown[i]) continue;
