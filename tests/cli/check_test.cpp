@@ -108,3 +108,19 @@ TEST_CASE("check: docs/checking-a-run.md has every rule, as the program has it")
 }
 
 }  // namespace
+
+TEST_CASE("check, diff and explain name the likely mistake of a run") {
+  const Folder folder;
+  const std::string third = "\"" + in_checkout("lessons/runs/third.jsonl") + "\"";
+  const auto report = nlohmann::json::parse(run(folder, "check " + third + " --json").out);
+  CHECK(report["likely"]["either"] == nlohmann::json{"equal_wins"});
+  CHECK(!report["likely"].contains("also"));
+  const std::string likely = "Likely: Of equal depths the later one wins.\n  Which polygon keeps";
+  CHECK(has(run(folder, "check " + third).out, likely));
+  REQUIRE(run(folder, "record delhi -o right.ztrace").code == 0);
+  CHECK(has(run(folder, "diff right.ztrace " + third).out, "Of B:\n  " + likely));
+  CHECK(has(run(folder, "explain " + third + " --at 219 nearer").out, likely));
+  // Nothing is likely where nothing is wrong.
+  CHECK(!has(run(folder, "check right.ztrace").out, "Likely"));
+  CHECK(nlohmann::json::parse(run(folder, "check right.ztrace --json").out)["likely"]["either"].empty());
+}
