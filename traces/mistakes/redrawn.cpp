@@ -245,100 +245,103 @@ bool Redrawn::is_known(const DrawnFacet& right, std::span<const Way> ways, const
 
 std::optional<Redrawn> Redrawn::of(const DrawnFacet& right, std::span<const Way> ways, int choice, const Given& given) {
   if (!is_known(right, ways, given)) return std::nullopt;
-  const auto drawn = [&](const Header& header, std::vector<DrawnCorner> corners) {
-    return DrawnFacet::from_run(given.scene, header, std::move(corners), given.roundoff);
-  };
   const Way *places = way_that(ways, Changes::places), *inside = way_that(ways, Changes::inside),
             *depths = way_that(ways, Changes::depths);
-  const Raster& raster = given.scene.raster;
-  const int of_inside = inside ? choice % made_as(inside->mistake)->choices : 0;
-  const int of_depths = inside ? choice / made_as(inside->mistake)->choices : choice;
+  const int choices_inside = inside ? made_as(inside->mistake)->choices : 1;
   std::vector<DrawnCorner> outline(right.outline().begin(), right.outline().end());
   if (places)
-    for (DrawnCorner& corner : outline) move(*places, raster, corner);
-  Redrawn redrawn(right);
-  redrawn.width_ = raster.width, redrawn.height_ = raster.height;
-  std::vector<DrawnCorner> border = outline;
+    for (DrawnCorner& corner : outline) move(*places, given.scene.raster, corner);
+  Redrawn redrawn(right, given.scene.raster);
+  if (places || inside)
+    if (!redrawn.find_inside(outline, inside, choice % choices_inside, given)) return std::nullopt;
+  if (!places && !depths) redrawn.depths_ = {right};
+  else if (!redrawn.find_depths(std::move(outline), depths, choice / choices_inside, given)) return std::nullopt;
+  const bool divides = given.header.conventions.depth == Conventions::Depth::corrected;
+  if (divides && !(depths && depths->mistake == z_v_for_depth)) redrawn.after_ = After::reciprocal;
+  return redrawn;
+}
+
+namespace {
+
+std::optional<DrawnFacet> drawn(std::vector<DrawnCorner> outline, const Header& header, const Given& given) {
+  return DrawnFacet::from_run(given.scene, header, std::move(outline), given.roundoff);
+}
+
+}  // namespace
+
+bool Redrawn::find_inside(const std::vector<DrawnCorner>& outline, const Way* way, int choice, const Given& given) {
+  double least_x = outline[0].x, most_x = least_x, least_y = outline[0].y, most_y = least_y;
+  for (const DrawnCorner& p : outline) {
+    least_x = std::min(least_x, p.x), most_x = std::max(most_x, p.x);
+    least_y = std::min(least_y, p.y), most_y = std::max(most_y, p.y);
+  }
+  const Box most{std::floor(least_x), std::ceil(most_x), std::floor(least_y), std::ceil(most_y)},
+      least{std::ceil(least_x), std::floor(most_x), std::ceil(least_y), std::floor(most_y)};
   Header header = given.header;
-  if (inside) {
-    double least_x = outline[0].x, most_x = least_x, least_y = outline[0].y, most_y = least_y;
-    for (const DrawnCorner& p : outline) {
-      least_x = std::min(least_x, p.x), most_x = std::max(most_x, p.x);
-      least_y = std::min(least_y, p.y), most_y = std::max(most_y, p.y);
-    }
-    const Box box{std::floor(least_x), std::ceil(most_x), std::floor(least_y), std::ceil(most_y)};
-    const double end_x = inside->variant == 1 ? box.last_x : std::floor(most_x) - 1,
-                 end_y = inside->variant == 0 ? box.last_y : std::floor(most_y) - 1;
-    switch (inside->mistake) {
+  std::vector<DrawnCorner> border = outline;
+  bool for_nobody = false;
+  if (way) {
+    const double twice = twice_area(outline);
+    switch (way->mistake) {
+      case border_for_nobody:
+        for_nobody = true;
+        break;
       case border_for_both:
         header.conventions.coverage = Conventions::Coverage::inclusive;
         break;
       case border_for_other_side:
-        redrawn.is_turned_ = true;
+        is_turned_ = true;
         break;
       case edge_not_asked:
-        border = without_edge(outline, static_cast<std::size_t>(of_inside), raster);
-        redrawn.box_at_most_ = box;
-        redrawn.box_ = Box{std::ceil(least_x), std::floor(most_x), std::ceil(least_y), std::floor(most_y)};
+        border = without_edge(outline, static_cast<std::size_t>(choice), given.scene.raster);
+        box_ = least, box_at_most_ = most;
         break;
-      case inside_margin: {
-        const double twice = twice_area(outline);
-        redrawn.margin_ = Margin{{outline[0], outline[1], outline[2]},
-                                 inside->variant == 0 ? twice
-                                 : twice > 0          ? 1.0
-                                                      : -1.0};
-        redrawn.box_at_most_ = box;
-        redrawn.box_ = Box{std::ceil(least_x), std::floor(most_x), std::ceil(least_y), std::floor(most_y)};
+      case inside_margin:
+        margin_ = Margin{{outline[0], outline[1], outline[2]}, way->variant == 0 ? twice : std::copysign(1.0, twice)};
+        box_ = least, box_at_most_ = most;
         break;
-      }
       case box_too_small:
-        redrawn.box_ = redrawn.box_at_most_ = Box{box.first_x, end_x, box.first_y, end_y};
+        box_ = most;
+        if (way->variant != 1) box_->last_x = least.last_x - 1;
+        if (way->variant != 0) box_->last_y = least.last_y - 1;
+        box_at_most_ = box_;
         break;
       default:
         break;
     }
   }
-  if (places || inside) {
-    std::vector<DrawnCorner> turned = border;
-    for (DrawnCorner& p : turned) p.x = raster.width - 1 - p.x, p.y = raster.height - 1 - p.y;
-    const bool for_nobody = inside && inside->mistake == border_for_nobody;
-    if (for_nobody) redrawn.also_inside_ = drawn(header, turned);
-    auto found = drawn(header, redrawn.is_turned_ ? std::move(turned) : std::move(border));
-    if (!found || (for_nobody && !redrawn.also_inside_)) return std::nullopt;
-    redrawn.inside_ = std::move(*found);
-  }
-  if (depths && depths->mistake == z_v_for_depth) {
+  std::vector<DrawnCorner> turned = border;
+  for (DrawnCorner& p : turned) p.x = width_ - 1 - p.x, p.y = height_ - 1 - p.y;
+  if (for_nobody) also_inside_ = drawn(turned, header, given);
+  auto found = drawn(is_turned_ ? std::move(turned) : std::move(border), header, given);
+  if (!found || (for_nobody && !also_inside_)) return false;
+  inside_ = std::move(*found);
+  return true;
+}
+
+bool Redrawn::find_depths(std::vector<DrawnCorner> outline, const Way* way, int choice, const Given& given) {
+  const Conventions& conventions = given.header.conventions;
+  if (way && way->mistake == z_v_for_depth) {
+    const bool divides = conventions.depth == Conventions::Depth::corrected;
     for (DrawnCorner& p : outline) {
-      const double z_v = given.header.conventions.depth == Conventions::Depth::corrected
-                             ? 1 / p.z
-                             : view_depth(given.scene.camera, given.header.conventions, p.z);
-      p.off_z = p.z == 0 ? p.off_z : view_depth_error(given.scene.camera, given.header.conventions, p.z, p.off_z);
-      p.z = z_v;
+      const double linear = p.z;
+      p.z = divides ? 1 / linear : view_depth(given.scene.camera, conventions, linear);
+      p.off_z = divides ? p.off_z * p.z * p.z : view_depth_error(given.scene.camera, conventions, linear, p.off_z);
     }
-  } else if (given.header.conventions.depth == Conventions::Depth::corrected) {
-    redrawn.after_ = After::reciprocal;
   }
-  if (depths && depths->mistake == depth_by_reciprocals) redrawn.after_ = After::reciprocal;
-  if (depths && depths->mistake == depth_truncated)
-    redrawn.after_ = depths->variant == 0 ? After::truncated : After::rounded;
-  if (!depths && !places) {
-    redrawn.depths_ = {right};
-    return redrawn;
-  }
-  if (!depths || depths->mistake == z_v_for_depth || depths->mistake == depth_truncated) {
-    auto whole = drawn(given.header, std::move(outline));
-    if (!whole) return std::nullopt;
-    redrawn.depths_.push_back(std::move(*whole));
-    return redrawn;
+  if (way && way->mistake == depth_by_reciprocals) after_ = After::reciprocal;
+  if (way && way->mistake == depth_truncated) after_ = way->variant == 0 ? After::truncated : After::rounded;
+  if (!way || way->mistake == z_v_for_depth || way->mistake == depth_truncated) {
+    if (auto whole = drawn(std::move(outline), given.header, given)) depths_.push_back(std::move(*whole));
+    return !depths_.empty();
   }
   // Weights are those of triangles: of more corners, as a fan.
   for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
     std::vector<DrawnCorner> triangle{outline[0], outline[i], outline[i + 1]};
-    change_depths(*depths, of_depths, triangle);
-    if (auto one = drawn(given.header, std::move(triangle))) redrawn.depths_.push_back(std::move(*one));
+    change_depths(*way, choice, triangle);
+    if (auto one = drawn(std::move(triangle), given.header, given)) depths_.push_back(std::move(*one));
   }
-  if (redrawn.depths_.empty()) return std::nullopt;
-  return redrawn;
+  return !depths_.empty();
 }
 
 Redrawn::Cover Redrawn::cover(std::int32_t x, std::int32_t y) const {

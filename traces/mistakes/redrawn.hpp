@@ -91,7 +91,11 @@ class Redrawn {
     }
   };
 
-  explicit Redrawn(formulas::DrawnFacet inside) : inside_(std::move(inside)) {}
+  Redrawn(formulas::DrawnFacet right, const Raster& raster)
+      : inside_(std::move(right)), width_(raster.width), height_(raster.height) {}
+  /// Which pixels an outline has; false where it has no area.
+  bool find_inside(const std::vector<formulas::DrawnCorner>& outline, const Way* way, int choice, const Given& given);
+  bool find_depths(std::vector<formulas::DrawnCorner> outline, const Way* way, int choice, const Given& given);
 
   formulas::DrawnFacet inside_;  ///< whose pixels are drawn
   bool is_turned_ = false;       ///< seen from below: its pixels on an edge are those that the other side owns
@@ -104,7 +108,7 @@ class Redrawn {
   std::optional<Margin> margin_;
   std::vector<formulas::DrawnFacet> depths_;  ///< by triangle, or all of it
   After after_ = After::nothing;
-  std::int32_t width_ = 0, height_ = 0;
+  std::int32_t width_, height_;
 };
 
 /// The depth buffer of a program, asked and written as its mistakes have it.
