@@ -176,10 +176,10 @@ std::optional<double> background_of(const std::vector<double>& depths) {
   for (const double z : depths)
     if (std::isfinite(z)) ++counts[z];
   if (counts.empty()) return std::nullopt;
-  for (const auto& [z, count] : {*counts.begin(), *counts.rbegin()})
-    if (count >= least &&
-        std::all_of(counts.begin(), counts.end(), [&](const auto& one) { return one.second <= count; }))
-      return z;
+  for (const auto& end : {*counts.begin(), *counts.rbegin()}) {
+    const auto has_no_more = [&](const auto& one) { return one.second <= end.second; };
+    if (end.second >= least && std::all_of(counts.begin(), counts.end(), has_no_more)) return end.first;
+  }
   return std::nullopt;
 }
 
