@@ -57,7 +57,7 @@ Trace reference(const Scene& scene) {
 
 // ---- Programs ----------------------------------------------------------------------------------------------------
 
-std::string by_line(const zoo::Task& task) { return test::python("by_line.py", task); }
+std::string by_line(const zoo::Task& task) { return test::printed_by_file("by_line.py", task); }
 
 struct Program {
   const char* name;
