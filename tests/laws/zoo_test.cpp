@@ -256,6 +256,35 @@ const DrawsByWeights in_cpp{
      "colour_beside",      "colour_of_next",         "polygon_left_out",     "area_not_divided_by",
      "one_line_up",        "centres_left_of_pixels", "nearest_of_three"}};
 
+/// Those whose interpreters are there.
+std::vector<DrawsByWeights> in_other_languages() {
+  std::vector<DrawsByWeights> all;
+  if (there_is_python())
+    all.push_back({"Python",
+                   [](std::span<const zoo::Task> tasks) { return printed_by_file("half_space.py", tasks); },
+                   {{"", "float64"}},
+                   {"area_not_doubled",     "area_not_turned",   "area_of_first",         "begins_at_vertices",
+                    "border_for_both",      "border_for_nobody", "border_for_other_side", "box_too_small",
+                    "box_without_last_row", "centres_half_off",  "colour_beside",         "compare_reversed",
+                    "depth_of_one_vertex",  "difference_turned", "edge_not_asked",        "equal_wins",
+                    "first_depth_left_out", "goes_on_from_top",  "one_winding_only",      "stepped_downwards",
+                    "stride_is_height",     "term_left_out",     "weight_left_out",       "weights_exchanged",
+                    "y_upside_down"}});
+  if (there_is_node())
+    all.push_back({"JavaScript",
+                   [](std::span<const zoo::Task> tasks) { return printed_by_file("barycentric.js", tasks); },
+                   {{"", "float32"}},
+                   {"area_not_divided_by",   "area_not_doubled",     "border_for_both",    "border_for_nobody",
+                    "border_for_other_side", "colour_of_next",       "column_not_reset",   "compare_reversed",
+                    "depth_always",          "depth_by_reciprocals", "depth_is_mean",      "depth_not_kept",
+                    "depth_to_hundredths",   "depth_truncated",      "edge_asked_twice",   "equal_wins",
+                    "inside_margin",         "one_pixel_off",        "one_winding_only",   "picture_mirrored",
+                    "sorted_as_words",       "stride_is_height",     "vertex_depth_twice", "vertices_rounded",
+                    "vertices_truncated",    "weight_left_out",      "weight_negative",    "weights_exchanged",
+                    "weights_to_tenths",     "weights_turned",       "x_y_exchanged",      "y_upside_down"}});
+  return all;
+}
+
 /// Runs without a mistake, in each style: visit(run).
 template <class Visit>
 void each_right_run(const DrawsByWeights& program, std::uint64_t scenes, Visit&& visit) {
@@ -337,11 +366,10 @@ TEST_CASE("zoo: programs that print nothing but what they write are judged by wh
 
 /// What is named where a program makes one that is not in the catalogue under its name; "" where none is.
 std::string name_for(const std::string& mistake) {
-  static const std::map<std::string, std::string> others{{"box_without_last_row", "box_too_small"},
-                                                         {"one_line_up", "one_pixel_off"},
-                                                         {"centres_left_of_pixels", "centres_half_off"},
-                                                         {"nearest_of_three", "depth_of_one_vertex"},
-                                                         {"depth_not_kept", "buffer_reset"}};
+  static const std::map<std::string, std::string> others{
+      {"box_without_last_row", "box_too_small"},      {"one_line_up", "one_pixel_off"},
+      {"centres_left_of_pixels", "centres_half_off"}, {"nearest_of_three", "depth_of_one_vertex"},
+      {"term_left_out", "vertex_depth_twice"},        {"depth_not_kept", "buffer_reset"}};
   if (const auto found = others.find(mistake); found != others.end()) return found->second;
   return mistakes::mistake_called(mistake) ? mistake : "";
 }
@@ -473,6 +501,19 @@ TEST_CASE("zoo: the mistake of a wrong program with barycentric weights is named
   CHECK(all.wrong <= 0.02 * all.seen);
 }
 
+TEST_CASE("zoo: wrong programs with barycentric weights in other languages are found, and their mistakes named") {
+  for (const DrawsByWeights& program : in_other_languages()) {
+    CAPTURE(program.name);
+    const WrongFound found = found_of(program, 20 / test::sparse);
+    CHECK(found.found >= 0.95 * found.wrong);
+    CHECK(found.at_first >= 0.9 * found.found);
+    const WrongNamed named = named_of(program, 20 / test::sparse);
+    CHECK(named.mistakes >= (test::sparse > 1 ? 15 : 20));
+    CHECK(named.right >= 0.8 * named.in_catalogue);
+    CHECK(named.wrong <= 0.02 * named.seen);
+  }
+}
+
 /// What a run leaves in its buffers.
 mistakes::Seen picture_left_by(const Trace& run) {
   const Picture picture = formulas::end_of(run).picture;
@@ -494,6 +535,17 @@ TEST_CASE("zoo: a right program's picture alone is not doubted") {
   int pictures = 0;
   each_right_run(in_cpp, 40 / test::sparse, [&](const Trace& run) { ++pictures, picture_is_right(run); });
   MESSAGE(pictures, " pictures");
+}
+
+TEST_CASE("zoo: right programs with barycentric weights in other languages are not doubted, nor is their picture") {
+  for (const DrawsByWeights& program : in_other_languages()) {
+    int runs = 0, whole = 0;
+    each_right_run(program, 40 / test::sparse, [&](const Trace& run) {
+      ++runs, whole += checked_as_right(run);
+      picture_is_right(run);
+    });
+    CHECK(10 * whole > 7 * runs);
+  }
 }
 
 TEST_CASE("zoo: a picture alone names the mistake of the program that drew it") {
