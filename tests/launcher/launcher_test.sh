@@ -337,6 +337,7 @@ case_the_table_has_what_scripts_call() {
 test? program:ccache CMakeLists.txt find_program\(CCACHE ccache\)
 test? program:bwrap sim/homework/sandbox_process.hpp "/usr/bin/bwrap"
 test? program:python3 tests/zoo/runs.cpp python3 -c
+test? program:node tests/zoo/runs.cpp node -p
 test? program:clang-format-14 tests/CMakeLists.txt find_program\(CLANG_FORMAT clang-format-14\)
 test? program:Xvfb tests/viewer/CMakeLists.txt xvfb-run
 test? program:xauth tests/viewer/CMakeLists.txt xvfb-run

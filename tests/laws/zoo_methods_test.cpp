@@ -71,11 +71,13 @@ TEST_CASE("zoo: Z-buffers in Python get all points") {
   if (!test::there_is_python()) return;
   std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
                             on_the_raster(5, 4, 16), on_the_raster(8, 5, 20)};
-  is_right({"z-buffer", [](const zoo::Task& task) { return test::python("by_pixel.py", task); }, "", {}}, scenes);
+  is_right({"z-buffer", [](const zoo::Task& task) { return test::printed_by_file("by_pixel.py", task); }, "", {}},
+           scenes);
   scenes.push_back(test::scene_of(test::concave()));
-  is_right({"z-buffer", [](const zoo::Task& task) { return test::python("generators.py", task); }, "", {}}, scenes);
+  is_right({"z-buffer", [](const zoo::Task& task) { return test::printed_by_file("generators.py", task); }, "", {}},
+           scenes);
   is_right({"z-buffer",
-            [](const zoo::Task& task) { return test::python("in_float32.py", task); },
+            [](const zoo::Task& task) { return test::printed_by_file("in_float32.py", task); },
             "",
             {},
             false,

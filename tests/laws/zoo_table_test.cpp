@@ -112,7 +112,7 @@ TEST_CASE("zoo: the table") {
     table.add("edge table", test::edge_table_program, scenes, one);
   if (test::there_is_python()) {
     ZooProgram python = test::edge_table_program;
-    python.run = [](const zoo::Task& task) { return test::python("by_line.py", task); };
+    python.run = [](const zoo::Task& task) { return test::printed_by_file("by_line.py", task); };
     // It prints compares alone: what a span does wrong shows by pixels that are missing, or too many.
     table.add_all("by line (Python)", python, scenes,
                   {{"last_line_in", ""},

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <random>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ Trace reference(const Scene& scene) {
 
 // ---- Programs ----------------------------------------------------------------------------------------------------
 
-std::string by_line(const zoo::Task& task) { return test::python("by_line.py", task); }
+std::string by_line(const zoo::Task& task) { return test::printed_by_file("by_line.py", task); }
 
 struct Program {
   const char* name;
@@ -227,21 +228,92 @@ zoo::Task random_task(std::uint64_t seed) {
   return seed % 2 == 0 ? odd_triangles(seed) : triangles(seed, 2 + static_cast<int>(seed % 5), 18);
 }
 
-TEST_CASE("zoo: right programs with barycentric weights are not doubted, of whatever they print nothing") {
-  constexpr std::uint64_t scenes = 200 / test::sparse;
-  int runs = 0, whole = 0;
-  for (const Style& style : styles)
+/// A program that draws triangles by weights. Mistakes that are in the catalogue have its names.
+struct DrawsByWeights {
+  std::string name;
+  std::vector<std::string> (*run)(std::span<const zoo::Task>);
+  std::vector<Style> styles;
+  std::vector<const char*> mistakes;
+
+  const Style& style(std::uint64_t seed) const { return styles[seed % styles.size()]; }
+};
+const DrawsByWeights in_cpp{
+    "C++",
+    [](std::span<const zoo::Task> tasks) {
+      std::vector<std::string> texts;
+      for (const zoo::Task& task : tasks) texts.push_back(zoo::barycentric(task));
+      return texts;
+    },
+    {styles.begin(), styles.end()},
+    {"centres_half_off",   "vertices_rounded",       "vertices_truncated",   "picture_mirrored",
+     "y_upside_down",      "one_pixel_off",          "x_y_exchanged",        "one_winding_only",
+     "vertex_depth_twice", "box_too_small",          "box_without_last_row", "border_for_nobody",
+     "border_for_both",    "border_for_other_side",  "inside_margin",        "edge_not_asked",
+     "area_not_doubled",   "weights_exchanged",      "weights_turned",       "weight_negative",
+     "weight_left_out",    "not_normalised",         "depth_is_mean",        "depth_of_one_vertex",
+     "depth_truncated",    "depth_by_reciprocals",   "stride_is_height",     "compare_reversed",
+     "equal_wins",         "depth_always",           "depth_not_kept",       "depth_squared",
+     "colour_beside",      "colour_of_next",         "polygon_left_out",     "area_not_divided_by",
+     "one_line_up",        "centres_left_of_pixels", "nearest_of_three"}};
+
+/// Those whose interpreters are there.
+std::vector<DrawsByWeights> in_other_languages() {
+  std::vector<DrawsByWeights> all;
+  if (there_is_python())
+    all.push_back({"Python",
+                   [](std::span<const zoo::Task> tasks) { return printed_by_file("half_space.py", tasks); },
+                   {{"", "float64"}},
+                   {"area_not_doubled",     "area_not_turned",   "area_of_first",         "begins_at_vertices",
+                    "border_for_both",      "border_for_nobody", "border_for_other_side", "box_too_small",
+                    "box_without_last_row", "centres_half_off",  "colour_beside",         "compare_reversed",
+                    "depth_of_one_vertex",  "difference_turned", "edge_not_asked",        "equal_wins",
+                    "first_depth_left_out", "goes_on_from_top",  "one_winding_only",      "stepped_downwards",
+                    "stride_is_height",     "term_left_out",     "weight_left_out",       "weights_exchanged",
+                    "y_upside_down"}});
+  if (there_is_node())
+    all.push_back({"JavaScript",
+                   [](std::span<const zoo::Task> tasks) { return printed_by_file("barycentric.js", tasks); },
+                   {{"", "float32"}},
+                   {"area_not_divided_by",   "area_not_doubled",     "border_for_both",    "border_for_nobody",
+                    "border_for_other_side", "colour_of_next",       "column_not_reset",   "compare_reversed",
+                    "depth_always",          "depth_by_reciprocals", "depth_is_mean",      "depth_not_kept",
+                    "depth_to_hundredths",   "depth_truncated",      "edge_asked_twice",   "equal_wins",
+                    "inside_margin",         "one_pixel_off",        "one_winding_only",   "picture_mirrored",
+                    "sorted_as_words",       "stride_is_height",     "vertex_depth_twice", "vertices_rounded",
+                    "vertices_truncated",    "weight_left_out",      "weight_negative",    "weights_exchanged",
+                    "weights_to_tenths",     "weights_turned",       "x_y_exchanged",      "y_upside_down"}});
+  return all;
+}
+
+/// Runs without a mistake, in each style: visit(run).
+template <class Visit>
+void each_right_run(const DrawsByWeights& program, std::uint64_t scenes, Visit&& visit) {
+  for (const Style& style : program.styles) {
+    std::vector<zoo::Task> tasks;
     for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-      zoo::Task task = random_task(seed);
-      task.style = style.words;
-      const Trace run = trace_of(head(task, style.number_format, "direct") + zoo::barycentric(task));
-      const CheckReport report = check(run);
-      for (const Cause& cause : report.causes)
-        FAIL_CHECK(style.words << ", scene " << seed << ", step " << cause.first.step << ": " << cause.first.field
-                               << " " << cause.first.impossible
-                               << (cause.first.rule ? rule_text(*cause.first.rule).name : ""));
-      ++runs, whole += report.coverage;
+      tasks.push_back(random_task(seed));
+      tasks.back().style = style.words;
     }
+    const std::vector<std::string> texts = program.run(tasks);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      INFO(program.name << " " << style.words << ", scene " << i + 1);
+      visit(trace_of(head(tasks[i], style.number_format, "direct") + texts[i]));
+    }
+  }
+}
+
+/// Is it judged to the last one which pixels are drawn?
+bool checked_as_right(const Trace& run) {
+  const CheckReport report = check(run);
+  for (const Cause& cause : report.causes)
+    FAIL_CHECK("step " << cause.first.step << ": " << cause.first.field << " " << cause.first.impossible
+                       << (cause.first.rule ? rule_text(*cause.first.rule).name : ""));
+  return report.coverage;
+}
+
+TEST_CASE("zoo: right programs with barycentric weights are not doubted, of whatever they print nothing") {
+  int runs = 0, whole = 0;
+  each_right_run(in_cpp, 200 / test::sparse, [&](const Trace& run) { ++runs, whole += checked_as_right(run); });
   MESSAGE(runs, " runs, of ", whole, " which pixels are drawn is judged to the last one");
   CHECK(10 * whole > 7 * runs);
 }
@@ -292,94 +364,100 @@ TEST_CASE("zoo: programs that print nothing but what they write are judged by wh
   MESSAGE("mistake, scenes in which it shows, found\n", table);
 }
 
-/// Those that are in the catalogue have its names.
-constexpr std::array mistakes_of_today{
-    "centres_half_off",   "vertices_rounded",       "vertices_truncated",   "picture_mirrored",
-    "y_upside_down",      "one_pixel_off",          "x_y_exchanged",        "one_winding_only",
-    "vertex_depth_twice", "box_too_small",          "box_without_last_row", "border_for_nobody",
-    "border_for_both",    "border_for_other_side",  "inside_margin",        "edge_not_asked",
-    "area_not_doubled",   "weights_exchanged",      "weights_turned",       "weight_negative",
-    "weight_left_out",    "not_normalised",         "depth_is_mean",        "depth_of_one_vertex",
-    "depth_truncated",    "depth_by_reciprocals",   "stride_is_height",     "compare_reversed",
-    "equal_wins",         "depth_always",           "depth_not_kept",       "depth_squared",
-    "colour_beside",      "colour_of_next",         "polygon_left_out",     "area_not_divided_by",
-    "one_line_up",        "centres_left_of_pixels", "nearest_of_three",
-};
 /// What is named where a program makes one that is not in the catalogue under its name; "" where none is.
 std::string name_for(const std::string& mistake) {
-  static const std::map<std::string, std::string> others{{"box_without_last_row", "box_too_small"},
-                                                         {"one_line_up", "one_pixel_off"},
-                                                         {"centres_left_of_pixels", "centres_half_off"},
-                                                         {"nearest_of_three", "depth_of_one_vertex"},
-                                                         {"depth_not_kept", "buffer_reset"}};
+  static const std::map<std::string, std::string> others{
+      {"box_without_last_row", "box_too_small"},      {"one_line_up", "one_pixel_off"},
+      {"centres_left_of_pixels", "centres_half_off"}, {"nearest_of_three", "depth_of_one_vertex"},
+      {"term_left_out", "vertex_depth_twice"},        {"depth_not_kept", "buffer_reset"}};
   if (const auto found = others.find(mistake); found != others.end()) return found->second;
   return mistakes::mistake_called(mistake) ? mistake : "";
 }
 
-/// Wrong runs of all these programs: visit(mistake, scene, step at which it first differs, run, why a step cannot be).
+/// Wrong runs of a program: visit(mistake, scene, step at which it first differs, run, why a step cannot be).
 template <class Visit>
-void each_wrong_run(std::uint64_t scenes, Visit&& visit) {
-  for (const char* mistake : mistakes_of_today)
-    for (std::uint64_t seed = 1; seed <= scenes + 1; ++seed) {
-      const Style& style = styles[seed % styles.size()];
-      zoo::Task task = seed <= scenes ? random_task(seed) : ties();
-      task.style = style.words;
-      const std::string right = zoo::barycentric(task);
-      task.mistake = mistake;
-      const std::string text = zoo::barycentric(task);
-      const std::int64_t step = first_difference(right, text);
+void each_wrong_run(const DrawsByWeights& program, std::uint64_t scenes, Visit&& visit) {
+  std::vector<zoo::Task> tasks;
+  for (std::uint64_t seed = 1; seed <= scenes + 1; ++seed) {
+    tasks.push_back(seed <= scenes ? random_task(seed) : ties());
+    tasks.back().style = program.style(seed).words;
+  }
+  const std::vector<std::string> right = program.run(tasks);
+  for (const char* mistake : program.mistakes) {
+    for (zoo::Task& task : tasks) task.mistake = mistake;
+    const std::vector<std::string> wrong = program.run(tasks);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const std::int64_t step = first_difference(right[i], wrong[i]);
       if (step == 0) continue;
+      const std::uint64_t seed = i + 1;
       std::string impossible;
-      visit(mistake, seed, step, trace_of(head(task, style.number_format, "direct") + text, &impossible), impossible);
+      const Trace run = trace_of(head(tasks[i], program.style(seed).number_format, "direct") + wrong[i], &impossible);
+      visit(mistake, seed, step, run, impossible);
     }
+  }
 }
 
-TEST_CASE("zoo: a wrong program with barycentric weights is found, at the first pixel that it changes") {
+struct WrongFound {
+  int wrong = 0, found = 0, at_first = 0;  ///< but for those of which check says that it has not judged all
+};
+WrongFound found_of(const DrawsByWeights& program, std::uint64_t scenes) {
   struct Row {
     int seen = 0, found = 0, told = 0, at_first = 0;
     std::string missed;
   };
   std::map<std::string, Row> rows;
-  each_wrong_run(40 / test::sparse, [&](const std::string& mistake, std::uint64_t seed, std::int64_t step,
-                                        const Trace& run, const std::string& impossible) {
-    Row& row = rows[mistake];
-    ++row.seen;
-    const CheckReport report = check(run);
-    if (report.causes.empty() && impossible.empty()) {
-      // The end of a run may be cut off: what is missing there is listed as not judged.
-      row.told += verdict_of(report) != Verdict::right;
-      row.missed += fmt::format(" {}", seed);
-      return;
-    }
-    ++row.found;
-    // What is missing of a polygon is noticed where the next one begins, at the latest.
-    const auto shows = run.next<PolygonBegin>(step, [](const PolygonBegin&) { return true; }).value_or(run.size());
-    row.at_first +=
-        report.causes.empty() || (step <= report.causes[0].first.step && report.causes[0].first.step <= shows);
-  });
+  each_wrong_run(program, scenes,
+                 [&](const std::string& mistake, std::uint64_t seed, std::int64_t step, const Trace& run,
+                     const std::string& impossible) {
+                   Row& row = rows[mistake];
+                   ++row.seen;
+                   const CheckReport report = check(run);
+                   if (report.causes.empty() && impossible.empty()) {
+                     // The end of a run may be cut off: what is missing there is listed as not judged.
+                     row.told += verdict_of(report) != Verdict::right;
+                     row.missed += fmt::format(" {}", seed);
+                     return;
+                   }
+                   ++row.found;
+                   // What is missing of a polygon is noticed where the next one begins, at the latest.
+                   const auto shows =
+                       run.next<PolygonBegin>(step, [](const PolygonBegin&) { return true; }).value_or(run.size());
+                   row.at_first += report.causes.empty() ||
+                                   (step <= report.causes[0].first.step && report.causes[0].first.step <= shows);
+                 });
   std::string table;
-  int wrong = 0, found = 0, first = 0;
+  WrongFound all;
   for (const auto& [mistake, row] : rows) {
     table +=
         fmt::format("{:<26}{:>4}{:>6}{:>6}{:>6}{}\n", mistake, row.seen, row.found, row.at_first, row.told, row.missed);
-    wrong += row.seen - row.told, found += row.found, first += row.at_first;
+    all.wrong += row.seen - row.told, all.found += row.found, all.at_first += row.at_first;
   }
-  MESSAGE(
-      "mistake, scenes in which it shows, found, at its first step, listed as not judged, scenes in which it is "
-      "missed\n",
-      table);
-  MESSAGE(found, " of ", wrong, " found that are not listed as not judged, ", first, " at the first step");
-  CHECK(found >= (test::sparse > 1 ? 0.95 : 0.98) * wrong);  // of fewer, luck has a larger share
-  CHECK(first >= (test::sparse > 1 ? 0.9 : 0.95) * found);
+  MESSAGE(program.name,
+          ": mistake, scenes in which it shows, found, at its first step, listed as not judged, scenes in which it is "
+          "missed\n",
+          table);
+  MESSAGE(all.found, " of ", all.wrong, " found that are not listed as not judged, ", all.at_first,
+          " at the first step");
+  return all;
 }
 
-TEST_CASE("zoo: the mistake of a wrong program with barycentric weights is named") {
+TEST_CASE("zoo: a wrong program with barycentric weights is found, at the first pixel that it changes") {
+  const WrongFound all = found_of(in_cpp, 40 / test::sparse);
+  CHECK(all.found >= (test::sparse > 1 ? 0.95 : 0.98) * all.wrong);  // of fewer, luck has a larger share
+  CHECK(all.at_first >= (test::sparse > 1 ? 0.9 : 0.95) * all.found);
+}
+
+struct WrongNamed {
+  std::size_t mistakes = 0;                                         ///< with runs that are found wrong
+  int seen = 0, in_catalogue = 0, right = 0, among = 0, wrong = 0;  ///< such runs
+};
+WrongNamed named_of(const DrawsByWeights& program, std::uint64_t scenes) {
   struct Row {
     int seen = 0, right = 0, among = 0, none = 0, wrong = 0;
     std::map<std::string, int> others;
   };
   std::map<std::string, Row> rows;
-  each_wrong_run(40 / test::sparse,
+  each_wrong_run(program, scenes,
                  [&](const std::string& mistake, std::uint64_t, std::int64_t, const Trace& run, const std::string&) {
                    const CheckReport report = check(run);
                    if (report.causes.empty()) return;
@@ -398,20 +476,42 @@ TEST_CASE("zoo: the mistake of a wrong program with barycentric weights is named
                    if (!said.empty() && said != name) ++row.others[said];
                  });
   std::string table;
-  int seen = 0, right = 0, among = 0, wrong = 0;
+  WrongNamed all;
+  all.mistakes = rows.size();
   for (const auto& [mistake, row] : rows) {
     table +=
         fmt::format("{:<26}{:>4}{:>6}{:>6}{:>6}{:>6}", mistake, row.seen, row.right, row.among, row.none, row.wrong);
     for (const auto& [said, times] : row.others) table += fmt::format("  {} {}", said, times);
     table += '\n';
-    seen += row.seen, right += row.right, among += row.among, wrong += row.wrong;
+    all.seen += row.seen, all.right += row.right, all.among += row.among, all.wrong += row.wrong;
+    if (!name_for(mistake).empty()) all.in_catalogue += row.seen;
   }
-  MESSAGE("mistake, runs found wrong, named, named beside others that give the same, not named, named wrongly\n",
+  MESSAGE(program.name,
+          ": mistake, runs found wrong, named, named beside others that give the same, not named, named wrongly\n",
           table);
-  MESSAGE(right, " of ", seen, " named, ", among, " more beside others that give the same, ", wrong, " wrongly");
-  CHECK(rows.size() >= (test::sparse > 1 ? 30 : 35));
-  CHECK(right >= 0.8 * seen);
-  CHECK(wrong <= 0.02 * seen);
+  MESSAGE(all.right, " of ", all.seen, " named, ", all.among, " more beside others that give the same, ", all.wrong,
+          " wrongly; ", all.in_catalogue, " are of mistakes in the catalogue");
+  return all;
+}
+
+TEST_CASE("zoo: the mistake of a wrong program with barycentric weights is named") {
+  const WrongNamed all = named_of(in_cpp, 40 / test::sparse);
+  CHECK(all.mistakes >= (test::sparse > 1 ? 30 : 35));
+  CHECK(all.right >= 0.8 * all.seen);
+  CHECK(all.wrong <= 0.02 * all.seen);
+}
+
+TEST_CASE("zoo: wrong programs with barycentric weights in other languages are found, and their mistakes named") {
+  for (const DrawsByWeights& program : in_other_languages()) {
+    CAPTURE(program.name);
+    const WrongFound found = found_of(program, 20 / test::sparse);
+    CHECK(found.found >= 0.95 * found.wrong);
+    CHECK(found.at_first >= 0.9 * found.found);
+    const WrongNamed named = named_of(program, 20 / test::sparse);
+    CHECK(named.mistakes >= (test::sparse > 1 ? 15 : 20));
+    CHECK(named.right >= 0.8 * named.in_catalogue);
+    CHECK(named.wrong <= 0.02 * named.seen);
+  }
 }
 
 /// What a run leaves in its buffers.
@@ -423,21 +523,29 @@ mistakes::Seen picture_left_by(const Trace& run) {
   return seen;
 }
 
+double roundoff_of(const Trace& run) {
+  return run.header().conventions.number_format == NumberFormat::float32 ? 0x1p-24 : 0x1p-53;
+}
+void picture_is_right(const Trace& run) {
+  const auto likeness = mistakes::likenesses(run.scene(), run.header(), roundoff_of(run), picture_left_by(run)).front();
+  CHECK(likeness.differ == 0);
+}
+
 TEST_CASE("zoo: a right program's picture alone is not doubted") {
   int pictures = 0;
-  for (const Style& style : styles)
-    for (std::uint64_t seed = 1; seed <= 40 / test::sparse; ++seed) {
-      zoo::Task task = random_task(seed);
-      task.style = style.words;
-      const Trace run = trace_of(head(task, style.number_format, "direct") + zoo::barycentric(task));
-      const double roundoff = std::string_view(style.number_format) == "float32" ? 0x1p-24 : 0x1p-53;
-      const auto likeness = mistakes::likenesses(run.scene(), run.header(), roundoff, picture_left_by(run)).front();
-      CAPTURE(std::string(style.words));
-      CAPTURE(seed);
-      CHECK(likeness.differ == 0);
-      ++pictures;
-    }
+  each_right_run(in_cpp, 40 / test::sparse, [&](const Trace& run) { ++pictures, picture_is_right(run); });
   MESSAGE(pictures, " pictures");
+}
+
+TEST_CASE("zoo: right programs with barycentric weights in other languages are not doubted, nor is their picture") {
+  for (const DrawsByWeights& program : in_other_languages()) {
+    int runs = 0, whole = 0;
+    each_right_run(program, 40 / test::sparse, [&](const Trace& run) {
+      ++runs, whole += checked_as_right(run);
+      picture_is_right(run);
+    });
+    CHECK(10 * whole > 7 * runs);
+  }
 }
 
 TEST_CASE("zoo: a picture alone names the mistake of the program that drew it") {
@@ -446,29 +554,28 @@ TEST_CASE("zoo: a picture alone names the mistake of the program that drew it") 
     std::map<std::string, int> others;
   };
   std::map<std::string, Row> rows;
-  each_wrong_run(12 / test::sparse, [&](const std::string& mistake, std::uint64_t seed, std::int64_t, const Trace& run,
-                                        const std::string& impossible) {
-    if (!impossible.empty()) return;
-    const double roundoff =
-        styles[seed % styles.size()].number_format == std::string_view("float32") ? 0x1p-24 : 0x1p-53;
-    const auto found = mistakes::likenesses(run.scene(), run.header(), roundoff, picture_left_by(run));
-    if (found.front().differ == 0) return;  // it does not show in the picture
-    Row& row = rows[mistake];
-    ++row.seen;
-    // In a picture nothing tells a depth that is not kept from one that is not written.
-    const std::string name = mistake == "depth_not_kept" ? "depth_not_written" : name_for(mistake);
-    std::vector<std::string> said;
-    for (std::size_t i = 1; i < found.size() && found[i].differ == 0; ++i) {
-      std::string ids;
-      for (const mistakes::Way& way : found[i].ways)
-        ids += (ids.empty() ? "" : "+") + std::string(mistakes::text_of(way.mistake).id);
-      if (std::find(said.begin(), said.end(), ids) == said.end()) said.push_back(ids);
-    }
-    const bool is_among = std::find(said.begin(), said.end(), name) != said.end();
-    ++(said.empty() ? row.none : is_among && said.size() == 1 ? row.right : is_among ? row.among : row.wrong);
-    if (!said.empty() && !(is_among && said.size() == 1))
-      ++row.others[fmt::format("{} of {}", said.front(), said.size())];
-  });
+  each_wrong_run(
+      in_cpp, 12 / test::sparse,
+      [&](const std::string& mistake, std::uint64_t, std::int64_t, const Trace& run, const std::string& impossible) {
+        if (!impossible.empty()) return;
+        const auto found = mistakes::likenesses(run.scene(), run.header(), roundoff_of(run), picture_left_by(run));
+        if (found.front().differ == 0) return;  // it does not show in the picture
+        Row& row = rows[mistake];
+        ++row.seen;
+        // In a picture nothing tells a depth that is not kept from one that is not written.
+        const std::string name = mistake == "depth_not_kept" ? "depth_not_written" : name_for(mistake);
+        std::vector<std::string> said;
+        for (std::size_t i = 1; i < found.size() && found[i].differ == 0; ++i) {
+          std::string ids;
+          for (const mistakes::Way& way : found[i].ways)
+            ids += (ids.empty() ? "" : "+") + std::string(mistakes::text_of(way.mistake).id);
+          if (std::find(said.begin(), said.end(), ids) == said.end()) said.push_back(ids);
+        }
+        const bool is_among = std::find(said.begin(), said.end(), name) != said.end();
+        ++(said.empty() ? row.none : is_among && said.size() == 1 ? row.right : is_among ? row.among : row.wrong);
+        if (!said.empty() && !(is_among && said.size() == 1))
+          ++row.others[fmt::format("{} of {}", said.front(), said.size())];
+      });
   std::string table;
   int seen = 0, right = 0, among = 0, wrong = 0;
   for (const auto& [mistake, row] : rows) {

@@ -1,10 +1,10 @@
 """One scan line after another, all polygons on each: the depth buffer is a line long, and z comes by increments.
 
-usage: python3 by_line.py TASK MISTAKE
+usage: python3 by_line.py TASKS
 """
 import math
 
-from tools import mistake, read_task, say
+from tools import each_task, mistake, say
 
 
 def spans(corners, y):
@@ -27,8 +27,7 @@ def spans(corners, y):
     return [found[i] + found[i + 1] for i in range(0, len(found) - 1, 2)]
 
 
-def main():
-    width, height, vertices, polygons = read_task()
+def draw(width, height, vertices, polygons):
     outlines = [[vertices[corner] for corner in corners] for corners in polygons]
     say("clear", z=math.inf)
     buffer = [math.inf] * width
@@ -65,4 +64,4 @@ def main():
                     z += slope
 
 
-main()
+each_task(draw)

@@ -1,11 +1,11 @@
 """A dictionary of pixels, and no scan lines: what is inside is decided in fractions, and depths come from the plane.
 
-usage: python3 by_pixel.py TASK     (triangles only)
+usage: python3 by_pixel.py TASKS     (triangles only)
 """
 import math
 from fractions import Fraction
 
-from tools import read_task, say
+from tools import each_task, say
 
 
 def edge_functions(corners):
@@ -40,8 +40,7 @@ def box(corners, axis, end):
     return range(max(0, math.ceil(min(along))), min(end, math.floor(max(along)) + 1))
 
 
-def main():
-    width, height, points, polygons = read_task()
+def draw(width, height, points, polygons):
     depth, frame = {}, {}
     say("clear", z=math.inf)
     for number, polygon in enumerate(polygons):
@@ -66,4 +65,4 @@ def main():
                 say("write_pixel", x=x, y=y, polygon=number)
 
 
-main()
+each_task(draw)

@@ -1,12 +1,12 @@
 """Generators one in another: edges of a polygon, spans of its edges, pixels of a span. The depth buffer is a list of
 lists of (depth, polygon) pairs.
 
-usage: python3 generators.py TASK
+usage: python3 generators.py TASKS
 """
 import math
 from typing import NamedTuple
 
-from tools import read_task, say
+from tools import each_task, say
 
 
 class Edge(NamedTuple):
@@ -65,8 +65,7 @@ def pixels(of):
             yield x, y, (1 - share) * z_0 + share * z_1
 
 
-def main():
-    width, height, points, polygons = read_task()
+def draw(width, height, points, polygons):
     picture = [[(math.inf, None)] * width for _ in range(height)]
     say("clear", z=math.inf)
     for number, polygon in enumerate(polygons):
@@ -82,4 +81,4 @@ def main():
                 say("write_depth", x=x, y=y, z=z)
 
 
-main()
+each_task(draw)

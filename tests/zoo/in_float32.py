@@ -2,13 +2,13 @@
 
 The picture is drawn from the last line up, each line with all polygons.
 
-usage: python3 in_float32.py TASK
+usage: python3 in_float32.py TASKS
 """
 import math
 import struct
 from array import array
 
-from tools import read_task, say
+from tools import each_task, say
 
 
 def f(number):
@@ -30,8 +30,7 @@ def crossings(outline, y):
     return found
 
 
-def main():
-    width, height, points, polygons = read_task()
+def draw(width, height, points, polygons):
     points = [tuple(f(number) for number in point) for point in points]
     outlines = [[points[corner] for corner in polygon] for polygon in polygons]
     depth, frame = array("f", [math.inf] * (width * height)), array("i", [-1] * (width * height))
@@ -54,4 +53,4 @@ def main():
                         say("write_pixel", x=x, y=y, polygon=number)
 
 
-main()
+each_task(draw)

@@ -8,6 +8,7 @@
 #include <memory>
 #include <random>
 #include <sstream>
+#include <string_view>
 
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -125,45 +126,85 @@ zoo::Task task_of(const Scene& scene) {
 
 namespace {
 
-/// Python itself, where the first one on the path only looks for it; "" where there is none.
+/// The first line that a command prints; "" where it cannot be run.
+std::string first_line_of(const char* command) {
+  std::string line;
+  if (FILE* pipe = popen(command, "r")) {
+    for (int c = std::fgetc(pipe); c != EOF && c != '\n'; c = std::fgetc(pipe)) line += static_cast<char>(c);
+    pclose(pipe);
+  }
+  return line;
+}
+
+// Interpreters themselves, where the first one on the path only looks for it; "" where there is none.
 const std::string& python_program() {
-  static const std::string found = [] {
-    std::string path;
-    if (FILE* pipe = popen("python3 -c 'import sys; print(sys.executable)' 2>/dev/null", "r")) {
-      for (int c = std::fgetc(pipe); c != EOF && c != '\n'; c = std::fgetc(pipe)) path += static_cast<char>(c);
-      pclose(pipe);
-    }
-    return path;
-  }();
+  static const std::string found = first_line_of("python3 -c 'import sys; print(sys.executable)' 2>/dev/null");
+  return found;
+}
+const std::string& node_program() {
+  static const std::string found = first_line_of("node -p process.execPath 2>/dev/null");
   return found;
 }
 
-}  // namespace
-
-std::string python(const char* file, const zoo::Task& task) {
-  std::string given = fmt::format("{} {} {} {}\n", task.width, task.height, task.points.size(), task.polygons.size());
+/// As such programs read it (tools.py).
+std::string given_as(const zoo::Task& task) {
+  std::string given =
+      fmt::format("{} {} {} {} {}\n", task.width, task.height, task.points.size(), task.polygons.size(), task.mistake);
   for (const zoo::Point& p : task.points) given += fmt::format("{} {} {}\n", p.x, p.y, p.z);
   for (const zoo::Polygon& polygon : task.polygons) given += fmt::format("{}\n", fmt::join(polygon.corners, " "));
-  // A right run is asked for once for each mistake.
-  static std::map<std::string, std::string> known;
-  const std::string key = std::string(file) + "\n" + task.mistake + "\n" + given;
-  if (const auto found = known.find(key); found != known.end()) return found->second;
-  const auto folder = std::filesystem::temp_directory_path();
-  const std::string path = (folder / fmt::format("zstep_zoo_{}_{}", getpid(), known.size())).string();
-  std::ofstream(path) << given;
+  return given;
+}
+
+std::string printed_of(const char* file, const std::string& given) {
+  const std::string interpreter = std::string_view(file).ends_with(".js") ? fmt::format("'{}'", node_program())
+                                                                          : fmt::format("'{}' -B", python_program());
+  const std::string path = (std::filesystem::temp_directory_path() / fmt::format("zstep_zoo_{}", getpid())).string();
   const std::string out = path + ".out";
-  const int code = std::system(fmt::format("'{}' -B '{}' '{}' '{}' > '{}'", python_program(),
-                                           in_checkout("tests/zoo/") + file, path, task.mistake, out)
-                                   .c_str());
+  std::ofstream(path) << given;
+  const int code =
+      std::system(fmt::format("{} '{}' '{}' > '{}'", interpreter, in_checkout("tests/zoo/") + file, path, out).c_str());
   std::stringstream text;
   text << std::ifstream(out).rdbuf();
   std::filesystem::remove(path);
   std::filesystem::remove(out);
   REQUIRE(code == 0);
-  return known[key] = text.str();
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<std::string> printed_by_file(const char* file, std::span<const zoo::Task> tasks) {
+  // A right run is asked for once for each mistake.
+  static std::map<std::string, std::string> known;
+  std::vector<std::string> keys, unknown;
+  std::string given;
+  for (const zoo::Task& task : tasks) {
+    const std::string one = given_as(task);
+    keys.push_back(std::string(file) + "\n" + one);
+    if (known.count(keys.back()) > 0) continue;
+    given += one, unknown.push_back(keys.back());
+  }
+  if (!unknown.empty()) {
+    const std::string text = printed_of(file, given);
+    std::size_t at = 0;
+    for (const std::string& key : unknown) {
+      const std::size_t end = text.find("\n\n", at);
+      REQUIRE(end != std::string::npos);
+      known[key] = text.substr(at, end + 1 - at), at = end + 2;
+    }
+    REQUIRE(at == text.size());
+  }
+  std::vector<std::string> printed;
+  for (const std::string& key : keys) printed.push_back(known[key]);
+  return printed;
+}
+
+std::string printed_by_file(const char* file, const zoo::Task& task) {
+  return printed_by_file(file, {&task, 1}).front();
 }
 
 bool there_is_python() { return !python_program().empty(); }
+bool there_is_node() { return !node_program().empty(); }
 
 Scene scene_of(const zoo::Task& task) { return trace_of(head(task, "float64", "direct")).scene(); }
 

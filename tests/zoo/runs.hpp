@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "tests/zoo/programs.hpp"
 #include "traces/diff/diff.hpp"
@@ -16,9 +18,12 @@ zoo::Task triangles(std::uint64_t seed, int count, int size);
 zoo::Task ties();
 /// Polygons that are concave, and whose edges cross.
 zoo::Task concave();
-/// What a program of the zoo in Python prints, as "by_line.py".
-std::string python(const char* file, const zoo::Task& task);
+/// What a program of the zoo in another language prints for each task, as "by_line.py" or "barycentric.js": all of them
+/// in one start of its interpreter, which takes longer than a run.
+std::vector<std::string> printed_by_file(const char* file, std::span<const zoo::Task> tasks);
+std::string printed_by_file(const char* file, const zoo::Task& task);
 bool there_is_python();
+bool there_is_node();
 /// What all the programs say of themselves: the first line of a run.
 std::string head(const zoo::Task& task, const char* number_format, const char* interpolation);
 /// A scene as the programs are given it.

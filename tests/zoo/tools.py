@@ -1,22 +1,30 @@
-"""What the Python programs of the zoo share: reading a task, and printing a step as JSON.
+"""What the Python programs of the zoo share: reading tasks, and printing a step as JSON.
 
-A task: width, height, how many points and polygons; then the points, then the polygons' corners, a line each.
+A task: width, height, how many points and polygons, and the mistake to make, if any; then the points, then the
+polygons' corners, a line each. A file has many of them, as starting an interpreter takes longer than a run; an empty
+line ends each run.
 """
 import math
 import sys
 
+_mistake = ""
+
 
 def mistake():
-    return sys.argv[2] if len(sys.argv) > 2 else ""
+    return _mistake
 
 
-def read_task():
-    """(width, height, points, polygons); a polygon is a list of numbers of points."""
-    with open(sys.argv[1]) as task:
-        lines = [line.split() for line in task]
-    width, height, points, polygons = (int(word) for word in lines[0])
-    vertices = [tuple(float(word) for word in line) for line in lines[1 : 1 + points]]
-    return width, height, vertices, [[int(word) for word in line] for line in lines[1 + points : 1 + points + polygons]]
+def each_task(draw):
+    """Calls draw(width, height, points, polygons) for each task; a polygon is a list of numbers of points."""
+    global _mistake
+    with open(sys.argv[1]) as tasks:
+        for first in tasks:
+            width, height, points, polygons, *wrong = first.split()
+            _mistake = "".join(wrong)
+            vertices = [tuple(float(word) for word in next(tasks).split()) for _ in range(int(points))]
+            outlines = [[int(word) for word in next(tasks).split()] for _ in range(int(polygons))]
+            draw(int(width), int(height), vertices, outlines)
+            print()
 
 
 def value(of):
