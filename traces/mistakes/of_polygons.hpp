@@ -504,7 +504,8 @@ inline void suppose(const PixelPaint& e, const Situation& at, Supposed& out) {
 inline void suppose(const PixelWrite& e, const Situation& at, Supposed& out) {
   detail::suppose_place(e, at, out);
   const Fragment* fragment = at.fragment(e.x, e.y);
-  if (!fragment || !fragment->nearer) return;
+  if (!fragment) return out.says(colour_not_written, false, true);  // beside the pixel at work, but written it is
+  if (!fragment->nearer) return;
   out.says(colour_always, true, *fragment->nearer);
   out.says(colour_not_written, false, true);
 }
