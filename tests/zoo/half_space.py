@@ -107,7 +107,7 @@ class Picture:
         self.depths[at] = z
         say("wz", x=x, y=y, z=z)
         if mistake() == "colour_beside":
-            x = max(x - 1, 0)
+            x = min(x + 1, self.width - 1)
         self.colours[y * self.width + x] = number
         say("wp", x=x, y=y, polygon=number)
 
