@@ -75,7 +75,7 @@ SceneFile load_any(const std::string& name_or_path) {
   if (mesh_format(path)) return load_mesh(path);
   if (std::error_code error; std::filesystem::is_regular_file(path, error))
     throw InputError(in_quotes(name_or_path), "a file of this kind is not read as a scene",
-                     "name a .toml, .obj, .off, .ply or .stl file; modelling programs can export these meshes");
+                     "name a .toml scene, or a mesh that a modelling program saves as .obj, .off, .ply or .stl");
 
   std::vector<std::string_view> names;
   for (const BuiltIn& built_in : built_in_scenes()) names.push_back(built_in.name);

@@ -131,7 +131,7 @@ PolygonSoup read_mesh(const std::filesystem::path& path) {
     throw InputError(path.string(),
                      soup.points.empty()
                          ? std::string("the mesh has no polygons")
-                         : fmt::format("the mesh has no polygons, only {} vertices", soup.points.size()),
+                         : fmt::format("the mesh has no polygons, only vertices ({})", soup.points.size()),
                      "give one that has faces");
   return soup;
 }

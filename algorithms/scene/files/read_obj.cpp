@@ -179,7 +179,10 @@ class Reader {
   void face() {
     const std::int32_t line = file_.line();
     const std::int64_t count = soup_.points.size();
+    bool is_first = true;
     for (std::string_view token = file_.next_in_line(); !token.empty(); token = file_.next_in_line()) {
+      if (token.front() == '/' && !is_first) continue;  // of the corner before, behind a blank
+      is_first = false;
       const std::string_view digits = token.substr(0, token.find('/'));
       const auto index = parse_integer(digits);
       if (!index)

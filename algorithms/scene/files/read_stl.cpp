@@ -144,8 +144,10 @@ class AsciiReader {
   PolygonSoup read() {
     std::string_view word = file_.next();
     while (!word.empty()) {
-      if (!same_word(word, "solid")) unexpected(word, "solid");
-      word = solid();
+      const bool one_more_end = begins_with(word, "endsolid") && !soup_.outlines.empty();
+      if (!one_more_end && !same_word(word, "solid")) unexpected(word, "solid");
+      if (one_more_end) file_.rest_of_line();
+      word = one_more_end ? file_.next() : solid();
     }
     soup_.note(colors_, "'color' line is", "'color' lines are", " left out: the colour of a solid is not read");
     return finish_soup(std::move(soup_), file_.name());

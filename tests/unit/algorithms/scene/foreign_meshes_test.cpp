@@ -150,6 +150,7 @@ TEST_SUITE("meshes of other programs") {
     for (const std::string& text :
          {"solid a\n" + facet("end loop", "end facet") + "end solid a\n", "solid a\n" + facet() + "endsolida\n",
           "solid a\n" + facet() + "ENDSOLID_a b\n", "solid\nsolid a\n" + facet() + "endsolid\n",
+          "solid a\nsolid a\n" + facet() + "endsolid a\nendsolid a\n",
           "Solid a\n" + facet() + "end solid\nsolid b\nendsolid b\n"}) {
       const PolygonSoup soup = read_stl(text, "t");
       CHECK_MESSAGE(soup.outlines.size() == 1, text);
@@ -244,6 +245,13 @@ TEST_SUITE("meshes of other programs") {
     }
     CHECK(contains(note_of(read_mesh_bytes(MeshFormat::obj, "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1\nf 1 2 3\n", "t")),
                    "t:1: 2 vertices have colours; only colours of faces are drawn"));
+  }
+
+  TEST_CASE("OBJ: a blank may stand before the slash of a corner") {
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    CHECK(read_mesh_bytes(MeshFormat::obj, vertices + "f 1 /1 2 /2 3 //3\n", "t").corners ==
+          std::vector<std::int32_t>{0, 1, 2});
+    CHECK(contains(error_of(MeshFormat::obj, vertices + "f /1 2 3\n"), "t:4: the corner '/1' is not an index"));
   }
 
   TEST_CASE("OBJ: what is refused says why") {
