@@ -167,28 +167,48 @@ std::string polygons_are(std::int64_t count) {
   return count == 1 ? std::string("1 polygon is") : fmt::format("{} polygons are", count);
 }
 
-/// What the half-edge mesh shows: faces that do not fit together, holes, a surface that is inside out.
-void note_topology(const PolygonSoup& soup, const std::string& where, std::int64_t without_corners,
-                   std::vector<std::string>& notes) {
-  const Mesh mesh = build_mesh(soup.points, soup.outlines, soup.corners);
-  if (const std::int64_t loose = mesh.loose_faces - without_corners; loose > 0)
-    notes.push_back(fmt::format("{}: {} cut loose: more than two meet at an edge, or neighbours run against each other",
-                                where, polygons_are(loose)));
-  if (mesh.boundary_edges > 0)
-    notes.push_back(
-        fmt::format("{}: the surface is open at {} edges: with back faces dropped its inside cannot be seen", where,
-                    mesh.boundary_edges));
-  else if (mesh.loose_faces == without_corners) {
-    double volume = 0;  // six times the signed volume: negative when the outside is inside
-    for (const Facet& outline : soup.outlines)
-      if (outline.corner_count >= 3)
-        volume +=
-            glm::dot(soup.points[soup.corners_of(outline)[0]], newell_normal(soup.points, soup.corners_of(outline)));
-    if (volume < 0)
-      notes.push_back(
-          fmt::format("{}: the polygons run clockwise seen from outside: all of them count as back faces", where));
+/// Six times the volume within closed polygons: negative when the outside is inside, 0 where it is that of rounding.
+double signed_volume(const PolygonSoup& soup) {
+  double volume = 0, size = 0;
+  for (const Facet& outline : soup.outlines) {
+    const auto corners = soup.corners_of(outline);
+    if (corners.size() < 3) continue;
+    const double part = glm::dot(at(soup.points, corners[0]) - soup.points[0], newell_normal(soup.points, corners));
+    volume += part;
+    size += std::abs(part);
   }
+  return std::abs(volume) > 1e-9 * size ? volume : 0;
 }
+
+}  // namespace
+
+/// What the half-edge mesh shows: faces that do not fit together, holes, a surface that is inside out. Of few polygons
+/// in colours of their own one sees the first two.
+void SceneBuilder::note_topology(const PolygonSoup& soup, const std::string& where, const Style& style) {
+  const Mesh mesh = build_mesh(soup.points, soup.outlines, soup.corners);
+  const std::int64_t loose = mesh.loose_faces - too_few_corners_;
+  std::vector<std::string>& notes = file_.notes;
+  if (style.bare == Bare::shaded) {
+    if (loose > 0)
+      notes.push_back(
+          fmt::format("{}: {} cut loose: more than two meet at an edge, or neighbours run against each other", where,
+                      polygons_are(loose)));
+    if (mesh.boundary_edges > 0)
+      notes.push_back(
+          fmt::format("{}: the surface is open at {} edges: with back faces dropped its inside cannot be seen", where,
+                      mesh.boundary_edges));
+  }
+  if (loose > 0 || mesh.boundary_edges > 0) return;
+  const bool mirrored = glm::determinant(style.placement.linear) < 0;  // the outlines of the file are not turned round
+  if ((mirrored ? -1 : 1) * signed_volume(soup) < 0)
+    notes.push_back(
+        fmt::format("{}: the polygons run clockwise seen from outside: all of them count as back faces, and "
+                    "the inside is drawn; turn them round where the mesh was made (flip its normals), or "
+                    "draw both sides with --no-cull",
+                    where));
+}
+
+namespace {
 
 /// Does any of the facets from `first` on enclose an area?
 bool has_area(const Scene& scene, std::size_t first) {
@@ -297,7 +317,7 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
                                                "coverage counts them"
                                              : "not drawn, enclosing no area"));
   }
-  if (style.bare == Bare::shaded && !style.open) note_topology(soup, where, too_few_corners_, file_.notes);
+  if (!style.open && scene.camera.kind != Camera::Kind::screen) note_topology(soup, where, style);
 }
 
 void SceneBuilder::add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where,

@@ -86,6 +86,7 @@ class SceneBuilder {
   void check_limits(const PolygonSoup& soup, const std::string& where) const;
   void keep_origins(const PolygonSoup& soup, const std::string& where, const Style& style);
   void add_points(PolygonSoup& soup, const std::string& where, const Style& style);
+  void note_topology(const PolygonSoup& soup, const std::string& where, const Style& style);
   void add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where,
                   std::int32_t line);
 

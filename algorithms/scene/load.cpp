@@ -1,5 +1,6 @@
 #include "algorithms/scene/load.hpp"
 
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -72,6 +73,9 @@ SceneFile load_any(const std::string& name_or_path) {
   const std::filesystem::path path(name_or_path);
   if (has_extension(path, ".toml")) return scene_from_text(read_bytes(path, largest_scene_file), path);
   if (mesh_format(path)) return load_mesh(path);
+  if (std::error_code error; std::filesystem::is_regular_file(path, error))
+    throw InputError(in_quotes(name_or_path), "a file of this kind is not read as a scene",
+                     "name a .toml scene, or a mesh that a modelling program saves as .obj, .off, .ply or .stl");
 
   std::vector<std::string_view> names;
   for (const BuiltIn& built_in : built_in_scenes()) names.push_back(built_in.name);

@@ -1,5 +1,6 @@
 // libFuzzer target: meshes. The first byte chooses the reader (o, f, p, s: OBJ, OFF, PLY, STL), the rest is the file.
 // What is read goes all the way to a scene that could be drawn, and to its half-edge mesh.
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -34,9 +35,9 @@ MeshFormat format_of(std::uint8_t byte) {
 PolygonSoup read(MeshFormat format, std::string_view bytes) {
   if (format != MeshFormat::obj) return read_mesh_bytes(format, bytes, "fuzz");
   // An OBJ may name itself as its own material file.
-  return read_obj(bytes, "fuzz", [&](const std::string& name) -> std::optional<std::string> {
+  return read_obj(bytes, "fuzz", [&](std::string_view name) -> std::optional<MaterialFile> {
     if (name != "m") return std::nullopt;
-    return std::string(bytes);
+    return MaterialFile{"m", std::string(bytes)};
   });
 }
 
@@ -55,6 +56,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       check(corner >= 0 && static_cast<std::size_t>(corner) < soup.points.size());
     check(soup.point_lines.empty() || soup.point_lines.size() == soup.points.size());
     check(soup.colors.empty() || soup.colors.size() == soup.outlines.size());
+    check(soup.materials.empty() || soup.materials.size() == soup.outlines.size());
+    for (const glm::dvec3& point : soup.points) check(std::isfinite(point.x + point.y + point.z));
     const std::size_t polygons = soup.outlines.size();
     SceneBuilder builder({});
     builder.add(std::move(soup), "fuzz", {{}, SceneBuilder::Bare::shaded, clay, 0});

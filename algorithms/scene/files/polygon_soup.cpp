@@ -1,7 +1,9 @@
 
 #include "algorithms/scene/files/polygon_soup.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "traces/error.hpp"
 
@@ -10,6 +12,75 @@ namespace zstep::scene {
 void PolygonSoup::too_much(std::string_view where, std::string_view what, std::int64_t most) {
   throw InputError(where, fmt::format("there are more than {} {}, the most that are read", most, what),
                    "decimate the mesh in a modelling program");
+}
+
+void PolygonSoup::note(const PassedOver& passed, std::string_view one, std::string_view several,
+                       std::string_view rest) {
+  if (passed.count > 0)
+    notes.push_back(fmt::format("{}: {} {}{}", passed.where, passed.count, passed.count == 1 ? one : several, rest));
+}
+
+namespace {
+
+bool is_placed(const glm::dvec3& point) { return std::isfinite(point.x + point.y + point.z); }
+
+std::string place_of(const PolygonSoup& soup, std::int32_t point, const std::string& name) {
+  return soup.point_lines.empty() ? fmt::format("{}: vertex {}", name, point)
+                                  : fmt::format("{}:{}", name, soup.point_lines[point]);
+}
+
+/// Puts the k-th polygon into a place that is free, of those before it.
+void move_polygon(PolygonSoup& soup, std::size_t k, std::size_t place) {
+  const auto move = [&](auto& one_a_polygon) {
+    if (!one_a_polygon.empty()) one_a_polygon[place] = std::move(one_a_polygon[k]);
+  };
+  move(soup.outlines), move(soup.outline_lines), move(soup.colors), move(soup.materials), move(soup.names);
+  soup.outlines[place].polygon = index32(place);
+}
+
+void keep_polygons(PolygonSoup& soup, std::size_t count) {
+  const auto keep = [&](auto& one_a_polygon) {
+    if (!one_a_polygon.empty()) one_a_polygon.resize(count);
+  };
+  keep(soup.outlines), keep(soup.outline_lines), keep(soup.colors), keep(soup.materials), keep(soup.names);
+}
+
+void leave_out_unplaced(PolygonSoup& soup, const std::string& name) {
+  const auto placed = std::find_if(soup.points.begin(), soup.points.end(), is_placed);
+  if (std::all_of(soup.points.begin(), soup.points.end(), is_placed)) return;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < soup.outlines.size(); ++k) {
+    const auto corners = soup.corners_of(soup.outlines[k]);
+    const auto unplaced = std::find_if_not(corners.begin(), corners.end(),
+                                           [&](std::int32_t corner) { return is_placed(soup.points[corner]); });
+    if (unplaced != corners.end()) soup.losses.unplaced.add([&] { return place_of(soup, *unplaced, name); });
+    else if (kept++ != k) move_polygon(soup, k, kept - 1);
+  }
+  keep_polygons(soup, kept);
+  // No polygon uses them now. At the place of another they do not move the scene's bounds.
+  const glm::dvec3 somewhere = placed == soup.points.end() ? glm::dvec3(0) : *placed;
+  std::replace_if(
+      soup.points.begin(), soup.points.end(), [](const glm::dvec3& p) { return !is_placed(p); }, somewhere);
+}
+
+}  // namespace
+
+PolygonSoup finish_soup(PolygonSoup soup, const std::string& name) {
+  leave_out_unplaced(soup, name);
+  const Losses& lost = soup.losses;
+  if (soup.outlines.empty() && lost.unplaced.count > 0)
+    throw InputError(lost.unplaced.where, "every polygon has a vertex that is no finite number",
+                     "repair the mesh where it was made");
+  soup.note(lost.unplaced, "polygon is", "polygons are",
+            " left out, with a vertex that is no finite number; repair the mesh where it was made");
+  soup.note(lost.vertex_colors, "vertex has a colour", "vertices have colours",
+            "; only colours of faces are drawn: give the faces theirs where the mesh was made");
+  soup.note(lost.textures, "texture is", "textures are", " not drawn: a polygon is of one colour");
+  soup.note(lost.opacities, "polygon has", "polygons have",
+            " an alpha that is not used; a scene file's [[mesh]] can give opacity");
+  soup.note(lost.clamped_colors, "colour is", "colours are",
+            " out of range and clamped; use whole numbers of 0 to 255, or fractions of 0 to 1");
+  return soup;
 }
 
 }  // namespace zstep::scene

@@ -2,6 +2,7 @@
 // merged.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <glm/vec3.hpp>
@@ -12,13 +13,33 @@
 #include <string_view>
 #include <vector>
 
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::scene {
 
+/// Things of one sort that a file holds and that are not drawn: how many, and where the first stands.
+struct PassedOver {
+  std::int64_t count = 0;
+  std::string where;
+
+  template <class Where>
+  void add(Where&& where_it_stands) {
+    if (count++ == 0) where = where_it_stands();
+  }
+};
+
+/// What any format may hold and zstep does not draw. Readers count it; finish_soup says it.
+struct Losses {
+  PassedOver vertex_colors, textures, opacities;
+  PassedOver clamped_colors;
+  PassedOver unplaced;  ///< polygons left out, as a vertex of theirs is no finite number
+};
+
 /// What one scene may hold. With these, the largest file that is accepted needs less than 1 GiB to load.
 
-/// Every corner is an index into `points`, every coordinate is finite, and nothing is beyond the limits.
+/// Every corner is an index into `points`, every coordinate is finite once finish_soup was called, and nothing is
+/// beyond the limits.
 struct PolygonSoup {
   std::vector<glm::dvec3> points;
   std::vector<std::int32_t> point_lines;    ///< one a point; empty for a binary file
@@ -29,6 +50,7 @@ struct PolygonSoup {
   std::vector<Material> materials;           ///< one a polygon, or none at all
   std::vector<std::string> names;            ///< one a polygon, or none at all
   std::vector<std::string> notes;            ///< what was passed over, one sentence each
+  Losses losses;
 
   /// Adds a point; throws InputError at `where()` beyond the limit. `line` 0: the file has no lines.
   template <class Where>
@@ -56,12 +78,33 @@ struct PolygonSoup {
     corners.push_back(static_cast<std::int32_t>(point));
   }
 
+  /// A colour by numbers of 0 … 255. What lies beyond is taken as the nearest of them, and counted.
+  template <class Where>
+  Color color_of(glm::dvec3 numbers, Where&& where) {
+    for (int i = 0; i < 3; ++i)
+      if (!(numbers[i] > -0.5 && numbers[i] < 255.5)) {
+        losses.clamped_colors.add(where);
+        break;
+      }
+    const auto channel = [](double value) { return nearest_byte(std::fmin(255, std::fmax(0, value))); };
+    return {channel(numbers.x), channel(numbers.y), channel(numbers.z)};
+  }
+
+  /// A note of what was passed over, if anything was: "WHERE: 2 textures are not drawn" of "texture is", "textures are"
+  /// and " not drawn".
+  void note(const PassedOver& passed, std::string_view one, std::string_view several, std::string_view rest);
+
   std::span<const std::int32_t> corners_of(const Facet& outline) const {
     return {corners.data() + outline.first_corner, static_cast<std::size_t>(outline.corner_count)};
   }
 
   [[noreturn]] static void too_much(std::string_view where, std::string_view what, std::int64_t most);
 };
+
+/// What every reader does at its end: leaves out the polygons with a vertex that is no finite number, and notes what
+/// was lost. Vertices keep their numbers; one without a place that no polygon uses harms nobody. Throws InputError
+/// where no polygon is left. `name` is what notes call the file.
+PolygonSoup finish_soup(PolygonSoup soup, const std::string& name);
 
 // Equal points become one, so that polygons given by their coordinates share their vertices.
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <system_error>
+#include <utility>
 
 #include "algorithms/scene/files/bytes.hpp"
 #include "traces/error.hpp"
@@ -23,7 +25,7 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
 PolygonSoup read_mesh_bytes(MeshFormat format, std::string_view bytes, const std::string& name) {
   switch (format) {
     case MeshFormat::obj:
-      return read_obj(bytes, name, [](const std::string&) { return std::nullopt; });
+      return read_obj(bytes, name, [](std::string_view) { return std::nullopt; });
     case MeshFormat::off:
       return read_off(bytes, name);
     case MeshFormat::ply:
@@ -38,21 +40,73 @@ namespace {
 
 /// Textures belong to a mesh, too, though they are not drawn: they must not be written over.
 void note_textures(const std::filesystem::path& folder, std::string_view text) {
-  constexpr std::array<std::string_view, 6> statements{"map_", "bump", "disp", "decal", "norm", "refl"};
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    const bool texture = line.starts_with("comment TextureFile ") ||
-                         std::any_of(statements.begin(), statements.end(),
-                                     [&](std::string_view word) { return line.starts_with(word); });
+    const bool texture = line.starts_with("comment TextureFile ") || is_texture(line);
     const std::size_t last = line.find_last_of(" \t");
     if (texture && last != std::string_view::npos) note_input(folder / std::filesystem::path(line.substr(last + 1)));
   }
 }
 
+namespace fs = std::filesystem;
+
+/// The entry of this name in a folder; else one whose name differs only in capitals, the first of them.
+fs::path entry_of(const fs::path& folder, const fs::path& name) {
+  std::error_code error;
+  if (fs::exists(folder / name, error)) return folder / name;
+  const std::string wanted = lower_case(name.string());
+  fs::path found;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path other = entry->path().filename();
+    if (lower_case(other.string()) == wanted && (found.empty() || other < found)) found = other;
+  }
+  return found.empty() ? found : folder / found;
+}
+
+/// Whether a folder is `top` or lies in it, whatever links lead there.
+bool is_within(const fs::path& folder, const fs::path& top) {
+  std::error_code error;
+  const fs::path inner = fs::canonical(folder, error);
+  if (error) return false;
+  const fs::path outer = fs::canonical(top, error);
+  if (error) return false;
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
+/// A file that a mesh names, in the mesh's folder or below: a mesh from the net must not make zstep open files
+/// elsewhere. A name that leads elsewhere, as the full path where the mesh was made, is looked for by its last part.
+std::optional<fs::path> beside_mesh(const fs::path& folder, std::string_view named) {
+  if (named.size() >= 2 && named.front() == '"' && named.back() == '"') named = named.substr(1, named.size() - 2);
+  std::string slashes(named);
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  const fs::path plain = fs::path(slashes).lexically_normal();
+  const fs::path top = folder.empty() ? fs::path(".") : folder;
+  const auto found_at = [&](const fs::path& relative) -> std::optional<fs::path> {
+    fs::path found = top;
+    for (const fs::path& part : relative) {
+      if (part.empty() || part == ".." || !is_within(found, top)) return std::nullopt;
+      found = entry_of(found, part);
+      if (found.empty()) return std::nullopt;
+    }
+    std::error_code error;
+    if (!fs::is_regular_file(found, error)) return std::nullopt;
+    return folder.empty() ? found.lexically_normal() : found;
+  };
+  if (plain.is_relative())
+    if (const auto found = found_at(plain)) return found;
+  return found_at(plain.filename());
+}
+
 }  // namespace
+
+bool is_texture(std::string_view statement) {
+  constexpr std::array<std::string_view, 6> beginnings{"map_", "bump", "disp", "decal", "norm", "refl"};
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view word) { return statement.starts_with(word); });
+}
 
 PolygonSoup read_mesh(const std::filesystem::path& path) {
   const auto format = mesh_format(path);
@@ -62,22 +116,23 @@ PolygonSoup read_mesh(const std::filesystem::path& path) {
   if (*format == MeshFormat::ply)
     note_textures(path.parent_path(), std::string_view(bytes).substr(0, bytes.find("end_header")));
   if (*format == MeshFormat::obj) {
-    // Only from the mesh's own folder: a mesh from the net must not make zstep open files elsewhere.
-    const auto materials = [&](const std::string& file_name) -> std::optional<std::string> {
-      const std::filesystem::path plain = std::filesystem::path(file_name).filename();
-      const std::filesystem::path beside = path.parent_path() / plain;
-      std::error_code error;
-      if (plain.empty() || plain.string() != file_name || !std::filesystem::is_regular_file(beside, error))
-        return std::nullopt;
-      std::string text = read_bytes(beside, std::size_t{4} << 20);
-      note_textures(path.parent_path(), text);
-      return text;
+    const auto materials = [&](std::string_view named) -> std::optional<MaterialFile> {
+      const auto file = beside_mesh(path.parent_path(), named);
+      if (!file) return std::nullopt;
+      std::string text = read_bytes(*file, std::size_t{4} << 20);
+      note_textures(file->parent_path(), text);
+      return MaterialFile{file->string(), std::move(text)};
     };
     soup = read_obj(bytes, path.string(), materials);
   } else {
     soup = read_mesh_bytes(*format, bytes, path.string());
   }
-  if (soup.outlines.empty()) throw InputError(path.string(), "the mesh has no polygons", "give one that has faces");
+  if (soup.outlines.empty())
+    throw InputError(path.string(),
+                     soup.points.empty()
+                         ? std::string("the mesh has no polygons")
+                         : fmt::format("the mesh has no polygons, only vertices ({})", soup.points.size()),
+                     "give one that has faces");
   return soup;
 }
 

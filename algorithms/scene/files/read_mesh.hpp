@@ -17,21 +17,29 @@ enum class MeshFormat : std::uint8_t { obj, off, ply, stl };
 /// The format that the file's extension stands for, in any case; nothing if it stands for none.
 std::optional<MeshFormat> mesh_format(const std::filesystem::path& path);
 
-/// Gives the text of a material file that an OBJ names, or nothing where there is none.
-using MaterialFiles = std::function<std::optional<std::string>(const std::string& file_name)>;
+struct MaterialFile {
+  std::string path;  ///< what notes call it
+  std::string text;
+};
+/// Gives the material file that an OBJ names, or nothing where there is none.
+using MaterialFiles = std::function<std::optional<MaterialFile>(std::string_view named)>;
+
+/// Whether a statement of a material file names a texture.
+bool is_texture(std::string_view statement);
 
 // The readers. `name` is what errors call the file. All throw InputError, and nothing else, on anything wrong in
 // `bytes`: at FILE:LINE in text, at FILE:byte N in binary. Time and memory are bounded by the number of bytes, never by
 // a count that the file declares.
 
 /// OBJ: v, f with negative indices and with texture and normal indices (which are passed over), usemtl with the Kd of
-/// its mtllib. Points and lines (p, l) are passed over; free-form surfaces are an error.
+/// its mtllib, whose faults are notes. Points and lines (p, l) are passed over; free-form surfaces are an error.
 PolygonSoup read_obj(std::string_view bytes, const std::string& name, const MaterialFiles& materials);
-/// OFF with the prefixes C, N, ST (whose extra numbers are passed over) and colours of faces.
+/// OFF with the prefixes C, N, ST (whose extra numbers are passed over) and 4, and colours of faces.
 PolygonSoup read_off(std::string_view bytes, const std::string& name);
 /// PLY 1.0, ascii and binary of both byte orders; red, green, blue of faces.
 PolygonSoup read_ply(std::string_view bytes, const std::string& name);
-/// STL, ascii and binary. Equal points become one, so that neighbours share their vertices.
+/// STL, ascii and binary, with colours of its triangles. Equal points become one, so that neighbours share their
+/// vertices.
 PolygonSoup read_stl(std::string_view bytes, const std::string& name);
 
 /// The readers by format; an OBJ without materials.

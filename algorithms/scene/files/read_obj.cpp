@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 #include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "traces/error.hpp"
-#include "traces/math/whole.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::scene {
 
@@ -19,6 +20,8 @@ namespace {
 struct Look {
   std::optional<Color> color;
   Material material;
+  bool opacity_known = false;  ///< d said it
+  std::string invisible_at;    ///< the place of a Tr that hides it
 };
 using Looks = std::map<std::string, Look, std::less<>>;
 
@@ -34,33 +37,77 @@ bool one_of(const std::array<std::string_view, N>& words, std::string_view word)
   return false;
 }
 
-std::uint8_t channel(double value) { return nearest_byte(255 * std::fmin(1, std::fmax(0, value))); }
+/// A material file. A fault in it is a note, and what the statement would have set stays as it was.
+class MaterialReader {
+ public:
+  MaterialReader(const MaterialFile& file, Looks& looks, PolygonSoup& soup)
+      : file_(file.text, file.path, Tokens::Comments::hash, Tokens::Joining::backslash), looks_(looks), soup_(soup) {}
 
-void read_materials(Tokens file, Looks& looks) {
-  std::string current;
-  do {
-    const std::string_view word = file.next_in_line();
-    if (word == "newmtl") {
-      current = std::string(file.rest_of_line());
-    } else if (word == "Kd" && !current.empty()) {
-      const std::string_view red = file.next_in_line();
-      if (red == "spectral" || red == "xyz") continue;  // colours of other kinds: the material has none for us
-      const double r = file.coordinate(red, "red of Kd");
-      const std::string_view green = file.next_in_line();  // one number alone is a grey
-      const double g = green.empty() ? r : file.coordinate(green, "green of Kd");
-      const double b = green.empty() ? r : file.coordinate(file.next_in_line(), "blue of Kd");
-      looks[current].color = {channel(r), channel(g), channel(b)};
-    } else if ((word == "d" || word == "Tr") && !current.empty()) {
-      std::string_view token = file.next_in_line();
-      if (token == "-halo") token = file.next_in_line();
-      const double value = std::fmin(1, std::fmax(0, file.coordinate(token, word)));
-      looks[current].material.opacity = word == "d" ? value : 1 - value;
-    } else if (word == "Ni" && !current.empty()) {
-      const double value = file.coordinate(file.next_in_line(), "Ni");  // programs write 0 for "not set"
-      looks[current].material.refraction = value >= least_refraction && value <= most_refraction ? value : 1;
+  void read() {
+    do {
+      const std::string_view word = file_.next_in_line();
+      if (word == "newmtl") material();
+      else if (is_texture(word)) soup_.losses.textures.add([&] { return file_.where(); });
+      else if (look_ != nullptr && word == "Kd") color();
+      else if (look_ != nullptr && (word == "d" || word == "Tr")) opacity(word);
+      else if (look_ != nullptr && word == "Ni") refraction();
+    } while (file_.next_line());
+    if (faults_ == 1) soup_.notes.push_back(first_fault_ + "; this line is left out");
+    if (faults_ > 1) soup_.notes.push_back(fmt::format("{}; {} such lines are left out", first_fault_, faults_));
+  }
+
+ private:
+  void material() {
+    const std::string_view name = file_.rest_of_line();
+    look_ = name.empty() ? nullptr : &looks_[std::string(name)];
+  }
+
+  void color() {
+    const std::string_view red = file_.next_in_line();
+    const auto r = number(red, "red of Kd");
+    const std::string_view green = file_.next_in_line();  // one number alone is a grey
+    const auto g = green.empty() ? r : number(green, "green of Kd");
+    const auto b = green.empty() ? r : number(file_.next_in_line(), "blue of Kd");
+    if (r && g && b) look_->color = soup_.color_of(255.0 * glm::dvec3(*r, *g, *b), [&] { return file_.where(); });
+  }
+
+  void opacity(std::string_view word) {
+    std::string_view token = file_.next_in_line();
+    if (token == "-halo") token = file_.next_in_line();
+    const auto written = number(token, word);
+    if (!written) return;
+    const bool transparency = word == "Tr";
+    if (transparency && look_->opacity_known) return;  // programs differ in what Tr means, but not in d
+    const double value = std::fmin(1, std::fmax(0, *written));
+    look_->material.opacity = transparency ? 1 - value : value;
+    look_->opacity_known = !transparency;
+    look_->invisible_at = transparency && value == 1 ? file_.where() : "";
+  }
+
+  void refraction() {
+    const auto value = number(file_.next_in_line(), "Ni");  // programs write 0 for "not set"
+    if (value) look_->material.refraction = *value >= least_refraction && *value <= most_refraction ? *value : 1;
+  }
+
+  std::optional<double> number(std::string_view token, std::string_view what) {
+    const auto value = parse_number(token);
+    if (value && std::isfinite(*value)) return value;
+    if (faults_++ > 0) return std::nullopt;
+    try {
+      file_.coordinate(token, what);
+    } catch (const InputError& error) {
+      first_fault_ = error.what();
     }
-  } while (file.next_line());
-}
+    return std::nullopt;
+  }
+
+  Tokens file_;
+  Looks& looks_;
+  PolygonSoup& soup_;
+  Look* look_ = nullptr;
+  std::int64_t faults_ = 0;
+  std::string first_fault_;
+};
 
 class Reader {
  public:
@@ -75,54 +122,67 @@ class Reader {
       else if (word == "f" || word == "fo") face();  // fo: an old spelling of f
       else if (word == "usemtl") material_ = std::string(file_.rest_of_line());
       else if (word == "mtllib") library();
-      else if (word == "p" || word == "l") ++elements_passed_over_;
-      else if (word == "curv" || word == "curv2" || word == "surf") free_forms_.add(word, file_);
-      else if (!one_of(passed_over, word) && !one_of(free_form_, word)) unknown_.add(word, file_);
+      else if (word == "p" || word == "l") points_and_lines_.add([&] { return where(); });
+      else if (word == "curv" || word == "curv2" || word == "surf") free_forms_.add([&] { return where(); });
+      else if (!one_of(passed_over, word) && !one_of(free_form_, word)) unknown(word);
     } while (file_.next_line());
     check_forward_references();
     // Beside polygons they are left out; without any the file is another one than was meant.
     if (soup_.outlines.empty() && free_forms_.count > 0)
       throw InputError(free_forms_.where, "free-form curves and surfaces are not read", "export the mesh as polygons");
-    if (soup_.outlines.empty() && unknown_.count > 0)
-      throw InputError(unknown_.where, fmt::format("{} is no statement of an OBJ file", in_quotes(unknown_.word)),
-                       "is this an OBJ file, and is it whole?");
-    if (elements_passed_over_ > 0)
-      soup_.notes.push_back(fmt::format("{} points and lines (p, l) are not drawn", elements_passed_over_));
-    if (free_forms_.count > 0)
-      soup_.notes.push_back(fmt::format("{}: {} free-form curves and surfaces (curv, curv2, surf) are left out",
-                                        free_forms_.where, free_forms_.count));
-    if (unknown_.count > 0)
-      soup_.notes.push_back(fmt::format("{}: {} is no statement of an OBJ file; {} such line{} left out",
-                                        unknown_.where, in_quotes(unknown_.word), unknown_.count,
-                                        unknown_.count == 1 ? " was" : "s were"));
-    return std::move(soup_);
+    if (soup_.outlines.empty() && unknown_.count > 0) refuse_unknown();
+    note_left_out();
+    return finish_soup(std::move(soup_), file_.name());
   }
 
  private:
-  /// Statements of one sort that are left out.
-  struct LeftOut {
-    std::int64_t count = 0;
-    std::string word, where;  ///< of the first
-
-    void add(std::string_view next, const Tokens& file) {
-      if (count++ == 0) word = std::string(next), where = file.where();
-    }
-  };
-
   std::string where() const { return file_.where(); }
+
+  void unknown(std::string_view word) {
+    if (unknown_.count == 0) unknown_word_ = std::string(word);
+    unknown_.add([&] { return where(); });
+  }
+  [[noreturn]] void refuse_unknown() const {
+    const std::string small = lower_case(unknown_word_);
+    throw InputError(
+        unknown_.where, fmt::format("{} is no statement of an OBJ file", in_quotes(unknown_word_)),
+        small == "v" || small == "f" ? "write statements in small letters" : "is this an OBJ file, and is it whole?");
+  }
+
+  void note_left_out() {
+    soup_.note(points_and_lines_, "point or line (p, l) is", "points and lines (p, l) are", " not drawn");
+    soup_.note(free_forms_, "free-form curve or surface (curv, curv2, surf) is",
+               "free-form curves and surfaces (curv, curv2, surf) are", " left out");
+    if (unknown_.count > 0)
+      soup_.notes.push_back(fmt::format("{}: {} is no statement of an OBJ file; {} such line{} left out",
+                                        unknown_.where, in_quotes(unknown_word_), unknown_.count,
+                                        unknown_.count == 1 ? " was" : "s were"));
+    PassedOver invisible;
+    for (const auto& named : looks_)
+      if (const Look& look = named.second; !look.invisible_at.empty()) invisible.add([&] { return look.invisible_at; });
+    soup_.note(invisible, "material is", "materials are",
+               " invisible by Tr 1 to methods that follow light; write d 1 where it should be opaque");
+  }
 
   void vertex() {
     glm::dvec3 point;
-    point.x = file_.coordinate(file_.next_in_line(), "x");
-    point.y = file_.coordinate(file_.next_in_line(), "y");
-    point.z = file_.coordinate(file_.next_in_line(), "z");  // what may follow, w or a colour, does not move the point
-    soup_.add_point(point, file_.line(), [&] { return where(); });
+    point.x = file_.coordinate_or_nan(file_.next_in_line(), "x");
+    const std::int32_t line = file_.line();
+    point.y = file_.coordinate_or_nan(file_.next_in_line(), "y");
+    point.z = file_.coordinate_or_nan(file_.next_in_line(), "z");
+    int more = 0;  // w or a colour, which do not move the point
+    while (!file_.next_in_line().empty()) ++more;
+    if (more >= 3) soup_.losses.vertex_colors.add([&] { return where(); });
+    soup_.add_point(point, line, [&] { return where(); });
   }
 
   void face() {
     const std::int32_t line = file_.line();
     const std::int64_t count = soup_.points.size();
+    bool is_first = true;
     for (std::string_view token = file_.next_in_line(); !token.empty(); token = file_.next_in_line()) {
+      if (token.front() == '/' && !is_first) continue;  // of the corner before, behind a blank
+      is_first = false;
       const std::string_view digits = token.substr(0, token.find('/'));
       const auto index = parse_integer(digits);
       if (!index)
@@ -151,26 +211,31 @@ class Reader {
   void library() {
     // Names may hold blanks, and several names may stand in a line: first the whole, then the words.
     const std::string_view rest = file_.rest_of_line();
-    if (add_library(std::string(rest))) return;
+    if (add_library(rest)) return;
     bool found = false;
     Tokens words(rest, file_.name(), Tokens::Comments::none);
     for (std::string_view word = words.next_in_line(); !word.empty(); word = words.next_in_line())
-      found = (word != rest && add_library(std::string(word))) || found;
+      found = (word != rest && add_library(word)) || found;
     if (!found && soup_.notes.size() < 8)
       soup_.notes.push_back(fmt::format(
           "{}: the material file {} is not in the mesh's folder; its colours are not known", where(), in_quotes(rest)));
   }
-  bool add_library(const std::string& file_name) {
+  /// Whether there is one of this name; each is looked for and read once.
+  bool add_library(std::string_view named) {
+    if (named.size() > longest_name) return false;
+    const auto [library, is_new] = libraries_.try_emplace(std::string(named), false);
+    if (!is_new) return library->second;
+    if (libraries_.size() > most_libraries) file_.fail("too many material files are named", "remove unused ones");
     if (library_bytes_ > most_library_bytes) file_.fail("the material files are too large", "remove unused ones");
-    const auto text = files_(file_name);
-    if (!text) return false;
-    library_bytes_ += text->size();
-    read_materials(Tokens(*text, sibling(file_name), Tokens::Comments::hash, Tokens::Joining::backslash), looks_);
-    return true;
-  }
-  std::string sibling(const std::string& file_name) const {
-    const std::size_t slash = file_.name().find_last_of("/\\");
-    return slash == std::string::npos ? file_name : file_.name().substr(0, slash + 1) + file_name;
+    try {
+      const auto file = files_(named);
+      if (!file) return false;
+      library_bytes_ += file->text.size();
+      MaterialReader(*file, looks_, soup_).read();
+    } catch (const InputError& error) {
+      soup_.notes.push_back(fmt::format("{}; its colours are not known", error.what()));
+    }
+    return library->second = true;
   }
 
   // A face may stand before its vertices, so positive indices are held against the count only at the end.
@@ -183,7 +248,7 @@ class Reader {
 
   static constexpr std::array<std::string_view, 10> free_form_{"parm", "trim", "hole", "scrv", "sp",
                                                                "end",  "res",  "bsp",  "bzp",  "cdc"};
-  static constexpr std::size_t most_library_bytes = std::size_t{16} << 20;
+  static constexpr std::size_t most_library_bytes = std::size_t{16} << 20, most_libraries = 256, longest_name = 1000;
 
   Tokens file_;
   const MaterialFiles& files_;
@@ -192,8 +257,9 @@ class Reader {
   std::string material_;
   std::int64_t furthest_ = 0;
   std::string furthest_where_;
-  std::int64_t elements_passed_over_ = 0;
-  LeftOut free_forms_, unknown_;
+  PassedOver points_and_lines_, free_forms_, unknown_;
+  std::string unknown_word_;                            // the first
+  std::map<std::string, bool, std::less<>> libraries_;  // by the names that were looked for: whether it was found
   std::size_t library_bytes_ = 0;
 };
 

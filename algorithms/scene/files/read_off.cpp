@@ -1,7 +1,11 @@
 // OFF, as the manual of Geomview has it (The Geometry Center, University of Minnesota, 1992–), ascii and binary.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,58 +13,91 @@
 #include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "traces/error.hpp"
-#include "traces/math/whole.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::scene {
 
 namespace {
 
 struct Kind {
-  int extra_numbers = 0;  ///< texture coordinates, a colour or a normal follow the coordinates of each vertex
-  std::string_view rest;  ///< of the word: some programs write the first count right behind it
+  bool homogeneous = false;  ///< a weight w follows x y z
+  bool colored = false;      ///< then a colour, r g b a
+  int more_numbers = 0;      ///< then texture coordinates or a normal
+  std::string_view rest;     ///< of the word: some programs write the first count right behind it
 };
 
-/// The keyword: OFF with any of the prefixes ST, C and N, in this order.
+/// The keyword: OFF with any of the prefixes ST, C, N and 4, in capitals or not, each once. Geomview's order is this
+/// one; MeshLab writes NCOFF.
 std::optional<Kind> kind_of_keyword(std::string_view word) {
-  struct Prefix {
-    std::string_view letters;
-    int numbers;
+  if (word.find("nOFF") != std::string_view::npos) return std::nullopt;  // the small n: of n dimensions
+  std::array<std::string_view, 4> prefixes{"st", "c", "n", "4"};
+  const std::string letters = lower_case(word);
+  std::string_view left = letters;
+  const auto take = [&](std::string_view& prefix) {
+    if (prefix.empty() || !left.starts_with(prefix)) return false;
+    left.remove_prefix(std::exchange(prefix, {}).size());
+    return true;
   };
+  while (std::any_of(prefixes.begin(), prefixes.end(), take)) {
+  }
+  if (!left.starts_with("off")) return std::nullopt;
   Kind kind;
-  for (const auto& [letters, numbers] : {Prefix{"ST", 2}, Prefix{"C", 4}, Prefix{"N", 3}})
-    if (word.starts_with(letters)) {
-      word.remove_prefix(letters.size());
-      kind.extra_numbers += numbers;
-    }
-  if (!word.starts_with("OFF")) return std::nullopt;
-  kind.rest = word.substr(3);
+  kind.rest = word.substr(word.size() - left.size() + 3);
   if (!kind.rest.empty() && !parse_integer(kind.rest)) return std::nullopt;
+  const auto has = [&](std::size_t prefix) { return prefixes[prefix].empty(); };
+  kind.homogeneous = has(3);
+  kind.colored = has(1);
+  kind.more_numbers = (has(0) ? 2 : 0) + (has(2) ? 3 : 0);
   return kind;
 }
 
-/// The colour that may stand after a face's corners: nothing, an index into a colour map (which is passed over), or
-/// three or four numbers, of 0 … 255 when all are whole and of 0 … 1 otherwise.
-std::optional<Color> face_color(Tokens& file) {
+/// The point of x, y, z and a weight that is not 0.
+glm::dvec3 divided(glm::dvec3 point, double weight, const std::string& where) {
+  if (weight == 0)
+    throw InputError(where, "w of a vertex is 0, which puts it at infinity", "give it another weight, usually 1");
+  return point / weight;
+}
+
+/// The colour that may stand after a face's corners: nothing, an index into a colour map, or three or four numbers, of
+/// 0 … 255 when all are whole and of 0 … 1 otherwise.
+std::optional<Color> face_color(Tokens& file, PolygonSoup& soup, PassedOver& map_indices) {
+  const auto where = [&] { return file.where(); };
   double values[4] = {};
   int count = 0;
   bool whole = true;
   for (std::string_view token = file.next_in_line(); !token.empty(); token = file.next_in_line()) {
     if (count == 4) file.fail("more than four numbers follow the corners", "a colour is r g b or r g b a");
-    values[count] = file.coordinate(token, "the face's colour");
+    values[count] = file.number(token, "the face's colour");
     whole = whole && parse_integer(token).has_value();
     ++count;
   }
-  if (count == 0 || count == 1) return std::nullopt;
   if (count == 2) file.fail("two numbers follow the corners", "a colour is r g b or r g b a");
-  Color color;
-  std::uint8_t* channels[3] = {&color.red, &color.green, &color.blue};
-  for (int i = 0; i < 3; ++i) {
-    const double value = whole ? values[i] : 255 * values[i];
-    if (!(value >= 0 && value <= 255))
-      file.fail("a colour's number is out of range", "use whole numbers of 0 to 255, or fractions of 0 to 1");
-    *channels[i] = nearest_byte(value);
+  if (count == 1) map_indices.add(where);
+  if (count < 3) return std::nullopt;
+  if (count == 4 && values[3] != (whole ? 255 : 1)) soup.losses.opacities.add(where);
+  return soup.color_of((whole ? 1.0 : 255.0) * glm::dvec3(values[0], values[1], values[2]), where);
+}
+
+/// Whether more numbers than those of a point in the line of the first vertex are a colour, as programs write it also
+/// where the keyword has no C: then each vertex and each face has a line of its own. Else they are the next vertex.
+bool colors_follow(Tokens file, const Kind& kind, std::int64_t vertices_and_faces) {
+  const int of_point = kind.homogeneous ? 4 : 3;
+  if (!file.next_in_line().empty()) return false;  // the vertices begin in the line of the counts
+  std::int64_t lines = 0;
+  while (lines < vertices_and_faces && file.next_line()) {
+    if (file.next_in_line().empty()) continue;
+    if (++lines > 1) continue;
+    int numbers = 1;
+    while (!file.next_in_line().empty()) ++numbers;
+    if (numbers <= of_point) return false;
+    if (numbers % of_point != 0) return true;
   }
-  return color;
+  return lines == vertices_and_faces;
+}
+
+PolygonSoup finished(PolygonSoup soup, const PassedOver& map_indices, const std::string& name) {
+  soup.note(map_indices, "polygon has", "polygons have", " an index into a colour map, which is not read; write r g b");
+  return finish_soup(std::move(soup), name);
 }
 
 /// What follows the line "OFF BINARY": counts and indices in four bytes each and numbers in float32, the highest byte
@@ -77,13 +114,18 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name, std::si
     return value;
   };
   PolygonSoup soup;
+  PassedOver map_indices;
   const std::int32_t points = count("vertices", 12), faces = count("faces", 8);
   file.take<std::int32_t>();  // the number of edges, which nobody needs
   for (std::int32_t i = 0; i < points; ++i) {
     glm::dvec3 point;
-    for (int axis = 0; axis < 3; ++axis)
-      point[axis] = checked_coordinate(file.take<float>(), where(), "a coordinate of a vertex");
-    for (int k = 0; k < kind.extra_numbers; ++k) file.take<float>();
+    for (int axis = 0; axis < 3; ++axis) {
+      point[axis] = file.take<float>();
+      if (std::isfinite(point[axis])) checked_coordinate(point[axis], where(), "a coordinate of a vertex");
+    }
+    if (kind.homogeneous) point = divided(point, file.take<float>(), where());
+    if (kind.colored) soup.losses.vertex_colors.add(where);
+    for (int k = 0; k < kind.more_numbers + (kind.colored ? 4 : 0); ++k) file.take<float>();
     soup.add_point(point, 0, where);
   }
   for (std::int32_t i = 0; i < faces; ++i) {
@@ -99,17 +141,14 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name, std::si
     const std::int32_t components = count("components of a colour", 4);
     if (components > 4)
       throw InputError(where(), fmt::format("a colour of {} components", components), "a colour is r g b or r g b a");
-    std::array<std::uint8_t, 4> channels{};
-    for (std::int32_t k = 0; k < components; ++k) {
-      const double value = file.take<float>();
-      if (!(value >= 0 && value <= 1))
-        throw InputError(where(), "a colour's number is out of range", "use fractions of 0 to 1");
-      channels[k] = nearest_byte(255 * value);
-    }
-    if (components >= 3) color = Color{channels[0], channels[1], channels[2]};
+    std::array<double, 4> values{};
+    for (std::int32_t k = 0; k < components; ++k) values[k] = file.take<float>();
+    if (components >= 3) color = soup.color_of(255.0 * glm::dvec3(values[0], values[1], values[2]), where);
+    if (components == 4 && values[3] != 1) soup.losses.opacities.add(where);
+    if (components == 1) map_indices.add(where);
     soup.close_outline(0, color, where);
   }
-  return soup;
+  return finished(std::move(soup), map_indices, name);
 }
 
 }  // namespace
@@ -118,13 +157,14 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
   Tokens file(bytes, name, Tokens::Comments::hash);
   const auto where = [&] { return file.where(); };
   PolygonSoup soup;
+  PassedOver map_indices;
 
   std::string_view token = file.next();
   Kind kind;
   if (const auto known = kind_of_keyword(token)) {
     kind = *known;
     token = kind.rest.empty() ? file.next() : kind.rest;
-    if (token == "BINARY") {
+    if (lower_case(token) == "binary") {
       // The numbers begin after the line's end, be it LF or CR LF.
       const std::size_t end = bytes.find('\n', bytes.size() - file.bytes_left());
       if (end == std::string_view::npos)
@@ -132,9 +172,9 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
       return read_binary(bytes, name, end + 1, kind);
     }
   } else if (!parse_integer(token)) {  // the keyword may be missing altogether
-    if (token.find("OFF") != std::string_view::npos)
+    if (lower_case(token).find("off") != std::string::npos)
       file.fail(fmt::format("{} is not read", in_quotes(token)),
-                "only OFF in three dimensions is, with the prefixes ST, C and N");
+                "only OFF in three dimensions is, with the prefixes ST, C, N and 4, each once");
     file.fail(fmt::format("{} is not the beginning of an OFF file", in_quotes(token)), "begin with OFF");
   }
 
@@ -149,13 +189,20 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
                           declared_faces, left - 1),
               "correct the counts, or get the file again if it was cut short");
 
+  const bool more_follow =
+      kind.colored || kind.more_numbers > 0 || colors_follow(file, kind, declared_points + declared_faces);
   for (std::int64_t i = 0; i < declared_points; ++i) {
     glm::dvec3 point;
-    point.x = file.coordinate(file.next(), "x of a vertex");
+    point.x = file.coordinate_or_nan(file.next(), "x of a vertex");
     const std::int32_t line = file.line();
-    point.y = file.coordinate(file.next(), "y of a vertex");
-    point.z = file.coordinate(file.next(), "z of a vertex");
-    if (kind.extra_numbers > 0) file.rest_of_line();
+    point.y = file.coordinate_or_nan(file.next(), "y of a vertex");
+    point.z = file.coordinate_or_nan(file.next(), "z of a vertex");
+    if (kind.homogeneous) point = divided(point, file.coordinate_or_nan(file.next(), "w of a vertex"), where());
+    if (more_follow) {
+      int numbers = 0;
+      while (!file.next_in_line().empty()) ++numbers;
+      if (numbers >= kind.more_numbers + 3) soup.losses.vertex_colors.add(where);
+    }
     soup.add_point(point, line, where);
   }
   for (std::int64_t i = 0; i < declared_faces; ++i) {
@@ -175,12 +222,13 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
                   fmt::format("the indices are 0 to {}", declared_points - 1));
       soup.add_corner(*index, where);
     }
-    soup.close_outline(line, face_color(file), where);
+    const auto color = face_color(file, soup, map_indices);
+    soup.close_outline(line, color, where);
   }
   if (const std::string_view more = file.next(); !more.empty())
     file.fail(fmt::format("{} follows after the last face", in_quotes(more)),
               "correct the counts in the head of the file");
-  return soup;
+  return finished(std::move(soup), map_indices, name);
 }
 
 }  // namespace zstep::scene

@@ -16,14 +16,16 @@
 #include "traces/error.hpp"
 #include "algorithms/scene/files/bytes.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
-#include "traces/math/whole.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::scene {
 
 // The head of a PLY file: which elements follow, and what each is made of.
 
+// Keywords and names in capitals are the same in small letters.
+
 struct PlyProperty {
-  enum class Type : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+  enum class Type : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
   std::string name;
   Type type = Type::float32;
   bool list = false;
@@ -41,6 +43,7 @@ struct PlyHeader {
   enum class Encoding : std::uint8_t { ascii, little_endian, big_endian };
   Encoding encoding = Encoding::ascii;
   std::vector<PlyElement> elements;
+  PassedOver textures;     ///< that comments name
   std::size_t size = 0;    ///< bytes of the head: the data begin here
   std::int32_t lines = 0;  ///< lines of the head
 };
@@ -56,7 +59,7 @@ namespace {
 using Type = PlyProperty::Type;
 
 std::optional<Type> type_of(std::string_view word) {
-  constexpr std::array<std::pair<std::string_view, Type>, 16> names{{{"char", Type::int8},
+  constexpr std::array<std::pair<std::string_view, Type>, 18> names{{{"char", Type::int8},
                                                                      {"uchar", Type::uint8},
                                                                      {"short", Type::int16},
                                                                      {"ushort", Type::uint16},
@@ -70,10 +73,12 @@ std::optional<Type> type_of(std::string_view word) {
                                                                      {"uint16", Type::uint16},
                                                                      {"int32", Type::int32},
                                                                      {"uint32", Type::uint32},
+                                                                     {"int64", Type::int64},
+                                                                     {"uint64", Type::uint64},
                                                                      {"float32", Type::float32},
                                                                      {"float64", Type::float64}}};
   for (const auto& [text, type] : names)
-    if (text == word) return type;
+    if (same_word(word, text)) return type;
   return std::nullopt;
 }
 
@@ -81,22 +86,20 @@ Type checked_type(Tokens& file, std::string_view word) {
   const auto type = type_of(word);
   if (!type)
     file.fail(fmt::format("{} is not a type that a property can have", in_quotes(word)),
-              "use char, uchar, short, ushort, int, uint, float or double");
+              "use char, uchar, short, ushort, int, uint, float, double, or int8 to uint64");
   return *type;
 }
 
 PlyProperty read_property(Tokens& file) {
   PlyProperty property;
   std::string_view word = file.next_in_line();
-  if (word == "list") {
+  if (same_word(word, "list")) {
     property.list = true;
     property.count_type = checked_type(file, file.next_in_line());
-    if (property.count_type == Type::float32 || property.count_type == Type::float64)
-      file.fail("a list is counted by a fraction", "count it by uchar or int");
     word = file.next_in_line();
   }
   property.type = checked_type(file, word);
-  property.name = std::string(file.next_in_line());
+  property.name = lower_case(file.next_in_line());
   if (property.name.empty()) file.fail("a property has no name", "write: property TYPE NAME");
   return property;
 }
@@ -112,23 +115,25 @@ std::size_t least_size(const PlyElement& element, PlyHeader::Encoding encoding) 
 }  // namespace
 
 std::size_t ply_size(PlyProperty::Type type) {
-  constexpr ByEnum<PlyProperty::Type, std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
+  constexpr ByEnum<PlyProperty::Type, std::size_t, 10> sizes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   return sizes[type];
 }
 
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
   Tokens file(bytes, name, Tokens::Comments::none);
-  if (file.next_in_line() != "ply") file.fail("the file does not begin with 'ply'", "is this a PLY file?");
+  if (!same_word(file.next_in_line(), "ply")) file.fail("the file does not begin with 'ply'", "is this a PLY file?");
   PlyHeader header;
   bool format_known = false;
   constexpr std::size_t most_parts = 64;
   for (;;) {
     if (!file.next_line()) file.fail("the file ends before end_header", "get the file again: it was cut short");
-    const std::string_view word = file.next_in_line();
-    if (word.empty() || word == "comment" || word == "obj_info") continue;
+    const std::string word = lower_case(file.next_in_line());
+    if (word == "comment" && same_word(file.next_in_line(), "texturefile"))
+      header.textures.add([&] { return file.where(); });
+    if (word.empty() || word[0] == '#' || word == "comment" || word == "obj_info") continue;
     if (word == "end_header") break;
     if (word == "format") {
-      const std::string_view encoding = file.next_in_line();
+      const std::string encoding = lower_case(file.next_in_line());
       if (encoding == "ascii") header.encoding = PlyHeader::Encoding::ascii;
       else if (encoding == "binary_little_endian") header.encoding = PlyHeader::Encoding::little_endian;
       else if (encoding == "binary_big_endian") header.encoding = PlyHeader::Encoding::big_endian;
@@ -142,7 +147,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
       if (header.elements.size() == most_parts) file.fail("there are too many elements", "keep vertex and face");
       PlyElement element;
       element.line = file.line();
-      element.name = std::string(file.next_in_line());
+      element.name = lower_case(file.next_in_line());
       element.count =
           file.count(file.next_in_line(), fmt::format("the number of {}", in_quotes(element.name)), INT64_MAX);
       for (const PlyElement& other : header.elements)
@@ -190,10 +195,10 @@ using Type = PlyProperty::Type;
 class AsciiValues {
  public:
   AsciiValues(std::string_view bytes, const std::string& name, const PlyHeader& header)
-      : file_(bytes.substr(header.size), name, Tokens::Comments::none, Tokens::Joining::none, header.lines + 1) {}
+      : file_(bytes.substr(header.size), name, Tokens::Comments::hash, Tokens::Joining::none, header.lines + 1) {}
 
   double next(Type) {
-    const std::string_view token = file_.next();
+    const std::string_view token = next_token();
     if (token.empty()) file_.fail("the file ends before the last element", "get the file again: it was cut short");
     const auto value = parse_number(token);
     if (!value) file_.fail(fmt::format("{} is not a number", in_quotes(token)), "write a decimal number");
@@ -203,12 +208,25 @@ class AsciiValues {
   std::size_t least_bytes(Type) const { return 2; }
   std::int32_t line() const { return file_.line(); }
   std::string where() const { return file_.where(); }
-  void finish() {
-    if (const std::string_view more = file_.next(); !more.empty())
-      file_.fail(fmt::format("{} follows after the last element", in_quotes(more)), "correct the counts in the head");
+  /// What follows after the last element, for a note; nothing where the file ends.
+  std::string rest() {
+    const std::string_view more = next_token();
+    if (more.empty()) return {};
+    return fmt::format(
+        "{}: {} and what follows it, after the last element, is not read; are the counts in the head right?",
+        file_.where(), in_quotes(more));
   }
 
  private:
+  /// Some programs write comments among the data as they stand in a head.
+  std::string_view next_token() {
+    for (;;) {
+      const std::string_view token = file_.next();
+      if (token != "comment" && token != "obj_info") return token;
+      file_.rest_of_line();
+    }
+  }
+
   Tokens file_;
 };
 
@@ -216,7 +234,9 @@ class AsciiValues {
 class BinaryValues {
  public:
   BinaryValues(std::string_view bytes, const std::string& name, const PlyHeader& header)
-      : file_(bytes, name, header.size, header.encoding == PlyHeader::Encoding::big_endian) {}
+      : file_(bytes, name, header.size, header.encoding == PlyHeader::Encoding::big_endian),
+        name_(name),
+        size_(bytes.size()) {}
 
   double next(Type type) {
     switch (type) {
@@ -232,6 +252,10 @@ class BinaryValues {
         return file_.take<std::int32_t>();
       case Type::uint32:
         return file_.take<std::uint32_t>();
+      case Type::int64:
+        return static_cast<double>(file_.take<std::int64_t>());
+      case Type::uint64:
+        return static_cast<double>(file_.take<std::uint64_t>());
       case Type::float32:
         return file_.take<float>();
       case Type::float64:
@@ -243,31 +267,55 @@ class BinaryValues {
   std::size_t least_bytes(Type type) const { return ply_size(type); }
   std::int32_t line() const { return 0; }
   std::string where() const { return file_.where(); }
-  void finish() const {}  // some exporters pad binary files
+  std::string rest() const {
+    if (bytes_left() == 0) return {};
+    return fmt::format("{}:byte {}: {} bytes after the last element are not read", name_, size_ - bytes_left(),
+                       bytes_left());
+  }
 
  private:
   BinaryReader file_;
+  const std::string& name_;
+  std::size_t size_;
 };
 
 /// What a property of a vertex or a face means to us.
-enum class Use : std::uint8_t { none, x, y, z, red, green, blue, corners, strip };
+enum class Use : std::uint8_t { none, x, y, z, red, green, blue, alpha, corners, strip };
+
+Use use_of_name(std::string_view name) {
+  if (name == "red" || name == "diffuse_red" || name == "r") return Use::red;
+  if (name == "green" || name == "diffuse_green" || name == "g") return Use::green;
+  if (name == "blue" || name == "diffuse_blue" || name == "b") return Use::blue;
+  if (name == "alpha" || name == "a") return Use::alpha;
+  return Use::none;
+}
+
+bool is_fraction(Type type) { return type == Type::float32 || type == Type::float64; }
+
+/// The list of an element's vertices: that of the usual names, else its only list of whole numbers, whatever its name.
+const PlyProperty* list_of_vertices(const PlyElement& element) {
+  const PlyProperty* only = nullptr;
+  int lists = 0;
+  for (const PlyProperty& property : element.properties) {
+    if (!property.list) continue;
+    if (property.name == "vertex_indices" || property.name == "vertex_index") return &property;
+    if (!is_fraction(property.type)) only = &property, ++lists;
+  }
+  return lists == 1 ? only : nullptr;
+}
 
 Use use_in(const PlyElement& element, const PlyProperty& property) {
   const std::string_view name = property.name;
-  if (element.name == "vertex" && !property.list) {
+  if (property.list) {
+    if (&property != list_of_vertices(element)) return Use::none;
+    return element.name == "face" ? Use::corners : element.name == "tristrips" ? Use::strip : Use::none;
+  }
+  if (element.name == "vertex") {
     if (name == "x") return Use::x;
     if (name == "y") return Use::y;
     if (name == "z") return Use::z;
   }
-  const bool indices = property.list && (name == "vertex_indices" || name == "vertex_index");
-  if (element.name == "tristrips") return indices ? Use::strip : Use::none;
-  if (element.name == "face") {
-    if (property.list) return indices ? Use::corners : Use::none;
-    if (name == "red" || name == "diffuse_red" || name == "r") return Use::red;
-    if (name == "green" || name == "diffuse_green" || name == "g") return Use::green;
-    if (name == "blue" || name == "diffuse_blue" || name == "b") return Use::blue;
-  }
-  return Use::none;
+  return element.name == "vertex" || element.name == "face" ? use_of_name(name) : Use::none;
 }
 
 bool has(const PlyElement& element, Use use) {
@@ -276,55 +324,84 @@ bool has(const PlyElement& element, Use use) {
   return false;
 }
 
+bool is_colored(const PlyElement& element) {
+  return has(element, Use::red) && has(element, Use::green) && has(element, Use::blue);
+}
+
+bool is_read(const PlyElement& element) {
+  return element.name == "vertex" || element.name == "face" || element.name == "tristrips";
+}
+
 template <class Values>
 class PlyReader {
  public:
   PlyReader(const PlyHeader& header, Values values) : header_(header), values_(std::move(values)) {}
 
-  PolygonSoup read() {
+  PolygonSoup read(const std::string& name) {
+    soup_.losses.textures = header_.textures;
     for (const PlyElement& element : header_.elements)
       if (element.name == "vertex") declared_points_ = element.count;
-    for (const PlyElement& element : header_.elements) {
-      if (element.properties.empty()) continue;  // it takes no bytes, whatever its count
-      std::vector<Use> uses;
-      for (const PlyProperty& property : element.properties) uses.push_back(use_in(element, property));
-      const bool vertex = element.name == "vertex", face = element.name == "face";
-      const bool colored = face && has(element, Use::red) && has(element, Use::green) && has(element, Use::blue);
-      for (std::int64_t i = 0; i < element.count; ++i) {
-        glm::dvec3 point(0), color(0);
-        std::int32_t line = 0;
-        for (std::size_t k = 0; k < uses.size(); ++k) {
-          const PlyProperty& property = element.properties[k];
-          if (property.list) read_list(property, uses[k]);
-          else read_value(property, uses[k], point, color);
-          if (k == 0) line = values_.line();
-        }
-        if (vertex) soup_.add_point(point, line, [&] { return values_.where(); });
-        if (face)
-          soup_.close_outline(line, colored ? std::optional(color_of(color)) : std::nullopt,
-                              [&] { return values_.where(); });
-      }
-    }
-    values_.finish();
-    return std::move(soup_);
+    // What stands behind the last element that is read need not be understood.
+    const auto last = std::find_if(header_.elements.rbegin(), header_.elements.rend(), is_read).base();
+    for (auto element = header_.elements.begin(); element != last; ++element) read_element(*element);
+    if (std::none_of(last, header_.elements.end(), takes_bytes))
+      if (std::string rest = values_.rest(); !rest.empty()) soup_.notes.push_back(std::move(rest));
+    note_unread(name);
+    return finish_soup(std::move(soup_), name);
   }
 
  private:
-  void read_value(const PlyProperty& property, Use use, glm::dvec3& point, glm::dvec3& color) {
+  static bool takes_bytes(const PlyElement& element) { return element.count > 0 && !element.properties.empty(); }
+
+  void note_unread(const std::string& name) {
+    for (const PlyElement& element : header_.elements)
+      if (!is_read(element) && takes_bytes(element))
+        soup_.notes.push_back(fmt::format("{}:{}: {} of element {} are not read", name, element.line, element.count,
+                                          in_quotes(element.name)));
+  }
+
+  void read_element(const PlyElement& element) {
+    if (element.properties.empty()) return;  // it takes no bytes, whatever its count
+    std::vector<Use> uses;
+    for (const PlyProperty& property : element.properties) uses.push_back(use_in(element, property));
+    const bool vertex = element.name == "vertex", face = element.name == "face", colored = is_colored(element);
+    const auto where = [&] { return values_.where(); };
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      glm::dvec3 point(0), color(0);
+      double alpha = 255;
+      std::int32_t line = 0;
+      for (std::size_t k = 0; k < uses.size(); ++k) {
+        const PlyProperty& property = element.properties[k];
+        if (property.list) read_list(property, uses[k]);
+        else read_value(property, uses[k], point, color, alpha);
+        if (k == 0) line = values_.line();
+      }
+      if (vertex) soup_.add_point(point, line, where);
+      if (vertex && colored) soup_.losses.vertex_colors.add(where);
+      if (!face) continue;
+      if (colored && alpha != 255) soup_.losses.opacities.add(where);
+      soup_.close_outline(line, colored ? std::optional(soup_.color_of(color, where)) : std::nullopt, where);
+    }
+  }
+
+  void read_value(const PlyProperty& property, Use use, glm::dvec3& point, glm::dvec3& color, double& alpha) {
     const double value = values_.next(property.type);
-    const bool fraction = property.type == Type::float32 || property.type == Type::float64;
+    const double of_255 = is_fraction(property.type) ? 255 * value : value;
     switch (use) {
       case Use::x:
       case Use::y:
       case Use::z:
-        if (!(std::abs(value) <= largest_coordinate))
+        if (std::isfinite(value) && std::abs(value) > largest_coordinate)
           checked_coordinate(value, values_.where(), fmt::format("{} of a vertex", property.name));
         point[static_cast<int>(use) - static_cast<int>(Use::x)] = value;
         break;
       case Use::red:
       case Use::green:
       case Use::blue:
-        color[static_cast<int>(use) - static_cast<int>(Use::red)] = fraction ? 255 * value : value;
+        color[static_cast<int>(use) - static_cast<int>(Use::red)] = of_255;
+        break;
+      case Use::alpha:
+        alpha = of_255;
         break;
       default:
         break;
@@ -378,14 +455,6 @@ class PlyReader {
     strip = {strip.last, vertex, strip.count + 1};
   }
 
-  Color color_of(glm::dvec3 color) const {
-    for (int i = 0; i < 3; ++i)
-      if (!(color[i] >= 0 && color[i] < 255.5))
-        throw InputError(values_.where(), "a face's colour is out of range",
-                         "use whole numbers of 0 to 255, or fractions of 0 to 1");
-    return {nearest_byte(color.x), nearest_byte(color.y), nearest_byte(color.z)};
-  }
-
   const PlyHeader& header_;
   Values values_;
   PolygonSoup soup_;
@@ -394,22 +463,50 @@ class PlyReader {
 
 }  // namespace
 
+namespace {
+
+std::string property_names(const PlyElement& element) {
+  std::string names;
+  for (const PlyProperty& property : element.properties)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", in_quotes(property.name));
+  return names.empty() ? "none" : names;
+}
+
+/// Throws InputError where an element that is read lacks what it needs, or where faces would have to be made first.
+void check_elements(const PlyHeader& header, const std::string& name) {
+  bool polygons = false;
+  for (const PlyElement& element : header.elements) {
+    const auto refuse = [&](std::string_view what, std::string_view mend) {
+      throw InputError(fmt::format("{}:{}", name, element.line),
+                       fmt::format("{}: the properties are {}", what, property_names(element)), mend);
+    };
+    if (element.count == 0 || !is_read(element)) continue;
+    if (element.name == "vertex") {
+      if (!(has(element, Use::x) && has(element, Use::y) && has(element, Use::z)))
+        refuse("the vertices lack x, y or z", "give all three as properties of element vertex");
+      continue;
+    }
+    polygons = true;
+    if (list_of_vertices(element) != nullptr) continue;
+    if (element.name == "face")
+      refuse("the faces have no list vertex_indices", "add: property list uchar int vertex_indices");
+    refuse("the triangle strips have no list vertex_indices", "add: property list int int vertex_indices");
+  }
+  for (const PlyElement& element : header.elements)
+    if (!polygons && element.count > 0 && element.name == "range_grid")
+      throw InputError(fmt::format("{}:{}", name, element.line),
+                       "a range grid of points is not read, and there are no faces",
+                       "make faces of it in a modelling program");
+}
+
+}  // namespace
+
 PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
   const PlyHeader header = read_ply_header(bytes, name);
-  for (const PlyElement& element : header.elements) {
-    if (element.name == "vertex" && element.count > 0 &&
-        !(has(element, Use::x) && has(element, Use::y) && has(element, Use::z)))
-      throw InputError(fmt::format("{}:{}", name, element.line), "the vertices lack x, y or z",
-                       "give all three as properties of element vertex");
-    if (element.name == "face" && element.count > 0 && !has(element, Use::corners))
-      throw InputError(fmt::format("{}:{}", name, element.line), "the faces have no list vertex_indices",
-                       "add: property list uchar int vertex_indices");
-    if (element.name == "tristrips" && element.count > 0 && !has(element, Use::strip))
-      throw InputError(fmt::format("{}:{}", name, element.line), "the triangle strips have no list vertex_indices",
-                       "add: property list int int vertex_indices");
-  }
-  if (header.encoding == PlyHeader::Encoding::ascii) return PlyReader(header, AsciiValues(bytes, name, header)).read();
-  return PlyReader(header, BinaryValues(bytes, name, header)).read();
+  check_elements(header, name);
+  if (header.encoding == PlyHeader::Encoding::ascii)
+    return PlyReader(header, AsciiValues(bytes, name, header)).read(name);
+  return PlyReader(header, BinaryValues(bytes, name, header)).read(name);
 }
 
 }  // namespace zstep::scene

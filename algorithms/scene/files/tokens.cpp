@@ -14,8 +14,6 @@
 
 namespace zstep::scene {
 
-namespace {
-
 bool same_word(std::string_view token, std::string_view word) {
   if (token.size() != word.size()) return false;
   for (std::size_t i = 0; i < token.size(); ++i)
@@ -23,11 +21,22 @@ bool same_word(std::string_view token, std::string_view word) {
   return true;
 }
 
+namespace {
+
 std::optional<double> parse_word(std::string_view word, bool negative) {
   if (same_word(word, "inf") || same_word(word, "infinity"))
     return negative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
-  if (same_word(word, "nan")) return std::numeric_limits<double>::quiet_NaN();
+  if (same_word(word, "nan") || same_word(word, "nan(ind)") || same_word(word, "nan(snan)"))
+    return std::numeric_limits<double>::quiet_NaN();
   return std::nullopt;
+}
+
+/// Whether the # at this place belongs to what Microsoft's library wrote for no finite
+/// number: 1.#IND, 1.#QNAN, 1.#INF00 and, rounded, 1.#J.
+bool is_hash_of_number(std::string_view text, std::size_t at) {
+  constexpr std::string_view first_letters = "IQSJ";
+  return at >= 2 && text[at - 1] == '.' && text[at - 2] == '1' && at + 1 < text.size() &&
+         first_letters.find(text[at + 1]) != std::string_view::npos;
 }
 
 constexpr std::array<double, 23> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
@@ -64,6 +73,7 @@ std::optional<double> parse_number(std::string_view token) {
   }
   if (!any) return std::nullopt;
   if (at < token.size()) {
+    if (token[at] == '#' && is_hash_of_number(token, at)) return std::numeric_limits<double>::quiet_NaN();
     if (lower_case(token[at]) != 'e') return std::nullopt;
     ++at;
     const bool down = at < token.size() && token[at] == '-';
@@ -136,12 +146,16 @@ Tokens::Tokens(std::string_view text, std::string name, Comments comments, Joini
 
 bool Tokens::at_line_end() const { return at_ == text_.size() || ends_line(text_[at_]); }
 
+bool Tokens::at_comment() const {
+  return text_[at_] == '#' && comments_ == Comments::hash && !is_hash_of_number(text_, at_);
+}
+
 void Tokens::skip_blanks() {
   while (at_ < text_.size()) {
     const char c = text_[at_];
     if (is_blank(c)) {
       ++at_;
-    } else if (c == '#' && comments_ == Comments::hash) {
+    } else if (at_comment()) {
       while (!at_line_end()) ++at_;
     } else if (c == '\\' && joining_ == Joining::backslash && at_ + 1 < text_.size() && ends_line(text_[at_ + 1])) {
       ++at_;
@@ -157,7 +171,7 @@ std::string_view Tokens::next_in_line() {
   skip_blanks();
   token_line_ = line_;
   const std::size_t begin = at_;
-  while (!at_line_end() && !is_blank(text_[at_]) && !(text_[at_] == '#' && comments_ == Comments::hash) &&
+  while (!at_line_end() && !is_blank(text_[at_]) && !at_comment() &&
          !(text_[at_] == '\\' && joining_ == Joining::backslash && at_ + 1 < text_.size() && ends_line(text_[at_ + 1])))
     ++at_;
   return text_.substr(begin, at_ - begin);
@@ -175,7 +189,7 @@ std::string_view Tokens::rest_of_line() {
   token_line_ = line_;
   const std::size_t begin = at_;
   std::size_t end = at_;
-  while (!at_line_end() && !(text_[at_] == '#' && comments_ == Comments::hash)) {
+  while (!at_line_end() && !at_comment()) {
     if (!is_blank(text_[at_])) end = at_ + 1;
     ++at_;
   }
@@ -194,12 +208,27 @@ std::string Tokens::where() const { return fmt::format("{}:{}", name_, token_lin
 
 void Tokens::fail(std::string_view what, std::string_view mend) const { throw InputError(where(), what, mend); }
 
-double Tokens::coordinate(std::string_view token, std::string_view what) const {
+double Tokens::number(std::string_view token, std::string_view what) const {
   if (token.empty()) fail(fmt::format("{} is missing", what), "write it as a decimal number");
   const auto value = parse_number(token);
-  if (!value) fail(fmt::format("{} is {}, which is not a number", what, in_quotes(token)), "write a decimal number");
-  if (!(std::abs(*value) <= largest_coordinate)) checked_coordinate(*value, where(), what);
+  if (!value)
+    fail(fmt::format("{} is {}, which is not a number", what, in_quotes(token)),
+         token.find(',') == std::string_view::npos ? "write a decimal number"
+                                                   : "write decimals with a point, and blanks between numbers");
   return *value;
+}
+
+double Tokens::coordinate(std::string_view token, std::string_view what) const {
+  const double value = number(token, what);
+  if (!(std::abs(value) <= largest_coordinate)) checked_coordinate(value, where(), what);
+  return value;
+}
+
+double Tokens::coordinate_or_nan(std::string_view token, std::string_view what) const {
+  const double value = number(token, what);
+  if (!std::isfinite(value)) return std::numeric_limits<double>::quiet_NaN();
+  if (std::abs(value) > largest_coordinate) checked_coordinate(value, where(), what);
+  return value;
 }
 
 std::int64_t Tokens::count(std::string_view token, std::string_view what, std::int64_t most) const {

@@ -11,12 +11,16 @@ namespace zstep::scene {
 
 // Numbers as files write them, read the same under every locale and library.
 
-/// A decimal number ("-1.5", "2e3", ".5"), correctly rounded. "nan" and "inf" in any spelling give themselves; the
-/// caller decides whether it wants them. Nothing if the token is anything else.
+/// A decimal number ("-1.5", "2e3", ".5"), correctly rounded. "nan" and "inf" in any spelling give themselves, also as
+/// Microsoft's library writes them ("-1.#IND", "1.#QNAN", "-nan(ind)"); the caller decides whether it wants them.
+/// Nothing if the token is anything else.
 std::optional<double> parse_number(std::string_view token);
 
 /// A decimal integer with an optional sign; nothing if it is anything else or does not fit.
 std::optional<std::int64_t> parse_integer(std::string_view token);
+
+/// Whether the token is this word, which is in small letters, in small letters or capitals.
+bool same_word(std::string_view token, std::string_view word);
 
 /// A token as an error message shows it: in quotes, shortened, with unprintable bytes replaced.
 std::string in_quotes(std::string_view token);
@@ -26,7 +30,7 @@ inline constexpr double largest_coordinate = 1e30;
 
 class Tokens {
  public:
-  enum class Comments : std::uint8_t { none, hash };  ///< hash: from # to the end of the line
+  enum class Comments : std::uint8_t { none, hash };  ///< hash: from # to the end of the line, but not that of 1.#IND
   enum class Joining : std::uint8_t {
     none,
     backslash
@@ -52,14 +56,19 @@ class Tokens {
   /// Bytes not read yet: what a declared count is held against.
   std::size_t bytes_left() const { return text_.size() - at_; }
 
-  /// A finite coordinate from a token of next_in_line() or next(). `what` names it in the error.
+  /// A number from a token of next_in_line() or next(), finite or not. `what` names it in the error.
+  double number(std::string_view token, std::string_view what) const;
+  /// A finite one that a coordinate may be.
   double coordinate(std::string_view token, std::string_view what) const;
+  /// The same, but what is not finite is nan: finish_soup leaves out what uses it.
+  double coordinate_or_nan(std::string_view token, std::string_view what) const;
   /// A whole number in 0 … `most`.
   std::int64_t count(std::string_view token, std::string_view what, std::int64_t most) const;
   [[noreturn]] void fail(std::string_view what, std::string_view mend) const;
 
  private:
   bool at_line_end() const;
+  bool at_comment() const;
   void skip_blanks();
 
   std::string_view text_;

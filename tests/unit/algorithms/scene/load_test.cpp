@@ -83,11 +83,53 @@ TEST_SUITE("load a scene") {
     CHECK(contains(notes(twice + outwards)[0], "1 polygon is not drawn, having fewer than three different corners"));
     REQUIRE(notes(twice + inwards).size() == 2);
     CHECK(contains(notes(twice + inwards)[1], "clockwise seen from outside"));
+    CHECK(contains(notes(solid + inwards.substr(0, 32))[0], "clockwise seen from outside"));  // also of few polygons
+    CHECK(notes(solid + "f 1 2 3\nf 3 2 1\n").empty());                                       // no volume
     CHECK(notes(twice + outwards.substr(8)).size() == 1);  // open, but of eight polygons only: nobody needs to be told
     const auto loose = notes(twice + outwards + "f 1 2 7\nf 1 2 8\nf 1 2 7\n");
     REQUIRE(loose.size() == 3);
     CHECK(contains(loose[1], "2 polygons are cut loose"));
     CHECK(contains(loose[2], "open at 3 edges"));
+  }
+
+  TEST_CASE("notes: a mirrored mesh is inside out where its file is") {
+    const Folder folder;
+    folder.write("out.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    folder.write("in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+    const auto notes = [&](const std::string& mesh) {
+      return load_scene(folder.write("s.toml", "[[mesh]]\nfile = \"" + mesh + "\"\nscale = [-1, 1, 1]\n")).notes;
+    };
+    CHECK(notes("out.obj").empty());
+    REQUIRE(notes("in.obj").size() == 1);
+    CHECK(contains(notes("in.obj")[0], "clockwise seen from outside"));
+  }
+
+  TEST_CASE("an OBJ's material files are found as programs write their names, in the mesh's folder and below only") {
+    const Folder folder;
+    fs::create_directories(folder.path / "inner/sub");
+    folder.write("secret.mtl", "newmtl r\nKd 0 1 0\n");
+    folder.write("inner/my.mtl", "newmtl r\nKd 1 0 0\n");
+    folder.write("inner/a b.mtl", "newmtl r\nKd 1 1 1\n");
+    folder.write("inner/sub/Deep.mtl", "newmtl r\nKd 0 0 1\n");
+    const auto color_by = [&](const std::string& name) {
+      const std::string mesh = "mtllib " + name + "\nusemtl r\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+      return load_scene(folder.write("inner/m.obj", mesh)).scene.polygons[0].color;
+    };
+    for (const char* name : {"my.mtl", "./my.mtl", "\"my.mtl\"", "My.MTL", ".\\my.mtl", "C:\\models\\my.mtl",
+                             "/home/who/my.mtl", "other/my.mtl", "sub/../my.mtl", "none.mtl my.mtl"})
+      CHECK_MESSAGE((color_by(name) == Color{255, 0, 0}), name);
+    for (const char* name : {"sub/Deep.mtl", "SUB\\deep.mtl"})
+      CHECK_MESSAGE((color_by(name) == Color{0, 0, 255}), name);
+    for (const char* name : {"a b.mtl", "\"a b.mtl\""}) CHECK_MESSAGE((color_by(name) == Color{255, 255, 255}), name);
+    // Neither a name nor a link leads out of the folder.
+    std::error_code error;
+    fs::create_directory_symlink(folder.path, folder.path / "inner/link", error);
+    for (const std::string& name : {std::string("link/secret.mtl"), std::string("../secret.mtl"),
+                                    std::string("sub/../../secret.mtl"), (folder.path / "secret.mtl").string()})
+      CHECK_MESSAGE(color_by(name) == scene::palette[0], name);
+    folder.write("inner/bad.mtl", "newmtl r\nKd 1 x 0\n");
+    const std::string bad = folder.write("inner/bad.obj", "mtllib BAD.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    CHECK(contains(load_scene(bad).notes.at(0), "bad.mtl:2: green of Kd is 'x', which is not a number"));
   }
 
   TEST_CASE("a scene file and meshes relative to it") {
@@ -110,6 +152,8 @@ TEST_SUITE("load a scene") {
     CHECK(contains(error_of("mesh.3ds"), "there is no such scene; name a .toml, .obj, .off, .ply or .stl file"));
     CHECK(contains(error_of(folder.write("empty.obj", "v 0 0 0\n")), "the mesh has no polygons"));
     CHECK(contains(error_of(folder.write("empty.toml", "")), "the scene has no polygons"));
+    CHECK(
+        contains(error_of(folder.write("m.glb", "glTF")), "a file of this kind is not read as a scene; name a .toml"));
     const std::string device = folder.write("device.toml", "[[mesh]]\nfile = \"zero.obj\"\n");
     std::error_code error;
     fs::create_symlink("/dev/zero", folder.path / "zero.obj", error);

@@ -82,9 +82,10 @@ TEST_SUITE("mesh readers") {
   }
 
   TEST_CASE("OBJ: negative indices, texture indices, materials of the same folder, joined lines") {
-    const auto materials = [](const std::string& file) -> std::optional<std::string> {
+    const auto materials = [](std::string_view file) -> std::optional<MaterialFile> {
       if (file != "paint.mtl") return std::nullopt;
-      return "newmtl red paint\nKa 0 0 0\nKd 1 0.25 0\n# x\nnewmtl blue\nKd 0 0 1\nillum 2\n";
+      return MaterialFile{"paint.mtl",
+                          "newmtl red paint\nKa 0 0 0\nKd 1 0.25 0\n# x\nnewmtl blue\nKd 0 0 1\nillum 2\n"};
     };
     for (const char* end : {"\n", "\r\n", "\r"}) {
       const PolygonSoup soup = read_obj(with_line_ends(pyramid_obj, end), "pyramid.obj", materials);
@@ -136,7 +137,7 @@ TEST_SUITE("mesh readers") {
         read_mesh_bytes(MeshFormat::obj, mesh + "cstype bezier\nsurf 0 1 0 1 1 2\nend\n", "t.obj");
     CHECK(curves.outlines.size() == 1);
     CHECK(curves.notes ==
-          std::vector<std::string>{"t.obj:6: 1 free-form curves and surfaces (curv, curv2, surf) are left out"});
+          std::vector<std::string>{"t.obj:6: 1 free-form curve or surface (curv, curv2, surf) is left out"});
   }
 
   TEST_CASE("PLY: triangle strips become triangles that all turn the same way") {
