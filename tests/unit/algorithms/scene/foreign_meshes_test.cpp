@@ -150,7 +150,7 @@ TEST_SUITE("meshes of other programs") {
     for (const std::string& text :
          {"solid a\n" + facet("end loop", "end facet") + "end solid a\n", "solid a\n" + facet() + "endsolida\n",
           "solid a\n" + facet() + "ENDSOLID_a b\n", "solid\nsolid a\n" + facet() + "endsolid\n",
-          "solid a\nsolid a\n" + facet() + "endsolid a\nendsolid a\n",
+          "solid a\nsolid a\n" + facet() + "endsolid a\nend solid a\n",
           "Solid a\n" + facet() + "end solid\nsolid b\nendsolid b\n"}) {
       const PolygonSoup soup = read_stl(text, "t");
       CHECK_MESSAGE(soup.outlines.size() == 1, text);
