@@ -201,6 +201,10 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
     if (more_follow) {
       int numbers = 0;
       while (!file.next_in_line().empty()) ++numbers;
+      const bool announced = kind.colored || kind.more_numbers > 0;
+      if (!announced && numbers != 0 && numbers != 3 && numbers != 4)
+        file.fail(fmt::format("after x, y and z of a vertex stand {} more numbers", numbers),
+                  "a colour is r g b or r g b a; put 4 before OFF for a weight, N for a normal, ST for a texture");
       if (numbers >= kind.more_numbers + 3) soup.losses.vertex_colors.add(where);
     }
     soup.add_point(point, line, where);

@@ -144,7 +144,7 @@ class AsciiReader {
   PolygonSoup read() {
     std::string_view word = file_.next();
     while (!word.empty()) {
-      const bool one_more_end = begins_with(word, "endsolid") && !soup_.outlines.empty();
+      const bool one_more_end = !soup_.outlines.empty() && (begins_with(word, "endsolid") || same_word(word, "end"));
       if (!one_more_end && !same_word(word, "solid")) unexpected(word, "solid");
       if (one_more_end) file_.rest_of_line();
       word = one_more_end ? file_.next() : solid();

@@ -126,6 +126,8 @@ TEST_SUITE("meshes of other programs") {
         CHECK(soup.points[2] == glm::dvec3(0, 1, 0));
         CHECK(contains(note_of(soup), "t:3: 3 vertices have colours; only colours of faces are drawn"));
       }
+    CHECK(
+        contains(error_of(MeshFormat::off, "OFF\n1 0 0\n0 0 0 1\n"), "t:3: after x, y and z of a vertex stand 1 more"));
     // Several vertices in a line are none with colours.
     for (const char* text : {"OFF\n3 1 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 2\n", "OFF\n3 1 0 0 0 0\n1 0 0 0 1 0\n3 0 1 2\n",
                              "OFF 3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n"}) {
@@ -150,7 +152,7 @@ TEST_SUITE("meshes of other programs") {
     for (const std::string& text :
          {"solid a\n" + facet("end loop", "end facet") + "end solid a\n", "solid a\n" + facet() + "endsolida\n",
           "solid a\n" + facet() + "ENDSOLID_a b\n", "solid\nsolid a\n" + facet() + "endsolid\n",
-          "solid a\nsolid a\n" + facet() + "endsolid a\nendsolid a\n",
+          "solid a\nsolid a\n" + facet() + "endsolid a\nend solid a\n",
           "Solid a\n" + facet() + "end solid\nsolid b\nendsolid b\n"}) {
       const PolygonSoup soup = read_stl(text, "t");
       CHECK_MESSAGE(soup.outlines.size() == 1, text);
