@@ -309,7 +309,7 @@ TEST_SUITE("meshes of other programs") {
     CHECK(note_of(read_ply(unknown, "t")) == "t:9: 1 of element 'label' are not read");
   }
 
-  TEST_CASE("PLY: colours of vertices and alpha and textures have a note; a colour out of range is clamped") {
+  TEST_CASE("PLY: colours of vertices, alpha and textures have a note, and a colour out of range is clamped") {
     const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     std::string vertices =
         "ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement vertex 3\nproperty float x\n"
