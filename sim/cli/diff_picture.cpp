@@ -212,7 +212,7 @@ int diff_of_picture(const DiffOptions& options) {
   const Given given = scene_beside(options);
   Table table = read_table(options.a);
   const Raster& raster = given.scene.raster;
-  check_sizes(raster.width, raster.height, table.width, table.height, options.b);
+  check_sizes(table.width, table.height, raster.width, raster.height, options.b);
   const double roundoff = table.float32 || table.numbers.empty() ? 0x1p-24 : 0x1p-53;
   const mistakes::Seen seen = seen_in(table);
   const std::vector<mistakes::OtherLikeness> otherwise =

@@ -219,7 +219,7 @@ TEST_CASE("diff: a picture is held against its scene, by colours, by numbers of 
   CHECK(run(folder, "diff a.png cyclic --theta 40").code == 1);
   const Outcome sizes = run(folder, "diff a.png cyclic --size 16x16");
   CHECK(sizes.code == 2);
-  CHECK(has(sizes.err, "cyclic: is 32x32 pixels, but A is 16x16"));
+  CHECK(has(sizes.err, "cyclic: is 16x16 pixels, but A is 32x32"));
 }
 
 TEST_CASE("diff: another convention that explains a picture is named, and no mistake then") {
