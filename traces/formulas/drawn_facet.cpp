@@ -77,7 +77,7 @@ int bits_of_coordinates(std::span<const double> coordinates) {
 }
 
 /// How far planes through three corners of an outline move at another one where those three are off by 1: through two
-/// neighbours and a third, as whoever cuts it into triangles, or takes one plane for all of it, may choose them.
+/// neighbours and a third: a program that cuts it into triangles, or takes one plane for all of it, may choose them.
 double reach_of_planes(std::span<const DrawnCorner> outline) {
   constexpr double least = 3;
   constexpr std::size_t most_corners = 32;  // the cube of more takes too long

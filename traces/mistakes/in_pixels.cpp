@@ -138,7 +138,7 @@ class Explains {
       if (turn.facet >= 0 && static_cast<std::size_t>(turn.facet) < begun.size()) begun[turn.facet] = true;
       if (!pixels_are_right(turn)) return false;
     }
-    // Of what is not known nothing is explained.
+    // Where most depths are unknown, nothing is explained.
     if (10 * known_ < 9 * std::ssize(pixels_.asked) || !no_facet_is_missing(begun)) return false;
     // A number that separates the weights inside from those outside, and that is not 0.
     constexpr double nothing = 1e-6;
