@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/half_planes.hpp"
 #include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/lesson.hpp"
 #include "sim/viewer/panes/sweep.hpp"
@@ -44,6 +45,7 @@ void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const
   paint_raster(canvas, map, cells.made.colors,
                {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)},
                cells.made.counts.empty() ? nullptr : &cells.made.counts);
+  paint_half_planes(canvas, map, now, c, thin);
   draw_geometry(canvas, map, now, lit, c, thin);
   const int line = nearest_int(thin);
   const int x0 = map.column_begin(0) - line, x1 = map.column_begin(map.width) + line - 1;
@@ -299,8 +301,10 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   }
   ImGui::PushClipRect(origin, end, true);
   const auto ends = span_ends(ui, map, origin);
-  if (!draw_numbers(ui, map, origin, cells.made, cell_text) && talk.polygons)
-    draw_labels(ui, map, origin, ends ? ends->taken() : TakenPlaces());
+  TakenPlaces taken = ends ? ends->taken() : TakenPlaces();
+  const bool has_numbers = draw_numbers(ui, map, origin, cells.made, cell_text);
+  if (!has_numbers) label_half_planes(ui, map, origin, taken);
+  if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(taken));
   draw_marks(ui, map, origin);
   if (ui.asks && s.marks_cells()) draw_hand_marks(ui, map, origin);
   ImGui::PopClipRect();

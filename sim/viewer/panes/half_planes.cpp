@@ -1,0 +1,167 @@
+#include "sim/viewer/panes/half_planes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "traces/formulas/half_space.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr double smallest_cell = 5;
+
+/// The triangle at work, where its parts can be told apart.
+const TriangleWork* at_work(const State& state, const RasterMap& map) {
+  const TriangleWork& triangle = state.machine.triangle;
+  return triangle.setup && map.cell >= smallest_cell ? &triangle : nullptr;
+}
+
+struct Line {
+  glm::dvec2 from, to;  ///< on the raster
+};
+/// The part of an edge's line within the box, where its vertices are known.
+std::optional<Line> within_box(const TriangleSetup& box, glm::dvec2 from, glm::dvec2 to) {
+  const glm::dvec2 way = to - from, low(box.first_column - 0.5, box.first_row - 0.5),
+                   high(box.end_column - 0.5, box.end_row - 0.5);
+  double least = -std::numeric_limits<double>::infinity(), most = -least;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (way[axis] == 0) {
+      if (from[axis] < low[axis] || from[axis] > high[axis]) return std::nullopt;
+      continue;
+    }
+    const double one = (low[axis] - from[axis]) / way[axis], other = (high[axis] - from[axis]) / way[axis];
+    least = std::max(least, std::min(one, other)), most = std::min(most, std::max(one, other));
+  }
+  if (!(least < most)) return std::nullopt;
+  return Line{from + least * way, from + most * way};
+}
+
+bool is_inside(const EdgeFunction& edge, std::int32_t x, std::int32_t y) {
+  return formulas::is_on_side(edge.edge_a * x + edge.edge_b * y + edge.edge_c, edge.owns);
+}
+
+class Painter {
+ public:
+  Painter(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin)
+      : canvas_(canvas), map_(map), now_(now), c_(c), thin_(thin) {}
+
+  void paint(const TriangleWork& triangle) {
+    const TriangleSetup& box = *triangle.setup;
+    if (!triangle.edges.empty()) strike_out(box, triangle.edges);
+    frame(box.first_column, box.first_row, box.end_column, box.end_row, 1.5, to_pixel(c_.text));
+    for (const EdgeFunction& edge : triangle.edges) line(box, edge);
+    if (triangle.tile) {
+      const TileTest& tile = *triangle.tile;
+      frame(tile.first_column, tile.first_row, tile.end_column, tile.end_row, 3, to_pixel(c_.now));
+    }
+    if (triangle.weights) areas(box, *triangle.weights);
+  }
+
+ private:
+  /// A stroke through each pixel of the box that is on the wrong side of an edge.
+  void strike_out(const TriangleSetup& box, const std::vector<EdgeFunction>& edges) {
+    for (std::int32_t y = std::max(0, box.first_row); y < std::min(map_.height, box.end_row); ++y)
+      for (std::int32_t x = std::max(0, box.first_column); x < std::min(map_.width, box.end_column); ++x) {
+        if (std::all_of(edges.begin(), edges.end(), [&](const EdgeFunction& e) { return is_inside(e, x, y); }))
+          continue;
+        const double reach = 0.28 * map_.cell, at_x = map_.px(x), at_y = map_.py(y);
+        if (at_x < -map_.cell || at_y < -map_.cell || at_x > canvas_.width() + map_.cell ||
+            at_y > canvas_.height() + map_.cell)
+          continue;
+        canvas_.line(at_x - reach, at_y + reach, at_x + reach, at_y - reach, 1.2 * thin_, to_pixel(c_.muted), 170);
+      }
+  }
+  void frame(std::int32_t left, std::int32_t first, std::int32_t right, std::int32_t end, double thick, Pixel32 color) {
+    const double x_0 = map_.px(left - 0.5), x_1 = map_.px(right - 0.5), y_0 = map_.py(first - 0.5),
+                 y_1 = map_.py(end - 0.5);
+    for (const auto& [a, b, p, q] : {std::array{x_0, y_0, x_1, y_0}, std::array{x_1, y_0, x_1, y_1},
+                                     std::array{x_1, y_1, x_0, y_1}, std::array{x_0, y_1, x_0, y_0}}) {
+      canvas_.line(a, b, p, q, (thick + 2) * thin_, to_pixel(c_.pane), 200);
+      canvas_.line(a, b, p, q, thick * thin_, color);
+    }
+  }
+  /// The edge's line through the box, with strokes to its positive side.
+  void line(const TriangleSetup& box, const EdgeFunction& edge) {
+    const auto from = on_raster(now_.scene(), now_.state(), edge.vertex_0),
+               to = on_raster(now_.scene(), now_.state(), edge.vertex_1);
+    if (!from || !to) return;
+    const auto part = within_box(box, {from->x, from->y}, {to->x, to->y});
+    if (!part) return;
+    const RecordedEvent* event = now_.event();
+    const EdgeFunction* set_up = event ? get_if<EdgeFunction>(&event->event) : nullptr;
+    const bool is_new = set_up && set_up->edge_function == edge.edge_function;
+    const Pixel32 color = to_pixel(is_new ? c_.now : c_.text);
+    const glm::dvec2 a(map_.px(part->from.x), map_.py(part->from.y)), b(map_.px(part->to.x), map_.py(part->to.y));
+    canvas_.line(a.x, a.y, b.x, b.y, (is_new ? 5 : 4) * thin_, to_pixel(c_.pane), 200);
+    canvas_.line(a.x, a.y, b.x, b.y, (is_new ? 2.5 : 1.5) * thin_, color);
+    const glm::dvec2 inward(edge.edge_a, map_.y_up ? -edge.edge_b : edge.edge_b);
+    const double length = glm::length(b - a), size = glm::length(inward), apart = std::max(1.5 * map_.cell, 12 * thin_);
+    if (!(size > 0) || !(length > 0)) return;
+    const glm::dvec2 stroke = inward / size * std::min(0.45 * map_.cell, 10 * thin_);
+    for (double at = apart / 2; at < length; at += apart) {
+      const glm::dvec2 foot = a + (b - a) * (at / length), tip = foot + stroke;
+      canvas_.line(foot.x, foot.y, tip.x, tip.y, (is_new ? 2.5 : 1.5) * thin_, color);
+    }
+  }
+  /// From the pixel's centre to the vertices: the three triangles whose areas are the weights.
+  void areas(const TriangleSetup& box, const BarycentricWeights& at) {
+    for (const std::int32_t vertex : {box.vertex_0, box.vertex_1, box.vertex_2})
+      if (const auto to = on_raster(now_.scene(), now_.state(), vertex)) {
+        const double x = map_.px(to->x), y = map_.py(to->y);
+        canvas_.line(map_.px(at.x), map_.py(at.y), x, y, 4 * thin_, to_pixel(c_.pane), 200);
+        canvas_.line(map_.px(at.x), map_.py(at.y), x, y, 2 * thin_, to_pixel(c_.now));
+      }
+  }
+
+  Canvas& canvas_;
+  const RasterMap& map_;
+  const Moment& now_;
+  const Theme& c_;
+  double thin_;
+};
+
+}  // namespace
+
+void paint_half_planes(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin) {
+  if (const TriangleWork* triangle = at_work(now.state(), map)) Painter(canvas, map, now, c, thin).paint(*triangle);
+}
+
+void label_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces& taken) {
+  const State& state = ui.session.state();
+  const TriangleWork* triangle = at_work(state, map);
+  if (!triangle) return;
+  constexpr std::array names{"E\u2080", "E\u2081", "E\u2082"};
+  const ImFont* font = ui.fonts.bold;
+  const float rim = std::round(2 * ui.thin);
+  for (const EdgeFunction& edge : triangle->edges) {
+    if (edge.edge_function < 0 || edge.edge_function > 2) continue;
+    const auto from = on_raster(ui.session.scene(), state, edge.vertex_0),
+               to = on_raster(ui.session.scene(), state, edge.vertex_1);
+    if (!from || !to) continue;
+    const std::string name = names[static_cast<std::size_t>(edge.edge_function)];
+    const ImVec2 size = text_size(ui, font, name);
+    const glm::dvec2 inward(edge.edge_a, map.y_up ? -edge.edge_b : edge.edge_b);
+    if (!(glm::length(inward) > 0)) continue;
+    // Outside the triangle, beside the middle of the edge, or nearer to one of its ends.
+    const glm::dvec2 beside = -glm::normalize(inward) * (0.75 * font->FontSize + 2.0 * rim);
+    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
+      const ImVec2 at = moved_by(origin, map.px(from->x + share * (to->x - from->x)) + beside.x - size.x / 2,
+                                 map.py(from->y + share * (to->y - from->y)) + beside.y - size.y / 2);
+      const ImVec2 low{at.x - rim, at.y}, whole{size.x + 2 * rim, size.y};
+      const bool is_shown = low.x >= origin.x && low.y >= origin.y &&
+                            low.x + whole.x <= origin.x + to_float(map.box_width) &&
+                            low.y + whole.y <= origin.y + to_float(map.box_height);
+      if (!is_shown || !taken.free(low, whole)) continue;
+      taken.take(low, whole);
+      ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + whole.x, low.y + whole.y}, ui.colors().pane);
+      draw_text(ui, at, font, ui.colors().text, name);
+      break;
+    }
+  }
+}
+
+}  // namespace zstep::viewer
