@@ -41,13 +41,15 @@ struct Conventions {
     plane_increments,  ///< by adding those, from pixel to pixel and from line to line (004)
   };
   enum class Coverage : std::uint8_t {
-    top_left,    ///< centres inside; of those on an edge, the left and the upper ones
-    inclusive,   ///< the textbook's `for x = x_L to x_R`, and the last scan line too
-    round,       ///< round(x_L) … round(x_R)
-    ceil_floor,  ///< ceil(x_L) … floor(x_R)
+    top_left,         ///< centres inside; of those on an edge, the left and the upper ones
+    inclusive,        ///< the textbook's `for x = x_L to x_R`, and the last scan line too
+    round,            ///< round(x_L) … round(x_R)
+    ceil_floor,       ///< ceil(x_L) … floor(x_R)
+    round_half_open,  ///< round(x_L) … round(x_R) - 1
   };
-  enum class Rounding : std::uint8_t { nearest, down };    ///< of fixed-point quotients
-  enum class Positions : std::uint8_t { exact, integer };  ///< of vertices on the raster: as they are, or whole pixels
+  enum class Rounding : std::uint8_t { nearest, down };  ///< of fixed-point quotients
+  /// Of vertices on the raster: as they are, or at the nearest whole pixel, or 256th of one, as GPUs have it.
+  enum class Positions : std::uint8_t { exact, integer, subpixels };
   /// How an attribute of the vertices goes over a polygon, and shades it: x_w, as a texture coordinate.
   enum class Attribute : std::uint8_t {
     none,         ///< polygons have one colour
@@ -76,15 +78,15 @@ template <>
 inline constexpr std::array<std::string_view, 4> words_of<Conventions::Interpolation>{"direct", "increments", "plane",
                                                                                       "plane_increments"};
 template <>
-inline constexpr std::array<std::string_view, 4> words_of<Conventions::Coverage>{"top_left", "inclusive", "round",
-                                                                                 "ceil_floor"};
+inline constexpr std::array<std::string_view, 5> words_of<Conventions::Coverage>{"top_left", "inclusive", "round",
+                                                                                 "ceil_floor", "round_half_open"};
 template <>
 inline constexpr std::array<std::string_view, 7> words_of<NumberFormat>{"float64", "float32", "fixed16", "fixed18",
                                                                         "fixed20", "fixed24", "fixed32"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<Conventions::Rounding>{"nearest", "down"};
 template <>
-inline constexpr std::array<std::string_view, 2> words_of<Conventions::Positions>{"exact", "integer"};
+inline constexpr std::array<std::string_view, 3> words_of<Conventions::Positions>{"exact", "integer", "subpixels"};
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Conventions::Attribute>{"none", "linear", "perspective"};
 
@@ -113,6 +115,12 @@ struct ConventionChoices {
     });
   }
 };
+
+/// The parts of a pixel at which vertices lie; 0 where they lie anywhere.
+constexpr int parts_of_pixel(Conventions::Positions positions) {
+  constexpr ByEnum<Conventions::Positions, int, 3> parts{0, 1, 256};
+  return parts[positions];
+}
 
 /// Are x and z computed by adding to what they were?
 inline bool adds_slopes(const Conventions& conventions) {

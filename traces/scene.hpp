@@ -185,7 +185,7 @@ struct Fit {
 
 struct Raster {
   std::int32_t width = 64, height = 64;
-  bool y_up = false;  ///< rows are drawn with row 0 at the bottom, as textbooks do (screen scenes only)
+  bool y_up = false;  ///< row 0 is at the bottom, as textbooks and OpenGL have it
   bool operator==(const Raster&) const = default;
 };
 

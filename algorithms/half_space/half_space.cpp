@@ -324,7 +324,7 @@ Picture draw(const Scene& scene, const Conventions& conventions, R& record) {
   record(z_buffer::step::clear, BuffersClear{farthest});
 
   viewing::Lens lens(scene.camera, raster, conventions.depth);
-  lens.whole_pixels = conventions.positions == Conventions::Positions::integer;
+  lens.positions = conventions.positions;
   viewing::Vertices vertices = viewing::view_vertices(scene, lens, record);
 
   clipping::Outline outline;

@@ -218,7 +218,7 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
   record(z_buffer::step::clear, BuffersClear{ways.farthest()});
 
   viewing::Lens lens(scene.camera, raster, conventions.depth);
-  lens.whole_pixels = conventions.positions == Conventions::Positions::integer;
+  lens.positions = conventions.positions;
   viewing::Vertices vertices = viewing::view_vertices(scene, lens, record);
 
   clipping::Outline outline;
@@ -364,8 +364,9 @@ void check(const Scene& scene, const Conventions& c) {
   if (c.depth != pseudodepth && kind == Camera::Kind::screen)
     throw InputError(depth, "needs a camera, and this scene's points are on the screen already",
                      "take a scene with a camera; 'zstep list scenes' says which have one");
-  if (c.positions == Conventions::Positions::integer && kind == Camera::Kind::screen)
-    throw InputError("--positions integer", "needs a camera, and this scene's points are on the screen already",
+  if (c.positions != Conventions::Positions::exact && kind == Camera::Kind::screen)
+    throw InputError("--positions " + std::string(word_of(c.positions)),
+                     "needs a camera, and this scene's points are on the screen already",
                      "take a scene with a camera; 'zstep list scenes' says which have one");
   if (c.attribute == Conventions::Attribute::perspective && kind != Camera::Kind::perspective)
     throw InputError("--attribute perspective",

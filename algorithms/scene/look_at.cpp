@@ -32,6 +32,7 @@ double positive(double value, std::string_view option) {
 void apply_raster(Raster& raster, const ViewOptions& options) {
   raster.width = options.width.value_or(raster.width);
   raster.height = options.height.value_or(raster.height);
+  raster.y_up = options.y_up.value_or(raster.y_up);
   if (raster.width < 1 || raster.height < 1 || raster.width > largest_side || raster.height > largest_side ||
       std::int64_t{raster.width} * raster.height > most_pixels)
     throw InputError("--size", fmt::format("{}x{} is no size of a raster", raster.width, raster.height),
@@ -176,6 +177,9 @@ Scene look_at_scene(Scene scene, const ViewOptions& options) {
     camera.polar = false;
     return scene;
   }
+  if (scene.surface && scene.raster.y_up)
+    throw InputError(options.y_up ? "--y-axis" : scene.name, "the rows of a surface's picture go down",
+                     "horizons are held against rows; leave y_axis out");
   if (options.fit) fit(scene);
   if (options.orthographic)
     camera.kind = *options.orthographic ? Camera::Kind::orthographic : Camera::Kind::perspective;

@@ -87,7 +87,8 @@ Lens::Lens(const Camera& camera, const Raster& raster, Conventions::Depth depth_
       a(depth_coefficients(near, far).a),
       b(depth_coefficients(near, far).b),
       width(raster.width),
-      height(raster.height) {}
+      height(raster.height),
+      up(raster.y_up) {}
 
 glm::dvec4 Lens::clip_coordinates(glm::dvec3 view) const {
   if (orthographic) return {view.x / window_x, view.y / window_y, formulas::parallel_pseudodepth(near, far, view.z), 1};
@@ -106,9 +107,8 @@ glm::dvec3 Lens::project(glm::dvec3 view) const {
 }
 
 glm::dvec2 Lens::to_viewport(double x_p, double y_p) const {
-  const glm::dvec2 at{formulas::screen_x<double>(x_p, window_x, width),
-                      formulas::screen_y<double>(y_p, window_y, height)};
-  return whole_pixels ? glm::dvec2(formulas::to_nearest(at.x), formulas::to_nearest(at.y)) : at;
+  return {formulas::snapped(formulas::screen_x<double>(x_p, window_x, width), positions),
+          formulas::snapped(formulas::screen_y<double>(y_p, window_y, height, up), positions)};
 }
 
 }  // namespace zstep::viewing

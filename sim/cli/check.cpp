@@ -151,8 +151,12 @@ std::string other_convention(const Trace& trace, const CheckReport& report) {
   if (report.causes.empty() || trace.size() > most_steps) return "";
   const auto other = convention_it_follows(trace, report);
   if (!other) return "";
-  return fmt::format("With \"{}\": \"{}\" in its header {} would be wrong. Either its header or the program is wrong.",
-                     other->key, other->word,
+  std::vector<std::string> declared;
+  for (const OtherConvention::Declared& one : other->declared)
+    declared.push_back(
+        fmt::format("\"{}\": \"{}\" in its {}", one.key, one.word, one.in_raster ? "scene's raster" : "header"));
+  return fmt::format("With {} {} would be wrong. Either its header or the program is wrong.",
+                     fmt::join(declared, " and "),
                      other->wrong_steps == 0 ? "nothing" : "only " + counted(other->wrong_steps, "step", "steps"));
 }
 

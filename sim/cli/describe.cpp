@@ -31,6 +31,14 @@ std::string raster_text(const Raster& raster) {
   return fmt::format("{}x{}, row 0 {}", raster.width, raster.height, raster.y_up ? "at the bottom" : "on top");
 }
 
+std::string written_text(const WrittenAs& written) {
+  std::string text;
+  if (written.centre == WrittenAs::Centre::half) text = "pixel centres at halves: 1/2 is taken from its positions";
+  if (written.axes == WrittenAs::Axes::right_handed)
+    text += std::string(text.empty() ? "" : "; ") + "right-handed view coordinates: its z_v change their sign";
+  return text;
+}
+
 std::string depth_text(const Camera& camera, Conventions::Depth depth) {
   if (camera.kind == Camera::Kind::screen) return "the points' own z";
   constexpr ByEnum<Conventions::Depth, const char*> texts{"pseudodepth (linear on the picture)",
@@ -55,6 +63,8 @@ std::string coverage_text(Conventions::Coverage coverage, const Raster& raster) 
       return "inclusive (every x from x_L to x_R)";
     case Conventions::Coverage::round:
       return "round(x_L) to round(x_R)";
+    case Conventions::Coverage::round_half_open:
+      return "round(x_L) to round(x_R) - 1";
     case Conventions::Coverage::ceil_floor:
       return "ceil(x_L) to floor(x_R)";
     case Conventions::Coverage::top_left:
@@ -77,6 +87,7 @@ std::string numbers_text(const Conventions& conventions) {
   if (bits_of(conventions.number_format) > 0)
     text += conventions.rounding == Conventions::Rounding::nearest ? ", rounded" : ", cut off";
   if (conventions.positions == Conventions::Positions::integer) text += ", vertices at whole pixels";
+  if (conventions.positions == Conventions::Positions::subpixels) text += ", vertices at 256ths of a pixel";
   if (conventions.attribute == Conventions::Attribute::linear) text += ", attribute linear on the picture";
   if (conventions.attribute == Conventions::Attribute::perspective) text += ", attribute perspective-correct";
   return text;

@@ -11,6 +11,7 @@ namespace zstep::cli {
 
 std::string camera_text(const Camera& camera);
 std::string raster_text(const Raster& raster);
+std::string written_text(const WrittenAs& written);
 std::string depth_text(const Camera& camera, Conventions::Depth depth);
 std::string interpolation_text(Conventions::Interpolation interpolation);
 std::string coverage_text(Conventions::Coverage coverage, const Raster& raster);

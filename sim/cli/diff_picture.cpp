@@ -163,7 +163,7 @@ Given scene_beside(const DiffOptions& options) {
   RunOptions run = options.run;
   run.scene = options.b;
   Run prepared = prepare(run);
-  Header header = header_for(*prepared.method, prepared.conventions);
+  Header header = header_of(prepared);
   std::string name = printable(prepared.scene.name);
   return {std::move(prepared.scene), std::move(header), std::move(name)};
 }

@@ -47,7 +47,7 @@ int emit(const EmitOptions& options) {
     header = header_for(by, conventions_for(by, {}));
   } else {
     const Run run = prepare_within_budget(options.run);
-    header = header_for(*run.method, run.conventions);
+    header = header_of(run);
     header.writer = "a program";
     first_line = in_ascii(jsonl_header(header, run.scene));
     if (first_line.size() > most_of_header)
@@ -86,6 +86,7 @@ void add_emit(CLI::App& app, Action& action) {
       ->required()
       ->group("Output");
   add_run_options(*command, options->run);
+  add_written_options(*command, options->run);
   add_limit_options(*command);
   command->footer(
       "The file needs nothing but the language. It has a call for each step of the method, which prints the step and\n"

@@ -28,6 +28,7 @@
 #include "traces/file/check_events.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/trace.hpp"
+#include "traces/file/written.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/text.hpp"
 
@@ -189,7 +190,7 @@ class LogReader {
   static constexpr std::size_t longest_line = 4096, most_faults = 10;
 
   static Header header_of(const Run& run, const std::string& name) {
-    Header header = header_for(*run.method, run.conventions);
+    Header header = cli::header_of(run);
     header.writer = name;
     return header;
   }
@@ -237,6 +238,7 @@ class LogReader {
         polygon = static_cast<std::int32_t>(value_of(*field_of_kind(kind_of<PolygonBegin>, column_of_polygon), cell));
     }
     if (polygon && polygon != at_work_) begin(*polygon);
+    turn(event, header_, Turned::as_own);
     check(event);
     if (auto* compare = get_if<DepthCompare>(&event)) {
       double& stored = depths_[static_cast<std::size_t>(compare->y) * static_cast<std::size_t>(scene_.raster.width) +
@@ -357,6 +359,7 @@ void add_import(CLI::App& app, Action& action) {
       ->type_name("SCENE|MESH")
       ->group("A log");
   add_run_options(*command, options->run);
+  add_written_options(*command, options->run);
   add_limit_options(*command);
   command->footer(
       "An existing file is replaced; nothing is written when the input has a mistake. The columns of a log stand "

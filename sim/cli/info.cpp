@@ -60,6 +60,7 @@ std::string head_text(const Trace& trace, const std::string& path) {
                                   counted(std::ssize(scene.facets), "facet", "facets"),
                                   counted(std::ssize(scene.points), "point", "points"))});
   table.row({"raster", raster_text(scene.raster)});
+  if (header.written != WrittenAs{}) table.row({"as written", written_text(header.written)});
   table.row({"camera", camera_text(scene.camera)});
   // What the header does not declare is no fact.
   const auto declared = [&](Convention which, std::string text) {
@@ -133,7 +134,7 @@ struct HeaderOptions {
 int write(const HeaderOptions& options) {
   if (!options.out.empty()) check_outputs({}, {options.run.scene}, {options.out});
   const Run run = prepare_within_budget(options.run);
-  Header header = header_for(*run.method, run.conventions);
+  Header header = header_of(run);
   header.writer = options.writer;
   const auto choice = [](const char* name, const std::string& given, const std::vector<std::string>& words) {
     return given.empty() ? std::size_t{0} : parse_choice(name, given, words);
@@ -165,6 +166,7 @@ void add_header(CLI::App& app, Action& action) {
   const auto options = std::make_shared<HeaderOptions>();
   CLI::App* command = app.add_subcommand("header", "The first line of your own program's trace");
   add_run_options(*command, options->run);
+  add_written_options(*command, options->run);
   add_scene(*command, options->run);
   add_limit_options(*command);
   command->add_option("--writer", options->writer, "The name of the program")->type_name("NAME");

@@ -47,7 +47,7 @@ int record(const RecordOptions& options) {
   }
 
   write_scene_asked(options.outputs, run.scene, run.conventions, *run.method);
-  TraceRecorder recorder(path, header_for(*run.method, run.conventions), run.scene);
+  TraceRecorder recorder(path, header_of(run), run.scene);
   std::optional<Picture> picture;
   bool out_of_time = false;
   try {
@@ -90,6 +90,7 @@ void add_record(CLI::App& app, Action& action) {
       ->group("Output");
   add_outputs(*command, options->outputs);
   add_run_options(*command, options->run);
+  add_written_options(*command, options->run);
   add_limit_options(*command);
   command->footer(
       "Existing files are replaced. Ctrl-C ends the recording early and keeps what was recorded so far.\n"

@@ -37,13 +37,35 @@ const std::map<std::string_view, const char*> convention_help{
      "of the polygon's plane, each time or added"},
     {"coverage",
      "Which pixels a polygon owns: centres inside, top-left rule (default), the textbook's x_L to x_R, or "
-     "round(x_L) to round(x_R), or ceil(x_L) to floor(x_R)"},
+     "round(x_L) to round(x_R), or to one less (round-half-open), or ceil(x_L) to floor(x_R)"},
     {"number_format", "What is computed in (default float64); of fixed-point numbers, the bits of a depth"},
     {"rounding", "How fixed-point quotients become whole (default nearest)"},
-    {"positions", "Where vertices are on the raster: as they come (default), or at whole pixels"},
+    {"positions",
+     "Where vertices are on the raster: as they come (default), at whole pixels, or at 256ths of one, as GPUs have "
+     "them"},
     {"attribute",
      "How the attribute that shades polygons in stripes, x_w, goes over them: not at all (default), linearly on the "
      "picture, or by way of a/z_v and 1/z_v"},
+};
+
+/// What else a name of a library says, where no option says otherwise. OpenGL: its window coordinates and the depth
+/// that its depth buffer has ("The OpenGL Graphics System", version 4.6 core, sections 13.8 and 14.6); Vulkan: its
+/// framebuffer coordinates, and view coordinates as its tutorials have them (Vulkan 1.3, section 27.9); Direct3D: its
+/// viewport ("Coordinate systems" and "Rasterization rules" of Direct3D 11). None of them drops back faces by itself
+/// but Direct3D.
+struct Like {
+  std::string_view name;
+  Conventions::Depth depth;
+  bool y_up, cull;
+  WrittenAs written;
+};
+using Centre = WrittenAs::Centre;
+using Axes = WrittenAs::Axes;
+constexpr std::array likes{
+    Like{"lecture", Conventions::Depth::pseudodepth, false, true, {}},
+    Like{"opengl", Conventions::Depth::zero_to_one, true, false, {Centre::half, Axes::right_handed}},
+    Like{"vulkan", Conventions::Depth::zero_to_one, false, false, {Centre::half, Axes::right_handed}},
+    Like{"direct3d", Conventions::Depth::zero_to_one, false, true, {Centre::half, Axes::left_handed}},
 };
 
 /// One of some words; the words are the help's type name too, and what a shell offers to complete.
@@ -176,6 +198,24 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
                                                      "Pixels of the raster, as 640x480 (default: the scene's)")
                    ->type_name("WxH"));
   in("Method", command.add_flag("--no-cull", options.no_cull, "Draw back faces too"));
+  const auto take_axis = [&view](const std::string& text) {
+    view.y_up = parse_choice("--y-axis", text, std::vector<std::string>{"down", "up"}) == 1;
+  };
+  in("Method", command
+                   .add_option_function<std::string>("--y-axis", take_axis,
+                                                     "Where rows are counted to: down from the top (default), or up "
+                                                     "from the bottom, as OpenGL has them")
+                   ->type_name("down|up"));
+  std::vector<std::string> names;
+  for (const Like& like : likes) names.emplace_back(like.name);
+  const auto take_like = [&options, names](const std::string& text) {
+    options.like = names[parse_choice("--like", text, names)];
+  };
+  in("Method", command
+                   .add_option_function<std::string>("--like", take_like,
+                                                     "Whose conventions hold where no other option says otherwise: "
+                                                     "depth, rows, pixel centres, view coordinates, back faces")
+                   ->type_name(fmt::format("{}", fmt::join(names, "|"))));
   for_each_convention(
       [&](const char* key, auto member) { in("Method", add_convention(command, options.conventions, key, member)); });
 
@@ -196,13 +236,47 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
                                 "Move the scene's centre to the origin and scale its farthest vertex to distance 1"));
 }
 
+void add_written_options(CLI::App& command, RunOptions& options) {
+  const auto add = [&]<class E>(const std::string& name, E WrittenAs::*member, const char* help) {
+    std::vector<std::string> words;
+    for (const std::string_view word : zstep::words_of<E>) words.push_back(with_hyphens(word));
+    const auto take = [name, words, member, &options](const std::string& text) {
+      options.written.*member = static_cast<E>(parse_choice(name, text, words));
+      options.written_given.insert(name);
+    };
+    options.declared.push_back(command.add_option_function<std::string>(name, take, help)
+                                   ->type_name(fmt::format("{}", fmt::join(words, "|")))
+                                   ->group("Method"));
+  };
+  add("--pixel-centre", &WrittenAs::centre,
+      "Where the program has the centre of pixel (x, y): at (x, y) (default), or at (x + 1/2, y + 1/2)");
+  add("--view-coordinates", &WrittenAs::axes,
+      "Its view coordinates: left-handed, z_v growing away from the eye (default), or right-handed, z_v negative "
+      "before it");
+}
+
 namespace {
 Run prepare_with(const RunOptions& options, bool notes) {
   check_scene_exists(options.scene);
   SceneFile file = load_scene(options.scene);
   if (notes)
     for (const std::string& note : file.notes) complain("note: " + note);
-  Run run{look_at_scene(std::move(file.scene), options.view), file.conventions, &method(options.algorithm)};
+  ViewOptions view = options.view;
+  const auto like = std::find_if(likes.begin(), likes.end(), [&](const Like& one) { return one.name == options.like; });
+  if (like != likes.end() && !view.y_up) {
+    if (like->y_up && file.scene.surface)
+      throw InputError("--like " + options.like, "has rows that go up, and those of a surface's picture go down",
+                       "give --y-axis down besides");
+    view.y_up = like->y_up;
+  }
+  const bool has_camera = file.scene.camera.kind != Camera::Kind::screen;
+  Run run{look_at_scene(std::move(file.scene), view), file.conventions, &method(options.algorithm), options.written};
+  if (like != likes.end()) {
+    if (has_camera) run.conventions.depth = like->depth;
+    run.conventions.cull = like->cull;
+    if (!options.written_given.contains("--pixel-centre")) run.written.centre = like->written.centre;
+    if (has_camera && !options.written_given.contains("--view-coordinates")) run.written.axes = like->written.axes;
+  }
   options.conventions.apply(run.conventions);
   // Where back faces are drawn anyhow, as of a surface, it asks for what is so.
   if (options.no_cull && run.conventions.cull && !run.method->culls)
@@ -216,6 +290,12 @@ Run prepare_with(const RunOptions& options, bool notes) {
 }
 
 }  // namespace
+
+Header header_of(const Run& run) {
+  Header header = header_for(*run.method, run.conventions);
+  header.written = run.written;
+  return header;
+}
 
 Run prepare(const RunOptions& options) { return prepare_with(options, true); }
 Run prepare_again(const RunOptions& options) { return prepare_with(options, false); }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/catalog/changes.hpp"
 #include "algorithms/scene/load.hpp"
+#include "traces/file/header.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::cli {
@@ -20,6 +22,9 @@ struct RunOptions {
   std::string algorithm = "z-buffer";
   ViewOptions view;
   ConventionChoices conventions;
+  WrittenAs written;                    ///< for commands that write a header
+  std::set<std::string> written_given;  ///< the options of these that were given
+  std::string like;                     ///< whose conventions they are where none is given
   bool no_cull = false;
   std::map<std::string, std::string> options;  ///< of the method
   std::vector<Change> changes;                 ///< made last, one after the other
@@ -33,6 +38,9 @@ struct RunOptions {
 /// parsed. Without `of_one_method` the first two are left out.
 void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method = true);
 
+/// Adds --pixel-centre and --view-coordinates to a command that writes a header.
+void add_written_options(CLI::App& command, RunOptions& options);
+
 /// The scene itself, as a positional argument that must be given.
 void add_scene(CLI::App& command, RunOptions& options);
 
@@ -41,7 +49,10 @@ struct Run {
   Scene scene;
   Conventions conventions;
   const Method* method;
+  WrittenAs written{};
 };
+/// Of a trace of it.
+Header header_of(const Run& run);
 /// Loads the scene, prints what there is to note about it on stderr, and applies the options. Throws InputError.
 Run prepare(const RunOptions& options);
 

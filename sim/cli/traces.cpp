@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/describe.hpp"
 #include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cost/allocation_peak.hpp"
@@ -80,6 +81,8 @@ Trace open(const std::string& path, Cost cost, std::string* impossible) {
                   : has_extension(path, ".jsonl") ? open_jsonl(path, impossible)
                                                   : Trace::open(path);
     if (is_strict()) check_strictly(trace);
+    if (const WrittenAs& written = trace.header().written; written != WrittenAs{})
+      complain(fmt::format("note: {}: {}", path, written_text(written)));
     for (const std::string& warning : trace.warnings())
       trace.whole() ? complain(warning) : complain_incomplete(warning);
     trace.impl().on_loss = [](const std::string& loss) {
@@ -101,7 +104,7 @@ Trace open_to_judge(const std::string& path, std::string& impossible, Cost cost)
 }
 
 Trace record_to_memory(const Run& run) {
-  TraceRecorder recorder(header_for(*run.method, run.conventions), run.scene);
+  TraceRecorder recorder(header_of(run), run.scene);
   {
     Watch watch;
     watch.attach(recorder);

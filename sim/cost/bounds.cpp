@@ -8,6 +8,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scan_conversion/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/formulas/coverage.hpp"
 #include "traces/formulas/viewing.hpp"
 #include "traces/oracle/exact_depth.hpp"
 
@@ -91,7 +92,7 @@ Corner<T> viewed(const Scene& scene, Conventions::Depth depth, const glm::dvec3&
   const auto beyond = [](double size, double limit) { return size > limit; };
   corner.in_view = !beyond(near, z_v) && !beyond(z_v, far) && !beyond(std::abs(double{x_p}), w_x) &&
                    !beyond(std::abs(double{y_p}), w_y);
-  corner.x = formulas::screen_x(x_p, w_x, width), corner.y = formulas::screen_y(y_p, w_y, height);
+  corner.x = formulas::screen_x(x_p, w_x, width), corner.y = formulas::screen_y(y_p, w_y, height, scene.raster.y_up);
   corner.z = depth != Conventions::Depth::pseudodepth ? formulas::other_depth(depth, parallel, near, far, z_v)
              : parallel                               ? formulas::parallel_pseudodepth(near, far, z_v)
                                                       : formulas::pseudodepth(near, formulas::pseudodepth_a(near, far),
@@ -124,7 +125,7 @@ std::optional<double> viewing_bound(const Trace& run, std::int32_t facet) {
   const bool by_plane = conventions.interpolation == Conventions::Interpolation::plane ||
                         conventions.interpolation == Conventions::Interpolation::plane_increments;
   if (conventions.positions != Conventions::Positions::exact || (by_plane && shape.corner_count > 3) ||
-      conventions.coverage == Conventions::Coverage::round)
+      formulas::rounds(conventions.coverage))
     return std::nullopt;
   const auto plane = oracle::seen_plane(scene, conventions.depth, facet);
   if (!plane) return std::nullopt;

@@ -49,7 +49,7 @@ for ((k = 0; k < count; ++k)); do
       *) one_of pseudodepth view corrected reciprocal reversed foley; options+=(--depth "$drawn") ;;
     esac
     one_of direct increments plane plane-increments; options+=(--interpolation "$drawn")
-    one_of top-left inclusive round ceil-floor; options+=(--coverage "$drawn")
+    one_of top-left inclusive round round-half-open ceil-floor; options+=(--coverage "$drawn")
     one_of float64 float32 fixed16 fixed24; options+=(--number-format "$drawn")
   fi
   trace=$folder/$k.ztrace

@@ -15,10 +15,12 @@
 #include "traces/check/scene_pixels.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/file/visit.hpp"
+#include "traces/file/written.hpp"
 #include "traces/formulas/of_events.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
 #include "traces/formulas/walk.hpp"
+#include "traces/record/trace_recorder.hpp"
 #include "traces/replay/apply.hpp"
 #include "traces/replay/key_frames.hpp"
 #include "traces/scene.hpp"
@@ -399,6 +401,13 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
 
 }  // namespace
 
+bool Otherwise::holds(const Header& header, const Raster& raster) const {
+  if (is_of_raster) return raster.y_up == (word == "up");
+  Header changed = header;
+  change(changed);
+  return changed == header;
+}
+
 std::vector<Otherwise> other_conventions() {
   using Nearer = Comparison::Nearer;
   using Ties = Comparison::Ties;
@@ -408,15 +417,21 @@ std::vector<Otherwise> other_conventions() {
       {"ties", "first", [](Header& h) { h.comparison.ties = Ties::first; }},
       {"ties", "last", [](Header& h) { h.comparison.ties = Ties::last; }},
   };
-  for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
+  const auto declare = [&]<class Owner, class E>(std::string_view key, Owner Header::*owner, E Owner::*member) {
     for (const E value : values_of<E>)
-      others.push_back({key, word_of(value), [=](Header& h) { h.conventions.*member = value; }});
-  });
+      others.push_back({key, word_of(value), [=](Header& h) { h.*owner.*member = value; }});
+  };
+  for_each_convention([&](std::string_view key, auto member) { declare(key, &Header::conventions, member); });
   // Which numbers a program computes in shows in their digits, and is found out from them.
   // And where attributes are recorded, "none" is no answer.
   std::erase_if(others, [](const Otherwise& one) {
     return one.key == "number_format" || one.key == "rounding" || (one.key == "attribute" && one.word == "none");
   });
+  const std::size_t of_numbers = others.size();
+  declare("pixel_centre", &Header::written, &WrittenAs::centre);
+  declare("view_coordinates", &Header::written, &WrittenAs::axes);
+  for (std::size_t i = of_numbers; i < others.size(); ++i) others[i].is_of_numbers = true;
+  for (const std::string_view word : {"down", "up"}) others.push_back({"y_axis", word, [](Header&) {}, true});
   return others;
 }
 
@@ -436,21 +451,86 @@ bool KindJudged::covers(const KindJudged& other) const {
          std::equal(fields.begin(), fields.end(), other.fields.begin(), std::greater_equal<std::int64_t>());
 }
 
+namespace {
+
+using Others = std::vector<const Otherwise*>;
+
+/// A run as its file would be read with these in its first line.
+Trace read_with(const Trace& trace, const Header& header, const Others& others) {
+  Header as_own = header;
+  turn(as_own, Turned::as_own);
+  Scene scene = trace.scene();
+  for (const Otherwise* other : others)
+    if (other->is_of_raster) scene.raster.y_up = other->word == "up";
+  turn(scene, trace.header(), Turned::as_written), turn(scene, header, Turned::as_own);
+  TraceRecorder recorder(as_own, scene);
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    Event event = recorded.event;
+    turn(event, trace.header(), Turned::as_written), turn(event, header, Turned::as_own);
+    record_any(recorder, recorded.step, event);
+    return true;
+  });
+  recorder.finish(trace.whole());
+  return Trace::from_bytes(recorder.take_bytes(), trace.name());
+}
+
+/// What is wrong of a run under other conventions; nothing where something is not judged then that is judged under its
+/// own.
+std::optional<std::int64_t> wrong_steps_under(const Others& others, const Trace& trace, const CheckReport& own) {
+  Header header = trace.header();
+  turn(header, Turned::as_written);
+  bool anew = false;
+  for (const Otherwise* other : others) other->change(header), anew |= other->is_of_raster || other->is_of_numbers;
+  if (anew && !kind_that_cannot_turn(header).empty()) return std::nullopt;
+  const CheckReport report = [&] {
+    if (anew) {
+      const Trace read = read_with(trace, header, others);
+      return check_by(read.header(), own.precision, read, nullptr, nullptr);
+    }
+    turn(header, Turned::as_own);
+    return check_by(header, own.precision, trace, nullptr, nullptr);
+  }();
+  const bool judges_all =
+      std::equal(report.kinds.begin(), report.kinds.end(), own.kinds.begin(),
+                 [](const KindJudged& one, const KindJudged& as_own) { return one.covers(as_own); });
+  return judges_all ? std::optional(report.wrong_steps) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report) {
-  std::optional<OtherConvention> best;
-  for (const Otherwise& other : other_conventions()) {
-    Header header = trace.header();
-    other.change(header);
-    if (header.conventions == trace.header().conventions && header.comparison == trace.header().comparison) continue;
-    const CheckReport other_report = check_by(header, report.precision, trace, nullptr, nullptr);
-    const std::int64_t wrong = other_report.wrong_steps;
-    // It acquits no number that it merely does not judge.
-    const bool judges_all = std::equal(other_report.kinds.begin(), other_report.kinds.end(), report.kinds.begin(),
-                                       [](const KindJudged& one, const KindJudged& own) { return one.covers(own); });
-    if (judges_all && 10 * wrong < report.wrong_steps && (!best || wrong < best->wrong_steps))
-      best = OtherConvention{std::string(other.key), std::string(other.word), wrong};
+  struct Tried {
+    Others others;
+    std::int64_t wrong = 0;
+  };
+  const auto fewer = [](const Tried& one, const Tried& other) { return one.wrong < other.wrong; };
+  std::vector<Otherwise> all = other_conventions();
+  std::erase_if(all, [&](const Otherwise& one) {
+    return one.holds(trace.header(), trace.scene().raster) || (one.is_of_raster && trace.scene().surface);
+  });
+  std::vector<Tried> tried;
+  for (const Otherwise& one : all)
+    if (const auto wrong = wrong_steps_under({&one}, trace, report)) tried.push_back({{&one}, *wrong});
+  std::stable_sort(tried.begin(), tried.end(), fewer);
+  std::optional<Tried> best;
+  if (!tried.empty() && 10 * tried.front().wrong < report.wrong_steps) best = tried.front();
+
+  // Of two that a run follows together each one mends something by itself, or nothing is found.
+  constexpr std::size_t most_begun = 4;
+  const std::int64_t to_beat = best ? best->wrong : report.wrong_steps;
+  for (std::size_t i = 0; to_beat > 0 && i < std::min(most_begun, tried.size()); ++i) {
+    const Otherwise* first = tried[i].others.front();
+    for (const Otherwise& second : all) {
+      if (second.key == first->key) continue;
+      const auto wrong = wrong_steps_under({first, &second}, trace, report);
+      if (wrong && 10 * *wrong < to_beat && (!best || *wrong < best->wrong)) best = Tried{{first, &second}, *wrong};
+    }
   }
-  return best;
+  if (!best) return std::nullopt;
+  OtherConvention found{{}, best->wrong};
+  for (const Otherwise* one : best->others)
+    found.declared.push_back({std::string(one->key), std::string(one->word), one->is_of_raster});
+  return found;
 }
 
 namespace {

@@ -113,22 +113,32 @@ CheckReport check(const Trace& trace, const OnCause& on_cause = nullptr, const O
 /// All that is wrong in a run, in its order, its numbers held to this.
 std::vector<Fault> faults_of(const Trace& trace, const Precision& precision);
 
-/// A header with one convention declared otherwise, as a header writes it: of those that may turn a wrong run into a
+/// One convention declared otherwise, as a trace's first line writes it: of those that may turn a wrong run into a
 /// right one.
 struct Otherwise {
   std::string_view key, word;
   std::function<void(Header&)> change;
+  bool is_of_raster = false;   ///< it stands in the scene, with its raster: the rows go up, or down
+  bool is_of_numbers = false;  ///< the run's numbers are then others (traces/file/written.hpp)
+  /// Whether a run with this header and scene has it so already.
+  bool holds(const Header& header, const Raster& raster) const;
 };
 std::vector<Otherwise> other_conventions();
 
-/// A convention that a trace's steps follow, other than its header says or leaves to be assumed.
+/// Conventions, one or two, that a trace's steps follow, other than its header says or leaves to be assumed.
 struct OtherConvention {
-  std::string key, word;         ///< "nearer", "greater", as the header writes them
-  std::int64_t wrong_steps = 0;  ///< that would be wrong under it
+  struct Declared {
+    std::string key, word;  ///< "nearer", "greater", as the first line writes them
+    bool in_raster = false;
+    bool operator==(const Declared&) const = default;
+  };
+  std::vector<Declared> declared;
+  std::int64_t wrong_steps = 0;  ///< that would be wrong under them
 };
-/// Of a trace with something wrong: the convention under which the least would be, where that is less than a tenth of
-/// what is wrong under its own, and all that is judged under its own is judged under that one, too. Goes through the
-/// trace once for each.
+/// Of a trace with something wrong: the conventions under which the least would be, where that is less than a tenth of
+/// what is wrong under its own, and all that is judged under its own is judged under those, too: one, or two together
+/// where one alone leaves anything wrong and two leave less than a tenth of that. Goes through the trace for each, and
+/// for some of the pairs.
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report);
 
 // What a check leaves open: of which steps of a run, and of which of their numbers, nothing says what they must be.

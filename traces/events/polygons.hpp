@@ -106,8 +106,9 @@ inline constexpr auto fields_of<FacingTest> = Fields{
     Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away", As::formula,
           Guess::formula},
     Field{"projected_normal_z", &FacingTest::projected_normal_z, "px^2",
-          "z of the normal after projection; positive faces away; NaN with a vertex behind the eye", As::formula,
-          Guess::formula},
+          "z of the normal after projection; positive faces away, or negative where rows go up; NaN with a vertex "
+          "behind the eye",
+          As::formula, Guess::formula},
     Field{"facing", &FacingTest::facing, "1", "the verdict", As::formula, Guess::formula}};
 
 template <>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -45,6 +46,19 @@ enum class Convention : std::uint8_t {
 /// Where it stands in Header::undeclared.
 constexpr std::uint8_t bit_of(Convention convention) { return static_cast<std::uint8_t>(1u << index_of(convention)); }
 
+/// How a program writes numbers that zstep has otherwise (written.hpp).
+struct WrittenAs {
+  enum class Centre : std::uint8_t { integer, half };  ///< the centre of pixel (x, y): (x, y), or (x + 1/2, y + 1/2)
+  enum class Axes : std::uint8_t { left_handed, right_handed };  ///< of view coordinates: z_v, or -z_v, is the distance
+  Centre centre = Centre::integer;
+  Axes axes = Axes::left_handed;
+  bool operator==(const WrittenAs&) const = default;
+};
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<WrittenAs::Centre>{"integer", "half"};
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<WrittenAs::Axes>{"left_handed", "right_handed"};
+
 struct Header {
   std::string writer;     ///< who wrote it: "zstep 0.2.0", or a student's program
   std::string algorithm;  ///< the method's id: "z-buffer"
@@ -52,6 +66,7 @@ struct Header {
   Conventions conventions;
   Page page;  ///< the step table, in the order in which the pseudo-code is read
   Comparison comparison;
+  WrittenAs written;
   std::optional<double> initial_depth;  ///< in the depth buffer before the first step, where the header declares it
   std::uint8_t undeclared = 0;          ///< bits of Conventions
 

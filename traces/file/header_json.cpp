@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::array<std::string_view, 1> centre_words{"integer"};
+constexpr const char* axes_key = "view_coordinates";
 constexpr std::array<std::string_view, 2> nearer_words{"smaller", "greater"};
 constexpr std::array<std::string_view, 2> tie_words{"first", "last"};
 
@@ -47,7 +47,8 @@ ordered_json conventions_to_json(const Header& header) {
   if (c.rounding != Conventions{}.rounding) out["rounding"] = word_of(c.rounding);
   if (c.positions != Conventions{}.positions) out["positions"] = word_of(c.positions);
   if (c.attribute != Conventions{}.attribute) out["attribute"] = word_of(c.attribute);
-  put(Convention::pixel_centre, centre_words[0]);
+  if (header.written.axes != WrittenAs{}.axes) out[axes_key] = word_of(header.written.axes);
+  put(Convention::pixel_centre, word_of(header.written.centre));
   put(Convention::nearer, word(header.comparison.nearer, nearer_words));
   put(Convention::ties, word(header.comparison.ties, tie_words));
   if (header.initial_depth) out["initial_depth"] = real_to_json(*header.initial_depth);
@@ -71,7 +72,7 @@ void read_conventions(const json& in, Header& header) {
   parts.read([&] {
     known_keys(in, "\"conventions\"",
                {"depth", "interpolation", "coverage", "cull", "number_format", "rounding", "positions", "attribute",
-                "pixel_centre", "nearer", "ties", "initial_depth", "options"});
+                axes_key, "pixel_centre", "nearer", "ties", "initial_depth", "options"});
   });
   for_each_convention([&]<class E>(const char* key, E Conventions::*member) {
     parts.read([&] {
@@ -82,7 +83,9 @@ void read_conventions(const json& in, Header& header) {
     });
   });
   parts.read([&] { c.cull = truth_or(in, "cull", c.cull); });
-  parts.read([&] { word_or(in, "pixel_centre", centre_words, 0); });
+  WrittenAs& written = header.written;
+  parts.read([&] { written.centre = word_or(in, "pixel_centre", words_of<WrittenAs::Centre>, written.centre); });
+  parts.read([&] { written.axes = word_or(in, axes_key, words_of<WrittenAs::Axes>, written.axes); });
   parts.read([&] { header.comparison.nearer = word_or(in, "nearer", nearer_words, header.comparison.nearer); });
   parts.read([&] { header.comparison.ties = word_or(in, "ties", tie_words, header.comparison.ties); });
   parts.read([&] {

@@ -9,6 +9,7 @@
 #include "traces/events/fields.hpp"
 #include "traces/file/files.hpp"
 #include "traces/file/header_json.hpp"
+#include "traces/file/written.hpp"
 #include "traces/text.hpp"
 
 namespace zstep {
@@ -43,13 +44,23 @@ std::string step_label(const Page& page, const StepInfo& step) {
 }
 
 std::string jsonl_header(const Header& header, const Scene& scene) {
-  ordered_json line = header_to_json(header);
-  line["scene"] = scene_to_json(scene);
+  const bool as_own = header.written == WrittenAs{};
+  Header written = header;
+  turn(written, Turned::as_written);
+  ordered_json line = header_to_json(written);
+  if (as_own) {
+    line["scene"] = scene_to_json(scene);
+  } else {
+    Scene moved = scene;
+    turn(moved, header, Turned::as_written);
+    line["scene"] = scene_to_json(moved);
+  }
   return printable_json(text_of(line));
 }
 
-std::string jsonl_event(const Page& page, const RecordedEvent& recorded, std::string_view printed_at) {
-  ordered_json line = begin_line(page, recorded.step);
+std::string jsonl_event(const Header& header, RecordedEvent recorded, std::string_view printed_at) {
+  turn(recorded.event, header, Turned::as_written);
+  ordered_json line = begin_line(header.page, recorded.step);
   for (const FieldOfKind& field : fields_of_kind(recorded.event.index())) {
     switch (field.type) {
       case FieldOfKind::Type::real:
@@ -73,7 +84,7 @@ std::string jsonl_event(const Page& page, const RecordedEvent& recorded, std::st
 void write_jsonl(const Trace& trace, std::ostream& out) {
   out << jsonl_header(trace.header(), trace.scene()) + '\n';
   trace.each(0, trace.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
-    out << jsonl_event(trace.header().page, recorded, trace.printed_at(position, recorded.step)) +
+    out << jsonl_event(trace.header(), recorded, trace.printed_at(position, recorded.step)) +
                '\n';  // in one piece: what ends early ends with a line
     return static_cast<bool>(out);
   });

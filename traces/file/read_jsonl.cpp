@@ -22,6 +22,7 @@
 #include "traces/file/jsonl.hpp"
 #include "traces/file/lenient.hpp"
 #include "traces/file/source_places.hpp"
+#include "traces/file/written.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/text.hpp"
@@ -236,6 +237,7 @@ class Reader {
   bool read_quickly(std::string& line) {
     if (!tail_.empty() || cut_off_ || !quick_->read(line, quick_event_)) return false;
     give_numbers_of_span(quick_event_.event);
+    turn(quick_event_.event, header_, Turned::as_own);
     EventCheck of_one = *check_;
     if (!visit_event([&](const auto& event) { return of_one(event).empty(); }, quick_event_.event)) return false;
     const SourcePlaces& places = recorder_->places();
@@ -397,7 +399,17 @@ class Reader {
         if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
         scene = scene_from_json(document.at("scene"));
       });
+    if (const std::string_view kind = kind_that_cannot_turn(header_); !kind.empty())
+      parts.read([&] {
+        throw MalformedJson(document, "conventions",
+                            fmt::format("a run with \"{}\" must have pixel centres at integers and left-handed view "
+                                        "coordinates",
+                                        kind),
+                            "write its numbers so, and take \"pixel_centre\" and \"view_coordinates\" out");
+      });
     if (passed_over_ == nullptr) parts.done();
+    turn(header_, Turned::as_own);
+    turn(scene, header_, Turned::as_own);
     if (given_ != nullptr) {
       given_->without_header = no_header || parts.any();
       if (given_->without_header) header_ = *given_->header, header_.undeclared = 0xff;
@@ -429,6 +441,7 @@ class Reader {
     if (is_judged()) as_trace_has_it(document, header_.page);
     Event event = event_from_json(step->kind, document);
     give_numbers_of_span(event);
+    turn(event, header_, Turned::as_own);
     EventCheck of_one = *check_;  // how often buffers are cleared is held against a block, once it is read
     if (const std::string fault = visit_event([&](const auto& e) { return of_one(e); }, event); !fault.empty())
       throw ImpossibleStep(document, std::string(of_one.field()), fault,

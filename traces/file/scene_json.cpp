@@ -328,6 +328,7 @@ void check_scene(const Scene& scene) {
     wrong_scene(fmt::format("a raster of {}x{} pixels (each side is 1 to {}, and there are at most {} pixels)", width,
                             height, largest_side, most_pixels));
   }
+  if (scene.surface && y_up) wrong_scene("a surface whose rows go up; those of its picture go down");
   const auto most = [&](const char* what, std::size_t count, std::int64_t limit) {
     if (count > static_cast<std::size_t>(limit))
       wrong_scene(fmt::format("{} {}, of which there can be {}", count, what, limit));

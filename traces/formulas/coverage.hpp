@@ -17,14 +17,27 @@ T to_nearest(const T& x) {
   return floor(x + T(0.5));
 }
 
-/// The first pixel at or right of x_L; with coverage `round`, the nearest.
+/// The nearest of the places that vertices may have on the raster.
+template <class T>
+T snapped(const T& x, Conventions::Positions positions) {
+  const int parts = parts_of_pixel(positions);
+  return parts == 0 ? x : parts == 1 ? to_nearest(x) : to_nearest(x * T(parts)) / T(parts);
+}
+
+/// Does coverage along a scan line go by the pixels nearest to its ends?
+inline bool rounds(Conventions::Coverage coverage) {
+  return coverage == Conventions::Coverage::round || coverage == Conventions::Coverage::round_half_open;
+}
+
+/// The first pixel at or right of x_L; with coverage `round`, half-open or not, the nearest.
 template <class T>
 T first_pixel(const T& x_left, Conventions::Coverage coverage) {
   using std::ceil;
-  return coverage == Conventions::Coverage::round ? to_nearest(x_left) : ceil(x_left);
+  return rounds(coverage) ? to_nearest(x_left) : ceil(x_left);
 }
 
-/// The last one before x_R; with inclusive coverage and ceil–floor, at or before it; with `round`, the nearest.
+/// The last one before x_R; with inclusive coverage and ceil–floor, at or before it; with `round`, the nearest, or the
+/// one before that.
 template <class T>
 T last_pixel(const T& x_right, Conventions::Coverage coverage) {
   using std::ceil, std::floor;
@@ -33,6 +46,8 @@ T last_pixel(const T& x_right, Conventions::Coverage coverage) {
       break;
     case Conventions::Coverage::round:
       return to_nearest(x_right);
+    case Conventions::Coverage::round_half_open:
+      return to_nearest(x_right) - T(1);
     case Conventions::Coverage::inclusive:
     case Conventions::Coverage::ceil_floor:
       return floor(x_right);
@@ -47,7 +62,7 @@ Conventions::Coverage coverage_of(const Header& header, const Gives& gives) {
   const Conventions::Coverage usual = header.conventions.coverage;
   if (header.declares(Convention::coverage) || gives(usual)) return usual;
   using enum Conventions::Coverage;
-  for (const Conventions::Coverage other : {top_left, inclusive, round})
+  for (const Conventions::Coverage other : {top_left, inclusive, round, round_half_open})
     if (gives(other)) return other;
   return usual;
 }

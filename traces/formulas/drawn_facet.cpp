@@ -121,25 +121,26 @@ std::optional<DrawnFacet> DrawnFacet::from_scene(const Scene& scene, const Heade
       w_x = window_width(w_y, width, height), d(camera.d);
   for (const Viewed& corner : corners) {
     const Rounded x = screen_x(parallel ? corner.x : projected(d, corner.x, corner.z), w_x, width),
-                  y = screen_y(parallel ? corner.y : projected(d, corner.y, corner.z), w_y, height),
+                  y = screen_y(parallel ? corner.y : projected(d, corner.y, corner.z), w_y, height, scene.raster.y_up),
                   z = vertex_depth(header.conventions.depth, parallel, Rounded(camera.near), Rounded(camera.far),
                                    corner.z);
     const double off = operations_of_vertex * roundoff;
     outline.push_back({corner.vertex, x.value, y.value, z.value, off * x.spread, off * y.spread, off * z.spread});
   }
-  // A left-handed view mirrors what it shows.
-  const bool mirrors = glm::determinant(glm::dmat3(camera.view)) < 0;
+  // A left-handed view mirrors what it shows, and so do rows that go up.
+  const bool mirrors = (glm::determinant(glm::dmat3(camera.view)) < 0) != scene.raster.y_up;
   DrawnFacet exact;
   exact.outline_ = outline;
   const bool is_area = outline.size() >= 3 && exact.find_plane(roundoff);
   const bool faces_away = is_area && (mirrors ? exact.twice_area_ > 0 : exact.twice_area_ < 0);
-  if (header.conventions.positions == Conventions::Positions::integer)
+  if (const int parts = parts_of_pixel(header.conventions.positions); parts > 0)
     for (DrawnCorner& corner : outline)
       for (const auto& [at, off] :
            {std::pair(&DrawnCorner::x, &DrawnCorner::off_x), std::pair(&DrawnCorner::y, &DrawnCorner::off_y)}) {
-        const double to_middle = std::abs(corner.*at - std::floor(corner.*at) - 0.5);
-        if (to_middle <= corner.*off) return std::nullopt;  // rounding decides which whole pixel it is at
-        corner.*at = to_nearest(corner.*at), corner.*off = 0;
+        const double in_parts = corner.*at * parts, to_middle = std::abs(in_parts - std::floor(in_parts) - 0.5);
+        if (to_middle <= corner.*off * parts)  // rounding decides at which one it is
+          corner.*off += 0.5 / parts;
+        else corner.*at = snapped(corner.*at, header.conventions.positions), corner.*off = 0;
       }
   auto drawn = from_run(scene, header, std::move(outline), roundoff);
   if (drawn) drawn->faces_away_ = faces_away;

@@ -30,25 +30,86 @@ auto of_scene(Out& out, std::string_view name, double value) {
 
 }  // namespace detail
 
+namespace detail {
+
+/// The farthest depth that the scene can have: at the far plane, or of its points.
+inline std::optional<double> farthest_depth(const Situation& at) {
+  if (!at.header.declares(Convention::depth) || !at.header.declares(Convention::nearer)) return std::nullopt;
+  if (at.camera && !at.on_screen())
+    return vertex_depth<double>(at.header.conventions.depth, at.camera->kind == Camera::Kind::orthographic,
+                                at.camera->near, at.camera->far, at.camera->far);
+  std::optional<double> farthest;
+  for (const glm::dvec3& point : at.scene.points)
+    if (!farthest || at.header.comparison.behind(point.z, *farthest) > 0) farthest = point.z;
+  return farthest;
+}
+
+}  // namespace detail
+
 template <class Out>
 void derive(const BuffersClear& e, const Situation& at, Out& out) {
-  // A header that says nothing leaves it to the program; what is farther than everything is right with any.
-  if (at.header.initial_depth) out.is(&BuffersClear::z, *at.header.initial_depth);
-  else if (e.z == at.header.empty_depth()) out.is(&BuffersClear::z, e.z);
+  if (at.header.initial_depth) return out.is(&BuffersClear::z, *at.header.initial_depth);
+  // A header that says nothing leaves it to the program; what is farther than everything is right with any, and so is
+  // what nothing in view is farther than.
+  if (e.z == at.header.empty_depth()) return out.is(&BuffersClear::z, e.z);
+  const auto farthest = detail::farthest_depth(at);
+  if (!farthest) return;
+  constexpr double rounding = 1e-5;
+  const bool is_nearer = at.header.comparison.behind(*farthest, e.z) > rounding * (1 + std::abs(*farthest));
+  out.is(&BuffersClear::z, is_nearer ? at.header.empty_depth() : e.z);
 }
+
+namespace detail {
+
+/// A point of the scene in view coordinates.
+template <class Out>
+auto view_of_point(Out& out, const Situation& at, std::int32_t point) -> std::array<typename Out::Number, 3> {
+  const auto w = vector_of(out, "", at.scene.points[point], Place{Place::In::point, point}, world_stage);
+  const glm::dmat4& t_v = at.camera->view;
+  const auto row = [&](int i, std::string_view a, std::string_view b, std::string_view c, std::string_view d) {
+    return matrix_row(of_scene(out, a, t_v[0][i]), of_scene(out, b, t_v[1][i]), of_scene(out, c, t_v[2][i]),
+                      of_scene(out, d, t_v[3][i]), w.x, w.y, w.z);
+  };
+  return {row(0, "t_11", "t_12", "t_13", "t_14"), row(1, "t_21", "t_22", "t_23", "t_24"),
+          row(2, "t_31", "t_32", "t_33", "t_34")};
+}
+
+/// A vertex on the projection plane: as the run has it, or else from its view coordinates, or from the scene's point.
+template <class Out>
+auto on_plane(Out& out, const Situation& at, std::int32_t vertex)
+    -> std::optional<std::array<typename Out::Number, 2>> {
+  const Place place{Place::In::vertex, vertex};
+  const VertexStages* known = at.vertex(vertex);
+  if (known && at.records<Projection>() && known->stage >= VertexStages::projected)
+    return std::array{out.number("x_p", known->plane.x, place["x_p"]), out.number("y_p", known->plane.y, place["y_p"])};
+  std::optional<std::array<typename Out::Number, 3>> view;
+  double z_v = 0;
+  if (const VertexStages* viewed = at.viewed(vertex)) {
+    z_v = viewed->view.z;
+    view = std::array{out.number("x_v", viewed->view.x, place["x_v"]), out.number("y_v", viewed->view.y, place["y_v"]),
+                      out.number("z_v", viewed->view.z, place["z_v"])};
+  } else if (at.is_point(vertex)) {
+    z_v = (at.camera->view * glm::dvec4(at.scene.points[vertex], 1)).z;
+    const auto rows = view_of_point(out, at, vertex);
+    view = std::array{out.named("x_v", rows[0]), out.named("y_v", rows[1]), out.named("z_v", rows[2])};
+  }
+  if (!view) return std::nullopt;
+  if (at.camera->kind == Camera::Kind::orthographic) return std::array{(*view)[0], (*view)[1]};
+  if (!(z_v > 0)) return std::nullopt;
+  const auto d = of_scene(out, "d", at.camera->d);
+  return std::array{out.named("x_p", projected(d, (*view)[0], (*view)[2])),
+                    out.named("y_p", projected(d, (*view)[1], (*view)[2]))};
+}
+
+}  // namespace detail
 
 template <class Out>
 void derive(const ViewTransform& e, const Situation& at, Out& out) {
   if (!at.camera || at.on_screen() || !at.is_point(e.vertex)) return;
-  const auto w = vector_of(out, "", at.scene.points[e.vertex], Place{Place::In::point, e.vertex}, world_stage);
-  const glm::dmat4& t_v = at.camera->view;
-  const auto row = [&](int i, std::string_view a, std::string_view b, std::string_view c, std::string_view d) {
-    return matrix_row(detail::of_scene(out, a, t_v[0][i]), detail::of_scene(out, b, t_v[1][i]),
-                      detail::of_scene(out, c, t_v[2][i]), detail::of_scene(out, d, t_v[3][i]), w.x, w.y, w.z);
-  };
-  out.gives(&ViewTransform::x_v, row(0, "t_11", "t_12", "t_13", "t_14"));
-  out.gives(&ViewTransform::y_v, row(1, "t_21", "t_22", "t_23", "t_24"));
-  out.gives(&ViewTransform::z_v, row(2, "t_31", "t_32", "t_33", "t_34"));
+  const auto [x_v, y_v, z_v] = detail::view_of_point(out, at, e.vertex);
+  out.gives(&ViewTransform::x_v, x_v);
+  out.gives(&ViewTransform::y_v, y_v);
+  out.gives(&ViewTransform::z_v, z_v);
 }
 
 template <class Out>
@@ -83,19 +144,16 @@ void derive(const Projection& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const ViewportTransform& e, const Situation& at, Out& out) {
-  const VertexStages* vertex = at.vertex(e.vertex);
-  if (!at.camera || !vertex || !at.records<Projection>() || vertex->stage < VertexStages::projected) return;
   const Raster& raster = at.scene.raster;
-  if (!(at.camera->window > 0) || raster.height <= 0) return;
-  const Place place{Place::In::vertex, e.vertex};
+  if (!at.camera || at.on_screen() || !(at.camera->window > 0) || raster.height <= 0) return;
+  const auto plane = detail::on_plane(out, at, e.vertex);
+  if (!plane) return;
   const auto width = detail::of_scene(out, "W", raster.width), height = detail::of_scene(out, "H", raster.height),
              w_y = detail::of_scene(out, "w_y", at.camera->window);
-  const auto x = screen_x(out.number("x_p", vertex->plane.x, place["x_p"]),
-                          out.named("w_x", window_width(w_y, width, height)), width);
-  const auto y = screen_y(out.number("y_p", vertex->plane.y, place["y_p"]), w_y, height);
-  const bool whole = at.header.conventions.positions == Conventions::Positions::integer;
-  out.gives(&ViewportTransform::x_s, whole ? to_nearest(x) : x);
-  out.gives(&ViewportTransform::y_s, whole ? to_nearest(y) : y);
+  const auto x = screen_x((*plane)[0], out.named("w_x", window_width(w_y, width, height)), width);
+  const auto y = screen_y((*plane)[1], w_y, height, raster.y_up);
+  out.gives(&ViewportTransform::x_s, snapped(x, at.header.conventions.positions));
+  out.gives(&ViewportTransform::y_s, snapped(y, at.header.conventions.positions));
 }
 
 namespace detail {

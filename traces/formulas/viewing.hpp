@@ -96,14 +96,15 @@ T window_width(const T& w_y, const T& width, const T& height) {
   return w_y * width / height;
 }
 
-/// The window of half width w_x and half height w_y becomes the raster; pixel centres are at whole numbers.
+/// The window of half width w_x and half height w_y becomes the raster; pixel centres are at whole numbers, and rows go
+/// down from the top of the window or up from its bottom.
 template <class T>
 T screen_x(const T& x_p, const T& w_x, const T& width) {
   return (x_p + w_x) / (T(2) * w_x) * width - T(0.5);
 }
 template <class T>
-T screen_y(const T& y_p, const T& w_y, const T& height) {
-  return (w_y - y_p) / (T(2) * w_y) * height - T(0.5);
+T screen_y(const T& y_p, const T& w_y, const T& height, bool up) {
+  return up ? screen_x(y_p, w_y, height) : (w_y - y_p) / (T(2) * w_y) * height - T(0.5);
 }
 
 // From a pixel and its depth back to view coordinates: undoes the steps above, the last one first. Templates
@@ -115,8 +116,8 @@ T window_x(const T& x, const T& w_x, const T& width) {
   return (T(2) * (x + T(0.5)) / width - T(1)) * w_x;
 }
 template <class T>
-T window_y(const T& y, const T& w_y, const T& height) {
-  return (T(1) - T(2) * (y + T(0.5)) / height) * w_y;
+T window_y(const T& y, const T& w_y, const T& height, bool up) {
+  return up ? window_x(y, w_y, height) : (T(1) - T(2) * (y + T(0.5)) / height) * w_y;
 }
 
 /// z_v from z* = f (a z + b) / z with a = -(f + F) / (f (f - F)) and b = 2 F / (f - F) (003), solved for z.
@@ -139,8 +140,8 @@ T ray_x(const T& x, const T& w_x, const T& width) {
   return (x + T(0.5)) * T(2) * w_x / width - w_x;
 }
 template <class T>
-T ray_y(const T& y, const T& w_y, const T& height) {
-  return w_y - (y + T(0.5)) * T(2) * w_y / height;
+T ray_y(const T& y, const T& w_y, const T& height, bool up) {
+  return up ? ray_x(y, w_y, height) : w_y - (y + T(0.5)) * T(2) * w_y / height;
 }
 
 class EyeRays {
@@ -151,7 +152,8 @@ class EyeRays {
         window_x_(camera.window * raster.width / raster.height),
         window_y_(camera.window),
         width_(raster.width),
-        height_(raster.height) {
+        height_(raster.height),
+        up_rows_(raster.y_up) {
     const glm::dmat4& view = camera.view;
     right_ = {view[0][0], view[1][0], view[2][0]};
     up_ = {view[0][1], view[1][1], view[2][1]};
@@ -167,7 +169,7 @@ class EyeRays {
   /// Of a place of the raster; pixels' centres are at integers.
   Ray through(double x, double y) const {
     if (kind_ == Camera::Kind::screen) return {{x, y, 0}, {0, 0, 1}};
-    const double x_p = ray_x(x, window_x_, width_), y_p = ray_y(y, window_y_, height_);
+    const double x_p = ray_x(x, window_x_, width_), y_p = ray_y(y, window_y_, height_, up_rows_);
     const glm::dvec3 across = x_p * right_ + y_p * up_;
     if (kind_ == Camera::Kind::orthographic) return {eye_ + across, away_};
     return {eye_, across + d_ * away_};
@@ -176,6 +178,7 @@ class EyeRays {
  private:
   Camera::Kind kind_;
   double d_, window_x_, window_y_, width_, height_;
+  bool up_rows_;
   glm::dvec3 eye_, right_, up_, away_;  // the axes of view coordinates in the world
 };
 

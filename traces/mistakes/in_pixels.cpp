@@ -432,9 +432,10 @@ std::vector<OtherLikeness> likenesses_otherwise(const Scene& scene, const Header
   const Likeness right = Redrawing(scene, header, roundoff).like(seen, {}, 0, 0, any);
   std::vector<OtherLikeness> found;
   for (const Otherwise& other : other_conventions()) {
+    // Rows are counted as the file has them, and numbers besides depths there are none.
+    if (other.is_of_raster || other.is_of_numbers || other.holds(header, scene.raster)) continue;
     Header changed = header;
     other.change(changed);
-    if (changed.conventions == header.conventions && changed.comparison == header.comparison) continue;
     if (scene.camera.kind == Camera::Kind::screen && other.key == "depth") continue;
     // What is nearer goes with the depth: the buffer has it so.
     if (other.key == "depth")

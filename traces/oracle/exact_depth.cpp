@@ -207,7 +207,7 @@ std::optional<Point> on_raster(const Scene& scene, Conventions::Depth depth, con
     x = formulas::projected(exactly(camera.d), x, z_v), y = formulas::projected(exactly(camera.d), y, z_v);
   }
   return Point{formulas::screen_x(x, formulas::window_width(w_y, width, height), width),
-               formulas::screen_y(y, w_y, height), depth_of_view(camera, depth, z_v)};
+               formulas::screen_y(y, w_y, height, scene.raster.y_up), depth_of_view(camera, depth, z_v)};
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ void read_eye(Keys& keys, const std::string& file, Camera& camera) {
 
 }  // namespace
 
-void read_raster(Keys& top, const std::string& file, bool screen, Raster& raster) {
+void read_raster(Keys& top, const std::string& file, Raster& raster) {
   const toml::table* table = top.table("raster");
   if (table == nullptr) return;
   Keys keys(*table, file, "[raster]");
@@ -56,9 +56,6 @@ void read_raster(Keys& top, const std::string& file, bool screen, Raster& raster
   keys.finish();
   if (std::int64_t{raster.width} * raster.height > most_pixels)
     fail_at(*table, file, fmt::format("the raster has more than {} pixels", most_pixels), "make it smaller");
-  if (raster.y_up && !screen)
-    fail_at(*table->get("y_axis"), file, "y_axis is for scenes in screen coordinates",
-            "remove it, or put coordinates = \"screen\" at the top");
 }
 
 void read_camera(Keys& top, const std::string& file, bool screen, Camera& camera) {
@@ -239,7 +236,7 @@ class Reader {
     scene.source = file_;
     scene.background = color(top_, "background").value_or(scene.background);
     screen_ = top_.choice("coordinates", {"world", "screen"}) == 1;
-    read_raster(top_, file_, screen_, scene.raster);
+    read_raster(top_, file_, scene.raster);
     read_camera(top_, file_, screen_, scene.camera);
     const toml::table* surface = top_.table("surface");
     // In screen coordinates there is no inside and outside, as textbooks give outlines either way round; a surface is

@@ -161,7 +161,7 @@ struct ThroughSpace {
     Operands of;
     const Formula at = x ? of("x", e.x) : of("y", e.y), size = x ? of("W", eye.width) : of("H", eye.height),
                   window = x ? of("w_x", work.window_width(step, "w_x", eye.window_y)) : of("w_y", eye.window_y),
-                  plane = x ? formulas::window_x(at, window, size) : formulas::window_y(at, window, size),
+                  plane = x ? formulas::window_x(at, window, size) : formulas::window_y(at, window, size, eye.up),
                   far = of("z_eye", z), d = of("d", eye.d), seen = eye.orthographic ? plane : plane * (far / d);
     return work.part(step, x ? "x_eye" : "y_eye", seen, of);
   }
@@ -204,7 +204,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   if (field == "y_light") {
     const Formula w_y = of("w_y", lens.window_y), d = of("d", lens.d), y_v = of("y_v", through.seen(Axis3::y)),
                   z_v = of("z_v", through.seen(Axis3::z)), height = of("H", lens.height);
-    return datum.is(formulas::screen_y(formulas::projected(d, y_v, z_v), w_y, height), of, false);
+    return datum.is(formulas::screen_y(formulas::projected(d, y_v, z_v), w_y, height, lens.up), of, false);
   }
   if (field == "z_light") {
     const Formula n = of("n", lens.near), a = of("a", lens.a), z_v = of("z_v", through.seen(Axis3::z)),

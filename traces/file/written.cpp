@@ -1,0 +1,92 @@
+#include "traces/file/written.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "traces/events/fields.hpp"
+
+namespace zstep {
+namespace {
+
+/// 1/z_v is negative before a right-handed eye, and so are z_v itself and what is linear in them.
+bool depths_change_sign(const Header& header) {
+  using enum Conventions::Depth;
+  const Conventions::Depth depth = header.conventions.depth;
+  return header.written.axes == WrittenAs::Axes::right_handed &&
+         (depth == view || depth == corrected || depth == reciprocal);
+}
+
+bool is_of_attribute(const FieldOfKind& field) { return field.name == "over_z" || field.name == "one_over_z"; }
+
+/// Of a field in pixels: a place on the raster, not how far two are apart.
+bool is_position(const FieldOfKind& field) {
+  return field.unit == "px" && field.name != "dx_dy" && field.name != "edge_a" && field.name != "edge_b";
+}
+
+bool changes_sign(const FieldOfKind& field, bool depths) {
+  return field.name == "z_v" || field.unit == "view^3" || is_of_attribute(field) || (depths && field.unit == "depth");
+}
+
+/// Once it clips, a program may go on with the distance, w = -z_v, and have the determinant of that: what lies in view
+/// is before the eye, and which way a polygon faces is said besides.
+void take_either_sign(Event& event) {
+  if (event.index() == kind_of<ClipCross>) {
+    auto& e = event.as<ClipCross>();
+    e.z_v = std::abs(e.z_v);
+  }
+  if (event.index() == kind_of<FacingTest>) {
+    auto& e = event.as<FacingTest>();
+    if (e.facing != Facing::edge_on)
+      e.determinant = std::copysign(e.determinant, e.facing == Facing::back ? -1.0 : 1.0);
+  }
+}
+
+}  // namespace
+
+void turn(Event& event, const Header& header, Turned to) {
+  if (header.written == WrittenAs{}) return;
+  const bool right_handed = header.written.axes == WrittenAs::Axes::right_handed, depths = depths_change_sign(header);
+  const double half = header.written.centre == WrittenAs::Centre::integer ? 0 : to == Turned::as_own ? -0.5 : 0.5;
+  for (const FieldOfKind& field : fields_of_kind(event.index())) {
+    if (field.type != FieldOfKind::Type::real) continue;
+    if (right_handed && changes_sign(field, depths)) field.write(event, -field.read(event));
+    if (half != 0 && is_position(field)) field.write(event, field.read(event) + half);
+  }
+  if (right_handed && to == Turned::as_own) take_either_sign(event);
+  // A x + B y + C is the same number at a centre, however that is called.
+  if (half != 0 && event.index() == kind_of<EdgeFunction>) {
+    auto& e = event.as<EdgeFunction>();
+    e.edge_c -= half * (e.edge_a + e.edge_b);
+  }
+}
+
+void turn(Header& header, Turned) {
+  if (!depths_change_sign(header)) return;
+  using Nearer = Comparison::Nearer;
+  header.comparison.nearer = header.comparison.nearer == Nearer::smaller ? Nearer::greater : Nearer::smaller;
+  if (header.initial_depth) header.initial_depth = -*header.initial_depth;
+}
+
+void turn(Scene& scene, const Header& header, Turned to) {
+  // Of a right-handed world, which zstep's is, a left-handed view is mirrored, and a right-handed one is not.
+  glm::dmat4& view = scene.camera.view;
+  if (header.written.axes == WrittenAs::Axes::right_handed && to == Turned::as_own &&
+      glm::determinant(glm::dmat3(view)) > 0)
+    for (int column = 0; column < 4; ++column) view[column][2] = -view[column][2];
+  if (header.written.centre == WrittenAs::Centre::integer || scene.camera.kind != Camera::Kind::screen) return;
+  const double half = to == Turned::as_own ? -0.5 : 0.5;
+  for (glm::dvec3& point : scene.points) point.x += half, point.y += half;
+}
+
+std::string_view kind_that_cannot_turn(const Header& header) {
+  constexpr std::array kinds{kind_of<PlaneEquation>, kind_of<ExtentTest>, kind_of<SplitVertex>};
+  if (header.written == WrittenAs{}) return {};
+  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](std::size_t kind) { return records(header, kind); });
+  return found == kinds.end() ? std::string_view() : description_of_kind(*found).name;
+}
+
+}  // namespace zstep
