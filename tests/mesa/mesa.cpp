@@ -50,17 +50,29 @@ glm::dmat4 clip_matrix(const Camera& camera, const Raster& raster) {
   return matrix;
 }
 
-void draw_facets(const Scene& scene) {
-  for (const Facet& facet : scene.facets) {
-    const auto id = static_cast<std::uint32_t>(facet.polygon + 1);  // 0 is the background
-    glColor3ub(static_cast<GLubyte>(id), static_cast<GLubyte>(id >> 8), static_cast<GLubyte>(id >> 16));
-    glBegin(GL_POLYGON);
-    for (std::int32_t i = 0; i < facet.corner_count; ++i) {
-      const std::int32_t corner = scene.corners[static_cast<std::size_t>(facet.first_corner + i)];
-      glVertex3dv(glm::value_ptr(scene.points[static_cast<std::size_t>(corner)]));
-    }
-    glEnd();
+void draw_facet(const Scene& scene, const Facet& facet) {
+  const auto id = static_cast<std::uint32_t>(facet.polygon + 1);  // 0 is the background
+  glColor3ub(static_cast<GLubyte>(id), static_cast<GLubyte>(id >> 8), static_cast<GLubyte>(id >> 16));
+  glBegin(GL_POLYGON);
+  for (std::int32_t i = 0; i < facet.corner_count; ++i) {
+    const std::int32_t corner = scene.corners[static_cast<std::size_t>(facet.first_corner + i)];
+    glVertex3dv(glm::value_ptr(scene.points[static_cast<std::size_t>(corner)]));
   }
+  glEnd();
+}
+
+Picture read_buffers(const Canvas& canvas, std::int32_t width, std::int32_t height) {
+  glFinish();
+  Picture picture(width, height);
+  std::vector<std::uint32_t> depth(picture.polygon.size());
+  glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth.data());
+  if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL reports an error");
+  for (std::size_t pixel = 0; pixel < picture.polygon.size(); ++pixel) {
+    const std::uint8_t* rgba = &canvas.rgba[pixel * 4];
+    picture.polygon[pixel] = (rgba[0] | rgba[1] << 8 | rgba[2] << 16) - 1;
+    if (picture.polygon[pixel] != no_polygon) picture.depth[pixel] = depth[pixel] / 4294967295.0;
+  }
+  return picture;
 }
 
 // z_v from OpenGL's depth, 0 … 1 for near … far.
@@ -72,7 +84,7 @@ double linearised(const Camera& camera, double depth) {
 
 }  // namespace
 
-Picture draw_with_mesa(const Scene& scene, bool cull) {
+Picture drawn_by_opengl(const Scene& scene, bool cull, const OnFacet& on_facet) {
   Canvas canvas(scene.raster.width, scene.raster.height);
   glViewport(0, 0, scene.raster.width, scene.raster.height);
   glMatrixMode(GL_PROJECTION);
@@ -89,22 +101,23 @@ Picture draw_with_mesa(const Scene& scene, bool cull) {
   glClearColor(0, 0, 0, 0);
   glClearDepth(1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  draw_facets(scene);
-  glFinish();
-
-  Picture picture(scene.raster.width, scene.raster.height);
-  std::vector<std::uint32_t> depth(picture.polygon.size());
-  glReadPixels(0, 0, picture.width, picture.height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth.data());
-  if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL reports an error");
-  for (std::int32_t y = 0; y < picture.height; ++y) {
-    for (std::int32_t x = 0; x < picture.width; ++x) {
-      const std::size_t from = picture.at(x, picture.height - 1 - y),
-                        to = picture.at(x, y);  // OpenGL counts rows upwards
-      const std::uint8_t* rgba = &canvas.rgba[from * 4];
-      picture.polygon[to] = (rgba[0] | rgba[1] << 8 | rgba[2] << 16) - 1;
-      if (picture.polygon[to] != no_polygon) picture.depth[to] = linearised(scene.camera, depth[from] / 4294967295.0);
-    }
+  for (std::size_t facet = 0; facet < scene.facets.size(); ++facet) {
+    draw_facet(scene, scene.facets[facet]);
+    if (on_facet)
+      on_facet(static_cast<std::int32_t>(facet), read_buffers(canvas, scene.raster.width, scene.raster.height));
   }
+  return read_buffers(canvas, scene.raster.width, scene.raster.height);
+}
+
+Picture draw_with_mesa(const Scene& scene, bool cull) {
+  const Picture upwards = drawn_by_opengl(scene, cull);
+  Picture picture(upwards.width, upwards.height);
+  for (std::int32_t y = 0; y < picture.height; ++y)
+    for (std::int32_t x = 0; x < picture.width; ++x) {
+      const std::size_t from = picture.at(x, picture.height - 1 - y), to = picture.at(x, y);
+      picture.polygon[to] = upwards.polygon[from];
+      if (picture.polygon[to] != no_polygon) picture.depth[to] = linearised(scene.camera, upwards.depth[from]);
+    }
   return picture;
 }
 

@@ -14,12 +14,16 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/half_space/half_space.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "sim/truth/explain_difference.hpp"
 #include "tests/mesa/mesa.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
+#include "traces/check/check.hpp"
 #include "traces/record/recorder.hpp"
+#include "traces/record/trace_recorder.hpp"
 
 using namespace zstep;
 
@@ -93,8 +97,96 @@ Count hold_against_mesa(const Scene& scene, bool cull) {
 
 }  // namespace
 
+namespace {
+
+/// What OpenGL writes of each facet, as a run on a scene under OpenGL's conventions.
+Trace run_of_mesa(const Scene& scene, const Scene& drawn, bool cull) {
+  Conventions conventions;
+  conventions.depth = Conventions::Depth::zero_to_one, conventions.cull = cull;
+  conventions.number_format = NumberFormat::float32, conventions.positions = Conventions::Positions::subpixels;
+  Header header = header_for(method("z-buffer"), conventions);
+  header.written = {WrittenAs::Centre::half, WrittenAs::Axes::right_handed};
+  const auto step = [&](std::string_view name) { return find_step(header.page, name)->id; };
+  TraceRecorder recorder(header, scene);
+  record_any(recorder, step("clear"), BuffersClear{no_depth});
+  Picture before(scene.raster.width, scene.raster.height);
+  test::drawn_by_opengl(drawn, cull, [&](std::int32_t facet, const Picture& now) {
+    const std::int32_t polygon = scene.facets[static_cast<std::size_t>(facet)].polygon;
+    record_any(recorder, step("polygon"), PolygonBegin{polygon, facet});
+    for (std::int32_t y = 0; y < now.height; ++y)
+      for (std::int32_t x = 0; x < now.width; ++x) {
+        const std::size_t pixel = now.at(x, y);
+        if (now.polygon[pixel] == before.polygon[pixel] && now.depth[pixel] == before.depth[pixel]) continue;
+        record_any(recorder, step("write_depth"), DepthWrite{x, y, now.depth[pixel]});
+        record_any(recorder, step("write_pixel"), PixelWrite{x, y, now.polygon[pixel]});
+      }
+    before = now;
+  });
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "Mesa");
+}
+
+}  // namespace
+
 TEST_SUITE("mesa") {
   TEST_CASE("which Mesa") { MESSAGE(test::mesa_version()); }
+
+  TEST_CASE("check doubts nothing that Mesa draws, under OpenGL's conventions") {
+    for (const std::string name : {"cube", "dodecahedron", "pyramid-behind", "cyclic", "teapot:2"})
+      for (const bool orthographic : {false, true}) {
+        CAPTURE(name);
+        CAPTURE(orthographic);
+        ViewOptions options;
+        options.theta = 33, options.phi = 62, options.width = 160, options.height = 120, options.y_up = true;
+        if (orthographic) options.orthographic = true;
+        const Scene scene = look_at_scene(load_scene(name).scene, options);
+        const Trace run = run_of_mesa(scene, scene, false);
+        const CheckReport report = check(run);
+        for (std::size_t i = 0; i < std::min<std::size_t>(5, report.causes.size()); ++i) {
+          const Fault& fault = report.causes[i].first;
+          const std::string rule(fault.rule ? rule_text(*fault.rule).name : "");
+          FAIL_CHECK("step ", fault.step, ": ", fault.field, " ", fault.recorded, " ", fault.expected, " ", rule);
+        }
+        MESSAGE(name, ": ", report.numbers, " depths, of which ", report.wrong_steps, " are wrong");
+        CHECK(report.numbers > 1000);
+      }
+  }
+
+  TEST_CASE("check finds that Mesa's pixels are not those of centres half a pixel beside") {
+    ViewOptions options;
+    options.theta = 33, options.phi = 62, options.width = 160, options.height = 120, options.y_up = true;
+    const Scene scene = look_at_scene(load_scene("cube").scene, options);
+    Scene moved = scene;
+    moved.camera.view[3][0] += 0.5 * 2 * moved.camera.window / moved.raster.height * moved.camera.rho / moved.camera.d;
+    CHECK(check(run_of_mesa(scene, moved, false)).wrong_steps > 100);
+  }
+
+  TEST_CASE("with vertices at 256ths of a pixel half-space draws Mesa's picture, pixel for pixel") {
+    int drawn = 0;
+    double largest = 0;
+    for (const std::string name : {"cube", "dodecahedron", "pyramid-behind", "cyclic"})
+      for (const bool orthographic : {false, true}) {
+        CAPTURE(name);
+        ViewOptions options;
+        options.theta = 33, options.phi = 62, options.width = 160, options.height = 120, options.y_up = true;
+        if (orthographic) options.orthographic = true;
+        const Scene scene = look_at_scene(load_scene(name).scene, options);
+        Conventions conventions;
+        conventions.depth = Conventions::Depth::zero_to_one, conventions.cull = false;
+        conventions.positions = Conventions::Positions::subpixels;
+        NullRecorder record;
+        const Picture ours = half_space::run(scene, conventions, record), mesas = test::drawn_by_opengl(scene, false);
+        CHECK(ours.polygon == mesas.polygon);
+        for (std::size_t pixel = 0; pixel < ours.polygon.size(); ++pixel) {
+          if (ours.polygon[pixel] == no_polygon) continue;
+          ++drawn;
+          largest = std::max(largest, std::abs(ours.depth[pixel] - mesas.depth[pixel]));
+        }
+      }
+    MESSAGE(drawn, " pixels, depths to ", largest);
+    CHECK(largest < 1e-3);  // Mesa's planes go through the vertices where they were before they came to 256ths
+    CHECK(drawn > 10'000);
+  }
 
   TEST_CASE("teapot, cube and dodecahedron, from three cameras each, perspective and orthographic") {
     struct View {
