@@ -62,7 +62,7 @@ bool match(const std::vector<std::string>& pattern, const std::vector<std::strin
 TEST_CASE("docs: every command prints what its page says") {
   for (const char* page :
        {"command-line.md", "querying.md", "checking-a-run.md", "comparing-runs.md", "interpolation.md", "homework.md",
-        "setting-a-homework.md", "writing-a-run.md", "barycentric-rasteriser.md"}) {
+        "setting-a-homework.md", "teaching.md", "writing-a-run.md", "barycentric-rasteriser.md"}) {
     const Folder folder;
     std::filesystem::create_directory_symlink(in_checkout("lessons"), folder / "lessons");
     const std::vector<Example> examples = examples_of(text_of(in_checkout("docs/" + std::string(page))));

@@ -135,6 +135,17 @@ camera = { rho = 8, theta = 0, phi = 90 }
 polygon = [{ name = "N", corners = [0, 1, 2, 3] }]
 )";
 
+/// A cube whose faces are two triangles each.
+const std::string cube_of_triangles =
+    R"(points = [[1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, -1], [1, -1, 1], [1, 1, 1], [-1, 1, 1], [-1, -1, 1]]
+camera = { eye = [4, 3, 2] }
+polygon = [
+  { corners = [0, 1, 5] }, { corners = [0, 5, 4] }, { corners = [1, 2, 6] }, { corners = [1, 6, 5] },
+  { corners = [4, 5, 6] }, { corners = [4, 6, 7] }, { corners = [2, 3, 7] }, { corners = [2, 7, 6] },
+  { corners = [3, 0, 4] }, { corners = [3, 4, 7] }, { corners = [3, 2, 1] }, { corners = [3, 1, 0] },
+]
+)";
+
 TEST_CASE("what lessons say about other runs than their own is so") {
   const Edits first_hides_all{
       {"[[37, 15.1, 71.9], [40.6, 24.6, 69.2], [45.7, 27.1, 77.2]]", "[[-60, -5, 1], [100, -5, 1], [20, 110, 1]]"}};
@@ -271,6 +282,102 @@ TEST_CASE("what lessons say about other runs than their own is so") {
        "{count(attribute where x == 30 and y == 10 and attribute == 1.25) = 1} "
        "{count(attribute where x == 30 and polygon == \"F\" and attribute > 0.51 and attribute < 0.76) = 8} "
        "{count(attribute where x == 8 and y == 11 and attribute == 1.45) = 1}"},
+      {"coherence: rays ask every polygon at every pixel", "two-objects.toml", "ray-casting", "",
+       "{count(plane) = 2048} {count(box_test) = 0}"},
+      {"coherence: a box around each polygon", "two-objects.toml", "ray-casting", "[options]\nboxes = \"facet\"",
+       "{count(plane) = 510} {count(box_test) = 2048}"},
+      {"coherence: a hierarchy of boxes", "two-objects.toml", "ray-casting", "[options]\nboxes = \"hierarchy\"",
+       "{count(plane) = 754} {count(box_test) = 1292}"},
+      {"coherence: depth complexity", "two-objects.toml", "z-buffer", "",
+       "{count(compare) = 323} {count(write_pixel) = 303} {count(compare where stored == infinity) = 239}"},
+      {"coherence: areas", "two-objects.toml", "warnock", "", "{count(area) = 249} {count(pixel) = 78}"},
+      {"coherence: edges against polygons", "two-objects.toml", "hidden-line", "",
+       "{count(edge)*polygons = 64} {count(own) + count(in_front) + count(beside) + count(covered) = 14}"},
+      {"coherence: without it each depth is computed", "two-objects.toml", "scan-line", "",
+       "{count(depth) = 64} {count(saved) = 0}"},
+      {"many-eyes: roots in the order of the file", "many-eyes.toml", "bsp", "[options]\nroot = \"first\"",
+       "{count(side where side == crossing) = 4} {count(node) = 11} {count(node where node == 1 and parent == 0 or "
+       "node == 2 and parent == 1 or node == 3 and parent == 2 or node == 4 and parent == 3 or node == 5 and parent == "
+       "1 or node == 6 and parent == 0 or node == 7 and parent == 6 or node == 8 and parent == 6 or node == 9 and "
+       "parent == 8 or node == 10 and parent == 9) = 10}"},
+      {"many-eyes: random roots", "many-eyes.toml", "bsp", "[options]\nroot = \"random\"",
+       "{count(side where side == crossing) = 6} {count(node) = 12} {count(node where node == 1 and parent == 0 or "
+       "node == 2 and parent == 1 or node == 3 and parent == 1 or node == 4 and parent == 3 or node == 5 and parent == "
+       "0 or node == 6 and parent == 5 or node == 7 and parent == 5 or node == 8 and parent == 7 or node == 9 and "
+       "parent == 7 or node == 10 and parent == 9 or node == 11 and parent == 10) = 11}"},
+      {"many-eyes: other random roots", "many-eyes.toml", "bsp", "[options]\nroot = \"random\"\nseed = \"2\"",
+       "{count(side where side == crossing) = 2} {count(node) = 10} {count(node where node == 1 and parent == 0 or "
+       "node == 2 and parent == 1 or node == 3 and parent == 2 or node == 4 and parent == 1 or node == 5 and parent == "
+       "4 or node == 6 and parent == 0 or node == 7 and parent == 6 or node == 8 and parent == 6 or node == 9 and "
+       "parent == 8) = 9}"},
+      {"many-eyes: fewest splits", "many-eyes.toml", "bsp", "",
+       "{count(side where side == crossing) = 2} {count(node) = 10} {count(node where node == 1 and parent == 0 or "
+       "node == 2 and parent == 1 or node == 3 and parent == 2 or node == 4 and parent == 3 or node == 5 and parent == "
+       "2 or node == 6 and parent == 1 or node == 7 and parent == 6 or node == 8 and parent == 7 or node == 9 and "
+       "parent == 8) = 9}"},
+      {"many-eyes: the largest first",
+       "many-eyes.toml",
+       "bsp",
+       "[options]\nroot = \"first\"",
+       "{count(side where side == crossing) = 2} {count(node) = 10} {count(node where node == 1 and parent == 0 or "
+       "node == 2 and parent == 1 or node == 3 and parent == 2 or node == 4 and parent == 1 or node == 5 and parent == "
+       "4 or node == 6 and parent == 0 or node == 7 and parent == 6 or node == 8 and parent == 7 or node == 9 and "
+       "parent == 8) = 9}",
+       {{"name = \"many eyes\"",
+         "name = \"many eyes\"\norder = [\"P\", \"A\", \"B\", \"H\", \"F\", \"G\", \"C\", \"D\", \"E\", \"J\", \"I\", "
+         "\"Q\"]"}}},
+      {"many-eyes: a second eye, the same tree", "many-eyes.toml", "bsp",
+       "[camera]\ntheta = 126.86989764584402\n[options]\nroot = \"first\"",
+       "{eye_x ~ -6.000} {eye_y ~ 8.000} {count(node) = 11} {count(side) = 30} {count(side where side == crossing) = "
+       "4} {count(eye_side) = 11} {count(back_face) = 8} {count(draw) = 8} {count(skip) = 0} {count(paint) = 639}"},
+      {"many-eyes: depth sort", "many-eyes.toml", "depth-sort", "",
+       "{count(test_1) + count(test_2) + count(test_3) + count(test_4) + count(test_5) + count(test_3_swapped) + "
+       "count(test_4_swapped) = 40} {count(split) = 1} {count(draw) = 6} {count(paint) = 539}"},
+      {"many-eyes: depth sort for the second eye", "many-eyes.toml", "depth-sort",
+       "[camera]\ntheta = 126.86989764584402",
+       "{count(test_1) + count(test_2) + count(test_3) + count(test_4) + count(test_5) + count(test_3_swapped) + "
+       "count(test_4_swapped) = 29} {count(split) = 1} {count(draw) = 7} {count(paint) = 639}"},
+      {"many-eyes: 16 bits lose Q", "many-eyes.toml", "z-buffer", "[conventions]\nnumber_format = \"fixed16\"",
+       "{count(compare where polygon == \"Q\" and nearer) = 0} {count(compare where polygon == \"Q\") = 24} {frame(15, "
+       "9) = A}"},
+      {"many-eyes: nothing is discarded", "many-eyes.toml", "bsp", "[options]\nroot = \"first\"\ndiscard = \"off\"",
+       "{count(eye_side) = 11} {count(skip) = 0} {count(draw) = 10} {count(paint) = 539}"},
+      {"many-eyes: a hundred triangles, roots in the order of the file", "hundred.toml", "bsp",
+       "[options]\nroot = \"first\"", "{count(node) = 454}"},
+      {"many-eyes: a hundred triangles, fewest splits", "hundred.toml", "bsp", "", "{count(node) = 345}"},
+      {"wireframe: all lines", "two-cubes.toml", "wireframe", "",
+       "{count(edge) = 41} {count(whole) = 41} {count(draw) = 568}"},
+      {"wireframe: solid", "two-cubes.toml", "z-buffer", "",
+       "{count(write_depth where stored == infinity) = 1060} {count(reject) = 9}"},
+      {"wireframe: culling alone draws the cubes", "two-cubes.toml", "wireframe", "[options]\nedges = \"front\"",
+       "{count(edge where line < 24) - count(back where line < 24) = 18}"},
+      {"wireframe: without culling edges of the open box come to be seen", "two-cubes.toml", "hidden-line",
+       "[conventions]\ncull = false",
+       "{count(reject) = 0} {count(visible where line == 32) = 2} {count(visible where line == 33 and t_0 == 0 and t_1 "
+       "== 1) = 1} {count(visible where line == 34 and t_0 == 0 and t_1 == 1) = 1} {count(visible where line == 36 and "
+       "t_0 == 0 and t_1 == 1) = 1} {count(visible where line == 35) = 0} {count(visible where line < 24) = 18} "
+       "{count(hidden where line < 24 and t_0 == 0 and t_1 == 1) = 6}"},
+      {"wireframe: of a cube three faces are seen", "camera = { eye = [4, 3, 2] }\nmesh = [{ builtin = \"cube\" }]\n",
+       "hidden-line", "",
+       "{count(facing where facing == front) = 3} {count(facing where facing == back) = 3} {count(edge where kind == "
+       "contour) = 6}"},
+      {"wireframe: of a cube two faces are seen", "camera = { eye = [4, 3, 0.5] }\nmesh = [{ builtin = \"cube\" }]\n",
+       "hidden-line", "",
+       "{count(facing where facing == front) = 2} {count(facing where facing == back) = 4} {count(edge where kind == "
+       "contour) = 6}"},
+      {"wireframe: of a cube one face is seen", "camera = { eye = [4, 0.5, 0.5] }\nmesh = [{ builtin = \"cube\" }]\n",
+       "hidden-line", "",
+       "{count(facing where facing == front) = 1} {count(facing where facing == back) = 5} {count(edge where kind == "
+       "contour) = 4}"},
+      {"wireframe: a cube of triangles has six more lines", cube_of_triangles, "hidden-line", "",
+       "{polygons = 12} {count(edge) = 18} {count(edge where kind == contour) = 6} {count(edge where kind == inner) = "
+       "6} {count(edge where kind == back) = 6} {count(visible) = 12}"},
+      {"coherence: a frame later B has moved",
+       "two-objects.toml",
+       "scan-line",
+       "[options]\ncoherence = \"on\"",
+       "{frame(6, 3) = A} {frame(13, 3) = B} {frame(8, 10) = A} {frame(15, 10) = B} {count(paint) = 247}",
+       {{"[[6, 3, 2], [13, 3, 2], [15, 11, 2], [8, 11, 2]]", "[[7, 3, 2], [14, 3, 2], [16, 11, 2], [9, 11, 2]]"}}},
   };
   for (const Run& run : runs) check(run);
 }

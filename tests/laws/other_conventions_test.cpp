@@ -43,7 +43,7 @@ Scene seen(const char* name, double theta, double phi, bool up, bool parallel = 
 
 TEST_CASE("law: where rows go up each method draws the picture that it draws where they go down, upside down") {
   int pictures = 0;
-  for (const char* name : {"pyramid-behind", "cyclic", "foley", "cube"})
+  for (const char* name : {"pyramid-behind", "cyclic", "dodecahedron", "cube"})
     for (const bool parallel : {false, true})
       for (const Method& method : methods()) {
         const Scene down = seen(name, 33, 62, false, parallel), up = seen(name, 33, 62, true, parallel);
@@ -176,9 +176,9 @@ TEST_CASE("zoo: right renderers after OpenGL, Vulkan and Direct3D are not doubte
 
 TEST_CASE("zoo: a convention that such a renderer has and its header has not is named, and two together") {
   struct Case {
-    const char* library;
+    std::string library;
     std::vector<const char*> left_out;
-    const char* named;
+    std::string named;
   };
   for (const auto& [name, left_out, named] : std::vector<Case>{
            {"direct3d", {"centre"}, "pixel_centre half "},
@@ -196,7 +196,7 @@ TEST_CASE("zoo: a convention that such a renderer has and its header has not is 
     std::string others;
     for (std::uint64_t seed = 1; seed <= 12 / test::sparse; ++seed) {
       const Library& library = *std::find_if(libraries.begin(), libraries.end(), [&, name = name](const Library& one) {
-        return one.name == std::string_view(name);
+        return one.name == name;
       });
       const Scene scene = triangles_before_camera(seed, library.y_up);
       Scene declared = scene;
@@ -223,6 +223,7 @@ TEST_CASE("zoo: a convention that such a renderer has and its header has not is 
     CAPTURE(name);
     CAPTURE(named);
     CAPTURE(others);
+    CAPTURE(left_out.size());
     CHECK(wrong >= 12 / test::sparse - 1);
     CHECK(found == wrong);
   }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
 #include <fmt/ranges.h>
@@ -61,9 +62,8 @@ TEST_CASE("law: all that stands on the speaker's notes is read, at each stop tha
       for (const bool dark : {false, true}) {
         Talk talk(id, dark);
         Notes notes(width, height);
-        const bool has_notes = talk.lesson.stops.front().notes.has_value();
         for (int stop = 0; stop < static_cast<int>(talk.lesson.stops.size()); ++stop) {
-          if (!has_notes && stop % 4 != 0) continue;
+          if (std::string_view(id) == "bsp" && stop % 4 != 0) continue;
           talk.app.session().to_stop(stop);
           CHECK(notes.follow(talk.app, "14:05"));
           CAPTURE(id);
@@ -110,6 +110,7 @@ TEST_CASE("notes: the stop, its notes, the right answer, what comes next and whe
   CHECK(notes.follow(alone, ""));
   CHECK(seen_in(notes).find(without_spaces("none is open")) != std::string::npos);
   Talk other("bsp");
+  for (Stop& stop : other.lesson.stops) stop.notes.reset();
   other.app.session().to_stop(0);
   CHECK(notes.follow(other.app, ""));
   CHECK(seen_in(notes).find(without_spaces("There are no notes for this stop.")) != std::string::npos);

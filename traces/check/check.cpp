@@ -515,11 +515,13 @@ std::optional<OtherConvention> convention_it_follows(const Trace& trace, const C
   std::optional<Tried> best;
   if (!tried.empty() && 10 * tried.front().wrong < report.wrong_steps) best = tried.front();
 
-  // Of two that a run follows together each one mends something by itself, or nothing is found.
+  // Of two that a run follows together one mends something by itself, or it is of those that hide what is wrong
+  // besides: no place on the raster is judged, say, while z_v has the wrong sign.
   constexpr std::size_t most_begun = 4;
   const std::int64_t to_beat = best ? best->wrong : report.wrong_steps;
-  for (std::size_t i = 0; to_beat > 0 && i < std::min(most_begun, tried.size()); ++i) {
+  for (std::size_t i = 0; to_beat > 0 && i < tried.size(); ++i) {
     const Otherwise* first = tried[i].others.front();
+    if (i >= most_begun && !first->is_of_raster && !first->is_of_numbers) continue;
     for (const Otherwise& second : all) {
       if (second.key == first->key) continue;
       const auto wrong = wrong_steps_under({first, &second}, trace, report);

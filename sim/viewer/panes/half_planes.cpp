@@ -51,7 +51,6 @@ class Painter {
 
   void paint(const TriangleWork& triangle) {
     const TriangleSetup& box = *triangle.setup;
-    if (!triangle.edges.empty()) strike_out(box, triangle.edges);
     frame(box.first_column, box.first_row, box.end_column, box.end_row, 1.5, to_pixel(c_.text));
     for (const EdgeFunction& edge : triangle.edges) line(box, edge);
     if (triangle.tile) {
@@ -62,19 +61,6 @@ class Painter {
   }
 
  private:
-  /// A stroke through each pixel of the box that is on the wrong side of an edge.
-  void strike_out(const TriangleSetup& box, const std::vector<EdgeFunction>& edges) {
-    for (std::int32_t y = std::max(0, box.first_row); y < std::min(map_.height, box.end_row); ++y)
-      for (std::int32_t x = std::max(0, box.first_column); x < std::min(map_.width, box.end_column); ++x) {
-        if (std::all_of(edges.begin(), edges.end(), [&](const EdgeFunction& e) { return is_inside(e, x, y); }))
-          continue;
-        const double reach = 0.28 * map_.cell, at_x = map_.px(x), at_y = map_.py(y);
-        if (at_x < -map_.cell || at_y < -map_.cell || at_x > canvas_.width() + map_.cell ||
-            at_y > canvas_.height() + map_.cell)
-          continue;
-        canvas_.line(at_x - reach, at_y + reach, at_x + reach, at_y - reach, 1.2 * thin_, to_pixel(c_.muted), 170);
-      }
-  }
   void frame(std::int32_t left, std::int32_t first, std::int32_t right, std::int32_t end, double thick, Pixel32 color) {
     const double x_0 = map_.px(left - 0.5), x_1 = map_.px(right - 0.5), y_0 = map_.py(first - 0.5),
                  y_1 = map_.py(end - 0.5);
@@ -124,19 +110,45 @@ class Painter {
   double thin_;
 };
 
+/// A cross on each pixel of the box that is on the wrong side of an edge, where nothing stands in it.
+void cross_out(const Ui& ui, const RasterMap& map, ImVec2 origin, const TriangleWork& triangle, bool stands_in) {
+  if (triangle.edges.empty()) return;
+  const Picture& picture = ui.session.picture();
+  const TriangleSetup& box = *triangle.setup;
+  const double reach = std::min(0.16 * map.cell, 6.0 * ui.thin);
+  for (std::int32_t y = std::max(0, box.first_row); y < std::min(map.height, box.end_row); ++y)
+    for (std::int32_t x = std::max(0, box.first_column); x < std::min(map.width, box.end_column); ++x) {
+      const double at_x = map.px(x), at_y = map.py(y);
+      const bool is_shown = at_x > 0 && at_y > 0 && at_x < map.box_width && at_y < map.box_height;
+      if (!is_shown || (stands_in && picture.polygon[picture.at(x, y)] != no_polygon)) continue;
+      if (std::all_of(triangle.edges.begin(), triangle.edges.end(),
+                      [&](const EdgeFunction& edge) { return is_inside(edge, x, y); }))
+        continue;
+      for (const double rise : {reach, -reach})
+        stroke_line(ImGui::GetWindowDrawList(), moved_by(origin, at_x - reach, at_y + rise),
+                    moved_by(origin, at_x + reach, at_y - rise), ui.colors().muted, 1.2f * ui.thin);
+    }
+}
+
 }  // namespace
 
 void paint_half_planes(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin) {
   if (const TriangleWork* triangle = at_work(now.state(), map)) Painter(canvas, map, now, c, thin).paint(*triangle);
 }
 
-void label_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces& taken) {
+void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces& taken, bool stands_in) {
   const State& state = ui.session.state();
   const TriangleWork* triangle = at_work(state, map);
   if (!triangle) return;
   constexpr std::array names{"E\u2080", "E\u2081", "E\u2082"};
   const ImFont* font = ui.fonts.bold;
   const float rim = std::round(2 * ui.thin);
+  const Picture& picture = ui.session.picture();
+  cross_out(ui, map, origin, *triangle, stands_in);
+  const auto is_drawn = [&](float x, float y) {
+    const auto cell = map.cell_at(x - origin.x, y - origin.y);
+    return cell && picture.polygon[picture.at(cell->x, cell->y)] != no_polygon;
+  };
   for (const EdgeFunction& edge : triangle->edges) {
     if (edge.edge_function < 0 || edge.edge_function > 2) continue;
     const auto from = on_raster(ui.session.scene(), state, edge.vertex_0),
@@ -146,21 +158,26 @@ void label_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces&
     const ImVec2 size = text_size(ui, font, name);
     const glm::dvec2 inward(edge.edge_a, map.y_up ? -edge.edge_b : edge.edge_b);
     if (!(glm::length(inward) > 0)) continue;
-    // Outside the triangle, beside the middle of the edge, or nearer to one of its ends.
+    // Outside the triangle, beside the middle of the edge, or nearer to one of its ends; inside, where that is no
+    // place.
     const glm::dvec2 beside = -glm::normalize(inward) * (0.75 * font->FontSize + 2.0 * rim);
-    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
-      const ImVec2 at = moved_by(origin, map.px(from->x + share * (to->x - from->x)) + beside.x - size.x / 2,
-                                 map.py(from->y + share * (to->y - from->y)) + beside.y - size.y / 2);
-      const ImVec2 low{at.x - rim, at.y}, whole{size.x + 2 * rim, size.y};
-      const bool is_shown = low.x >= origin.x && low.y >= origin.y &&
-                            low.x + whole.x <= origin.x + to_float(map.box_width) &&
-                            low.y + whole.y <= origin.y + to_float(map.box_height);
-      if (!is_shown || !taken.free(low, whole)) continue;
-      taken.take(low, whole);
-      ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + whole.x, low.y + whole.y}, ui.colors().pane);
-      draw_text(ui, at, font, ui.colors().text, name);
-      break;
-    }
+    bool done = false;
+    for (const double side : {1.0, -1.0})
+      for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
+        const ImVec2 at = moved_by(origin, map.px(from->x + share * (to->x - from->x)) + side * beside.x - size.x / 2,
+                                   map.py(from->y + share * (to->y - from->y)) + side * beside.y - size.y / 2);
+        const ImVec2 low{at.x - rim, at.y}, whole{size.x + 2 * rim, size.y};
+        const float right = low.x + whole.x, end = low.y + whole.y;
+        const bool is_shown = low.x >= origin.x && low.y >= origin.y && right <= origin.x + to_float(map.box_width) &&
+                              end <= origin.y + to_float(map.box_height);
+        const bool covers = stands_in && (is_drawn(low.x, low.y) || is_drawn(right, low.y) || is_drawn(low.x, end) ||
+                                          is_drawn(right, end));
+        if (done || !is_shown || covers || !taken.free(low, whole)) continue;
+        taken.take(low, whole);
+        ImGui::GetWindowDrawList()->AddRectFilled(low, {right, end}, ui.colors().pane);
+        draw_text(ui, at, font, ui.colors().text, name);
+        done = true;
+      }
   }
 }
 

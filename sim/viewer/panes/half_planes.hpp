@@ -1,6 +1,6 @@
 // A triangle at work as its edge functions see it, over the framebuffer and the depth buffer: its box, the tile, each
-// edge's line with strokes to the side where its function is positive, the pixels that are outside, and the three
-// areas whose shares are the weights.
+// edge's line with strokes to the side where its function is positive, the pixels that are outside, and the three areas
+// whose shares are the weights.
 #pragma once
 
 #include "sim/viewer/draw/canvas.hpp"
@@ -12,7 +12,8 @@ namespace zstep::viewer {
 /// Nothing where no triangle is at work, or cells are too small to tell.
 void paint_half_planes(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin);
 
-/// E₀, E₁, E₂ beside the edges that are set up, outside the triangle; where they stand is taken from then on.
-void label_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces& taken);
+/// A cross on each pixel that is outside an edge, and E₀, E₁, E₂ beside the edges that are set up; where these stand is
+/// taken from then on. Where something `stands_in` the pixels that were drawn, only on those that were not.
+void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces& taken, bool stands_in);
 
 }  // namespace zstep::viewer

@@ -45,8 +45,8 @@ void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const
   paint_raster(canvas, map, cells.made.colors,
                {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)},
                cells.made.counts.empty() ? nullptr : &cells.made.counts);
-  paint_half_planes(canvas, map, now, c, thin);
   draw_geometry(canvas, map, now, lit, c, thin);
+  paint_half_planes(canvas, map, now, c, thin);
   const int line = nearest_int(thin);
   const int x0 = map.column_begin(0) - line, x1 = map.column_begin(map.width) + line - 1;
   const int y0 = nearest_int(map.top) - line, y1 = nearest_int(map.top + map.height * map.cell) + line - 1;
@@ -303,7 +303,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   const auto ends = span_ends(ui, map, origin);
   TakenPlaces taken = ends ? ends->taken() : TakenPlaces();
   const bool has_numbers = draw_numbers(ui, map, origin, cells.made, cell_text);
-  if (!has_numbers) label_half_planes(ui, map, origin, taken);
+  if (!has_numbers || talk.polygons) mark_half_planes(ui, map, origin, taken, has_numbers);
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(taken));
   draw_marks(ui, map, origin);
   if (ui.asks && s.marks_cells()) draw_hand_marks(ui, map, origin);
