@@ -21,6 +21,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/cost/bounds.hpp"
+#include "sim/image/bmp_tga.hpp"
 #include "sim/image/tables.hpp"
 #include "sim/pages/pictures.hpp"
 #include "sim/pages/page.hpp"
@@ -64,6 +65,9 @@ Table read_table(const std::string& path) {
   } else if (extension == ".png") {
     Image image = read_png(path);
     table.width = image.width, table.height = image.height, table.rgb = std::move(image.rgb);
+  } else if (extension == ".tga" || extension == ".bmp") {
+    Image image = read_bmp_or_tga(path);
+    table.width = image.width, table.height = image.height, table.rgb = std::move(image.rgb);
   } else if (extension == ".pfm") {
     const Pfm pfm = read_pfm(path);
     table.width = pfm.width, table.height = pfm.height, table.float32 = true;
@@ -89,7 +93,8 @@ double to_depths(Table& table, const Scene& scene, Conventions::Depth depth) {
 }  // namespace
 
 bool is_picture(const std::string& path) {
-  constexpr std::array<std::string_view, 6> extensions{".png", ".ppm", ".pgm", ".pnm", ".npy", ".pfm"};
+  constexpr std::array<std::string_view, 8> extensions{".png", ".ppm", ".pgm", ".pnm",
+                                                       ".tga", ".bmp", ".npy", ".pfm"};
   return std::find(extensions.begin(), extensions.end(), std::filesystem::path(path).extension().string()) !=
          extensions.end();
 }

@@ -257,6 +257,35 @@ TEST_CASE("diff: the mistake that makes a picture is named, and two that are mad
   const Outcome one = run(folder, "diff mirrored.ppm two.toml");
   CHECK(one.code == 1);
   CHECK(has(one.out, "So drawn it is this very picture:\n  Likely: The picture is mirrored."));
+  // The same as others write it: rows from the bottom up, blue first.
+  const auto colors = [&](std::size_t y) {
+    std::string row;
+    for (std::size_t x = 0; x < width; ++x) {
+      const char polygon = npy[begin + 4 * (y * width + (width - 1 - x))];
+      row += polygon == 0   ? std::string("\x00\x5e\xd5", 3)
+             : polygon == 1 ? std::string("\xb2\x72\x00", 3)
+                            : "\xff\xff\xff";
+    }
+    return row;
+  };
+  std::string rows;
+  for (std::size_t y = height; y-- > 0;) rows += colors(y);
+  const std::string tga = std::string("\0\0\2\0\0\0\0\0\0\0\0\0\x18\0\x10\0\x18\0", 18) + rows;
+  const std::string bmp = "BM" +
+                          std::string("\xb6\x04\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x18\0\0\0\x10\0\0\0\1\0\x18\0", 28) +
+                          std::string(24, '\0') + rows;
+  write_text(folder / "mirrored.tga", tga), write_text(folder / "mirrored.bmp", bmp);
+  for (const char* file : {"mirrored.tga", "mirrored.bmp"}) {
+    const Outcome other = run(folder, fmt::format("diff {} two.toml", file));
+    CAPTURE(other.err);
+    CHECK(other.out.substr(other.out.find("B: ")) == one.out.substr(one.out.find("B: ")));
+  }
+  write_text(folder / "cut.tga", tga.substr(0, 10)), write_text(folder / "text.bmp", "no picture");
+  for (const char* file : {"cut.tga", "text.bmp"}) {
+    const Outcome refused = run(folder, fmt::format("diff {} two.toml", file));
+    CHECK(refused.code == 2);
+    CHECK(has(refused.err, fmt::format("{}: is no .bmp or .tga that can be read", file)));
+  }
   std::string later = npy;
   REQUIRE(run(folder, "record two.toml -o run.ztrace").code == 0);
   const Outcome compares =

@@ -55,8 +55,9 @@ void derive(const BuffersClear& e, const Situation& at, Out& out) {
   const auto farthest = detail::farthest_depth(at);
   if (!farthest) return;
   constexpr double rounding = 1e-5;
-  const bool is_nearer = at.header.comparison.behind(*farthest, e.z) > rounding * (1 + std::abs(*farthest));
-  out.is(&BuffersClear::z, is_nearer ? at.header.empty_depth() : e.z);
+  const bool is_wrong =
+      std::isnan(e.z) || at.header.comparison.behind(*farthest, e.z) > rounding * (1 + std::abs(*farthest));
+  out.is(&BuffersClear::z, is_wrong ? at.header.empty_depth() : e.z);
 }
 
 namespace detail {

@@ -206,7 +206,8 @@ TEST_CASE("jsonl: a header is obeyed and kept, or refused with the words that th
   refused(R"({"coverage": "nearest"})", "top_left, inclusive");
   refused(R"({"depth": "distance"})", "pseudodepth, view");
   refused(R"({"number_format": "float16"})", "float64, float32");
-  refused(R"({"pixel_centre": "half"})", "can only be one of: integer");
+  refused(R"({"pixel_centre": "corner"})", "can only be one of: integer, half");
+  refused(R"({"view_coordinates": "left"})", "can only be one of: left_handed, right_handed");
   refused(R"({"ties": "second"})", "first, last");
   refused(R"({"initial_depth": "nan"})", "\"initial_depth\" is no number");
   refused(R"({"initial_depth": "far"})", "\"initial_depth\" is not a number");

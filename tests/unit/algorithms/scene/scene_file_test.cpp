@@ -227,7 +227,7 @@ TEST_SUITE("scene files") {
     CHECK(contains(error_of(triangle + "[raster]\nwidth = 0\n"),
                    "s.toml:4: width is not a whole number from 1 to 16384"));
     CHECK(contains(error_of(triangle + "[raster]\nwidth = 16384\nheight = 16384\n"), "more than 33554432 pixels"));
-    CHECK(contains(error_of(triangle + "[raster]\ny_axis = \"up\"\n"), "y_axis is for scenes in screen coordinates"));
+    CHECK(contains(error_of(triangle + "[raster]\ny_axis = \"left\"\n"), "y_axis"));
     CHECK(contains(error_of("coordinates = \"screen\"\n" + triangle + "[camera]\nrho = 3\n"), "has no camera"));
     CHECK(contains(error_of("coordinates = \"screen\"\n[[mesh]]\nbuiltin = \"cube\"\n"), "a mesh cannot stand"));
     CHECK(contains(error_of("[[mesh]]\nscale = 2\n"), "neither 'file' nor 'builtin'"));
