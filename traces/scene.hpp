@@ -185,7 +185,8 @@ struct Fit {
 
 struct Raster {
   std::int32_t width = 64, height = 64;
-  bool y_up = false;  ///< row 0 is at the bottom, as textbooks and OpenGL have it
+  bool y_up = false;     ///< row 0 is at the bottom, as textbooks and OpenGL have it
+  bool corners = false;  ///< through a camera pixels are seen at their first corner, not at their centre
   bool operator==(const Raster&) const = default;
 };
 

@@ -67,9 +67,10 @@ ZSTEP_INLINE void view_points(Stage& stage) {
       x_c = x_d / lens.window_x, y_c = y_d / lens.window_y, w_c = z_v;
       x_p = x_d / z_v, y_p = y_d / z_v, depth = view_z ? z_v : lens.near * (lens.a * z_v + lens.b) / z_v;
     }
-    const Doubles x_s = (x_p + lens.window_x) / (2 * lens.window_x) * lens.width - 0.5;
-    const Doubles from_edge = lens.up ? y_p + lens.window_y : lens.window_y - y_p;
-    const Doubles y_s = from_edge / (2 * lens.window_y) * lens.height - 0.5;
+    const double seen_at = lens.raster.corners ? 0 : 0.5;
+    const Doubles x_s = (x_p + lens.window_x) / (2 * lens.window_x) * lens.width - seen_at;
+    const Doubles from_edge = lens.raster.y_up ? y_p + lens.window_y : lens.window_y - y_p;
+    const Doubles y_s = from_edge / (2 * lens.window_y) * lens.height - seen_at;
     const Mask outside = (~(z_v - lens.near >= 0) & 1) | (~(lens.far - z_v >= 0) & 2) | (~(w_c + x_c >= 0) & 4) |
                          (~(w_c - x_c >= 0) & 8) | (~(w_c + y_c >= 0) & 16) | (~(w_c - y_c >= 0) & 32);
     for (std::size_t k = 0; k < four && first + k < range.end; ++k) {

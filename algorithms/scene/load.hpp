@@ -17,7 +17,7 @@ struct ViewOptions {
   std::optional<double> rho, theta, phi, d, window, near, far;
   std::optional<bool> orthographic;
   std::optional<std::int32_t> width, height;
-  std::optional<bool> y_up;
+  std::optional<bool> y_up, corners;
   bool fit = false;  ///< bounding box's centre to the origin, farthest vertex at distance 1
 };
 

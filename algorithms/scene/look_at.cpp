@@ -33,6 +33,7 @@ void apply_raster(Raster& raster, const ViewOptions& options) {
   raster.width = options.width.value_or(raster.width);
   raster.height = options.height.value_or(raster.height);
   raster.y_up = options.y_up.value_or(raster.y_up);
+  raster.corners = options.corners.value_or(raster.corners);
   if (raster.width < 1 || raster.height < 1 || raster.width > largest_side || raster.height > largest_side ||
       std::int64_t{raster.width} * raster.height > most_pixels)
     throw InputError("--size", fmt::format("{}x{} is no size of a raster", raster.width, raster.height),
@@ -171,9 +172,9 @@ Scene look_at_scene(Scene scene, const ViewOptions& options) {
   Camera& camera = scene.camera;
   if (camera.kind == Camera::Kind::screen) {
     if (options.rho || options.theta || options.phi || options.d || options.window || options.near || options.far ||
-        options.orthographic || options.fit)
+        options.orthographic || options.fit || options.corners)
       throw InputError(scene.name, "the scene is in screen coordinates, so it has no camera",
-                       "leave out rho, theta, phi, d, window, near, far, ortho and fit");
+                       "leave out rho, theta, phi, d, window, near, far, ortho, fit and seen-at");
     camera.polar = false;
     return scene;
   }

@@ -16,8 +16,8 @@ namespace {
 /// The point of the world that is seen at a pixel, from its depth: the way of a vertex, backwards.
 glm::dvec3 point_at(const viewing::Lens& lens, const glm::dmat4& world_of_view, std::int32_t x, std::int32_t y,
                     double z_v) {
-  const double x_p = formulas::window_x<double>(x, lens.window_x, lens.width),
-               y_p = formulas::window_y<double>(y, lens.window_y, lens.height, lens.up);
+  const double x_p = formulas::window_x<double>(x, lens.window_x, lens.width, lens.raster),
+               y_p = formulas::window_y<double>(y, lens.window_y, lens.height, lens.raster);
   const double per_plane = lens.orthographic ? 1 : z_v / lens.d;
   return glm::dvec3(world_of_view * glm::dvec4(x_p * per_plane, y_p * per_plane, z_v, 1));
 }

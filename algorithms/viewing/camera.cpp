@@ -76,19 +76,19 @@ DepthCoefficients depth_coefficients(double near, double far) {
   return {formulas::pseudodepth_a(near, far), formulas::pseudodepth_b(near, far)};
 }
 
-Lens::Lens(const Camera& camera, const Raster& raster, Conventions::Depth depth_)
+Lens::Lens(const Camera& camera, const Raster& raster_, Conventions::Depth depth_)
     : orthographic(camera.kind == Camera::Kind::orthographic),
       depth(depth_),
       d(camera.d),
-      window_x(camera.window * raster.width / raster.height),
+      window_x(camera.window * raster_.width / raster_.height),
       window_y(camera.window),
       near(camera.near),
       far(camera.far),
       a(depth_coefficients(near, far).a),
       b(depth_coefficients(near, far).b),
-      width(raster.width),
-      height(raster.height),
-      up(raster.y_up) {}
+      width(raster_.width),
+      height(raster_.height),
+      raster(raster_) {}
 
 glm::dvec4 Lens::clip_coordinates(glm::dvec3 view) const {
   if (orthographic) return {view.x / window_x, view.y / window_y, formulas::parallel_pseudodepth(near, far, view.z), 1};
@@ -107,8 +107,8 @@ glm::dvec3 Lens::project(glm::dvec3 view) const {
 }
 
 glm::dvec2 Lens::to_viewport(double x_p, double y_p) const {
-  return {formulas::snapped(formulas::screen_x<double>(x_p, window_x, width), positions),
-          formulas::snapped(formulas::screen_y<double>(y_p, window_y, height, up), positions)};
+  return {formulas::snapped(formulas::screen_x<double>(x_p, window_x, width, raster), positions),
+          formulas::snapped(formulas::screen_y<double>(y_p, window_y, height, raster), positions)};
 }
 
 }  // namespace zstep::viewing

@@ -63,7 +63,7 @@ struct Lens {
   /// View to the projection plane: (x_p, y_p) and the depth that will be interpolated. Perspective needs z_v > 0.
   glm::dvec3 project(glm::dvec3 view) const;
 
-  /// Window to viewport: (x_s, y_s), pixel centres at integers.
+  /// Window to viewport: (x_s, y_s), on which pixels are seen at integers.
   glm::dvec2 to_viewport(double x_p, double y_p) const;
 
   bool orthographic;
@@ -73,7 +73,7 @@ struct Lens {
   double near, far;           ///< z_v of the clipping planes
   double a, b;                ///< of pseudodepth
   double width, height;       ///< of the raster, in pixels
-  bool up;                    ///< row 0 is at the bottom
+  Raster raster;
   /// Where to_viewport() may put a vertex: whole pixels are the int x_s, y_s of 000.
   Conventions::Positions positions = Conventions::Positions::exact;
 };

@@ -28,7 +28,8 @@ std::string camera_text(const Camera& camera) {
 }
 
 std::string raster_text(const Raster& raster) {
-  return fmt::format("{}x{}, row 0 {}", raster.width, raster.height, raster.y_up ? "at the bottom" : "on top");
+  return fmt::format("{}x{}, row 0 {}{}", raster.width, raster.height, raster.y_up ? "at the bottom" : "on top",
+                     raster.corners ? ", pixels seen at their corners" : "");
 }
 
 std::string written_text(const WrittenAs& written) {

@@ -206,6 +206,14 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
                                                      "Where rows are counted to: down from the top (default), or up "
                                                      "from the bottom, as OpenGL has them")
                    ->type_name("down|up"));
+  const auto take_seen = [&view](const std::string& text) {
+    view.corners = parse_choice("--seen-at", text, std::vector<std::string>{"centres", "corners"}) == 1;
+  };
+  in("Method", command
+                   .add_option_function<std::string>("--seen-at", take_seen,
+                                                     "Where in a pixel what it shows is asked for: at its centre "
+                                                     "(default), or at its first corner, as many short rasterisers do")
+                   ->type_name("centres|corners"));
   std::vector<std::string> names;
   for (const Like& like : likes) names.emplace_back(like.name);
   const auto take_like = [&options, names](const std::string& text) {

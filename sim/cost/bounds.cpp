@@ -92,7 +92,8 @@ Corner<T> viewed(const Scene& scene, Conventions::Depth depth, const glm::dvec3&
   const auto beyond = [](double size, double limit) { return size > limit; };
   corner.in_view = !beyond(near, z_v) && !beyond(z_v, far) && !beyond(std::abs(double{x_p}), w_x) &&
                    !beyond(std::abs(double{y_p}), w_y);
-  corner.x = formulas::screen_x(x_p, w_x, width), corner.y = formulas::screen_y(y_p, w_y, height, scene.raster.y_up);
+  corner.x = formulas::screen_x(x_p, w_x, width, scene.raster),
+  corner.y = formulas::screen_y(y_p, w_y, height, scene.raster);
   corner.z = depth != Conventions::Depth::pseudodepth ? formulas::other_depth(depth, parallel, near, far, z_v)
              : parallel                               ? formulas::parallel_pseudodepth(near, far, z_v)
                                                       : formulas::pseudodepth(near, formulas::pseudodepth_a(near, far),

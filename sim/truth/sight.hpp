@@ -36,18 +36,20 @@ inline constexpr Real edge_on_sine = 1e-9L;  // below: rounding decides which wa
 
 Vec3 in_view(const Camera& camera, const glm::dvec3& world);
 
-/// Where lines of sight and the raster meet. Pixel centres are at integers.
+/// Where lines of sight and the raster meet. Pixels are seen at integers.
 struct Sight {
   const Camera& camera;
   Real half_x, half_y, width, height;
-  Real down;  ///< 1 where rows go down, -1 where they go up
+  Real down;     ///< 1 where rows go down, -1 where they go up
+  Real seen_at;  ///< where in a pixel it is seen
 
   explicit Sight(const Scene& scene)
       : camera(scene.camera),
         half_y(scene.camera.window),
         width(scene.raster.width),
         height(scene.raster.height),
-        down(scene.raster.y_up ? -1 : 1) {
+        down(scene.raster.y_up ? -1 : 1),
+        seen_at(scene.raster.corners ? 0 : 0.5L) {
     half_x = half_y * width / height;
   }
   bool screen() const { return camera.kind == Camera::Kind::screen; }
@@ -56,15 +58,15 @@ struct Sight {
   Vec2 on_raster(const Vec3& view) const {
     if (screen()) return {view.x, view.y};
     const Real shrink = perspective() ? static_cast<Real>(camera.d) / view.z : 1;
-    return {(view.x * shrink / half_x + 1) / 2 * width - 0.5L,
-            (1 - down * view.y * shrink / half_y) / 2 * height - 0.5L};
+    return {(view.x * shrink / half_x + 1) / 2 * width - seen_at,
+            (1 - down * view.y * shrink / half_y) / 2 * height - seen_at};
   }
   /// A point of the line of sight, and how it moves for z growing by one: at depth z it is from + z * along.
   void line(const Vec2& raster, Vec3& from, Vec3& along) const {
     from = {raster.x, raster.y, 0}, along = {0, 0, 1};
     if (screen()) return;
-    const Real x_p = ((raster.x + 0.5L) / width * 2 - 1) * half_x,
-               y_p = (1 - (raster.y + 0.5L) / height * 2) * half_y * down;
+    const Real x_p = ((raster.x + seen_at) / width * 2 - 1) * half_x,
+               y_p = (1 - (raster.y + seen_at) / height * 2) * half_y * down;
     from = perspective() ? Vec3(0) : Vec3(x_p, y_p, 0);
     if (perspective()) along = {x_p / static_cast<Real>(camera.d), y_p / static_cast<Real>(camera.d), 1};
   }

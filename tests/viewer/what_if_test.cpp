@@ -165,7 +165,7 @@ TEST_CASE("what if: buttons and Ctrl with an arrow change a little, and the next
   stage.app().settle();
   test::press(stage.app(), SDLK_DOWN, KMOD_CTRL);
   stage.serve();
-  CHECK(stage.trace().header().conventions.coverage == Conventions::Coverage::ceil_floor);
+  CHECK(stage.trace().header().conventions.coverage == Conventions::Coverage::round_half_open);
 }
 
 TEST_CASE("what if: a vertex that is pulled in the scene moves with the hand, and is one change") {

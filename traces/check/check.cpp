@@ -402,7 +402,11 @@ CheckReport check_by(const Header& header, const Precision& precision, const Tra
 }  // namespace
 
 bool Otherwise::holds(const Header& header, const Raster& raster) const {
-  if (is_of_raster) return raster.y_up == (word == "up");
+  if (is_of_raster) {
+    Raster changed = raster;
+    change_raster(changed);
+    return changed == raster;
+  }
   Header changed = header;
   change(changed);
   return changed == header;
@@ -431,7 +435,11 @@ std::vector<Otherwise> other_conventions() {
   declare("pixel_centre", &Header::written, &WrittenAs::centre);
   declare("view_coordinates", &Header::written, &WrittenAs::axes);
   for (std::size_t i = of_numbers; i < others.size(); ++i) others[i].is_of_numbers = true;
-  for (const std::string_view word : {"down", "up"}) others.push_back({"y_axis", word, [](Header&) {}, true});
+  const auto of_raster = [&](std::string_view key, std::string_view word, bool Raster::*member, bool value) {
+    others.push_back({key, word, [](Header&) {}, true, false, [=](Raster& raster) { raster.*member = value; }});
+  };
+  of_raster("y_axis", "down", &Raster::y_up, false), of_raster("y_axis", "up", &Raster::y_up, true);
+  of_raster("seen_at", "centres", &Raster::corners, false), of_raster("seen_at", "corners", &Raster::corners, true);
   return others;
 }
 
@@ -461,7 +469,7 @@ Trace read_with(const Trace& trace, const Header& header, const Others& others) 
   turn(as_own, Turned::as_own);
   Scene scene = trace.scene();
   for (const Otherwise* other : others)
-    if (other->is_of_raster) scene.raster.y_up = other->word == "up";
+    if (other->is_of_raster) other->change_raster(scene.raster);
   turn(scene, trace.header(), Turned::as_written), turn(scene, header, Turned::as_own);
   TraceRecorder recorder(as_own, scene);
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
@@ -506,7 +514,8 @@ std::optional<OtherConvention> convention_it_follows(const Trace& trace, const C
   const auto fewer = [](const Tried& one, const Tried& other) { return one.wrong < other.wrong; };
   std::vector<Otherwise> all = other_conventions();
   std::erase_if(all, [&](const Otherwise& one) {
-    return one.holds(trace.header(), trace.scene().raster) || (one.is_of_raster && trace.scene().surface);
+    return one.holds(trace.header(), trace.scene().raster) ||
+           (one.is_of_raster && (trace.scene().surface || trace.scene().camera.kind == Camera::Kind::screen));
   });
   std::vector<Tried> tried;
   for (const Otherwise& one : all)

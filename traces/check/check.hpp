@@ -118,8 +118,9 @@ std::vector<Fault> faults_of(const Trace& trace, const Precision& precision);
 struct Otherwise {
   std::string_view key, word;
   std::function<void(Header&)> change;
-  bool is_of_raster = false;   ///< it stands in the scene, with its raster: the rows go up, or down
-  bool is_of_numbers = false;  ///< the run's numbers are then others (traces/file/written.hpp)
+  bool is_of_raster = false;                     ///< it stands in the scene, with its raster
+  bool is_of_numbers = false;                    ///< the run's numbers are then others (traces/file/written.hpp)
+  std::function<void(Raster&)> change_raster{};  ///< then
   /// Whether a run with this header and scene has it so already.
   bool holds(const Header& header, const Raster& raster) const;
 };

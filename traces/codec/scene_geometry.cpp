@@ -43,8 +43,8 @@ glm::dvec3 SceneGeometry::project(glm::dvec3 view) const {
 }
 
 glm::dvec2 SceneGeometry::to_viewport(double x_p, double y_p) const {
-  return {formulas::screen_x<double>(x_p, window_x_, width_),
-          formulas::screen_y<double>(y_p, window_y_, height_, scene_->raster.y_up)};
+  return {formulas::screen_x<double>(x_p, window_x_, width_, scene_->raster),
+          formulas::screen_y<double>(y_p, window_y_, height_, scene_->raster)};
 }
 
 double SceneGeometry::distance_inside(glm::dvec3 view, std::size_t plane) const {

@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr std::array<std::string_view, 3> camera_words{"screen", "perspective", "orthographic"};
-constexpr std::array<std::string_view, 2> axis_words{"down", "up"};
+constexpr std::array<std::string_view, 2> axis_words{"down", "up"}, seen_at_words{"centres", "corners"};
 
 std::string color_text(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue); }
 
@@ -95,15 +95,18 @@ Camera camera_from_json(const json& in) {
 }
 
 ordered_json raster_to_json(const Raster& raster) {
-  return {{"width", raster.width}, {"height", raster.height}, {"y_axis", axis_words[raster.y_up ? 1 : 0]}};
+  ordered_json out{{"width", raster.width}, {"height", raster.height}, {"y_axis", axis_words[raster.y_up ? 1 : 0]}};
+  if (raster.corners) out["seen_at"] = seen_at_words[1];
+  return out;
 }
 
 Raster raster_from_json(const json& in) {
-  known_keys(in, "the raster", {"width", "height", "y_axis"});
+  known_keys(in, "the raster", {"width", "height", "y_axis", "seen_at"});
   Raster raster;
   raster.width = whole(in, "width");
   raster.height = whole(in, "height");
   raster.y_up = word_or(in, "y_axis", axis_words, 0) == 1;
+  raster.corners = word_or(in, "seen_at", seen_at_words, 0) == 1;
   return raster;
 }
 
@@ -322,12 +325,14 @@ void check_origins(const Scene& scene) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
-  const auto [width, height, y_up] = scene.raster;
+  const auto [width, height, y_up, corners] = scene.raster;
   if (width < 1 || height < 1 || width > largest_side || height > largest_side ||
       std::int64_t{width} * height > most_pixels) {
     wrong_scene(fmt::format("a raster of {}x{} pixels (each side is 1 to {}, and there are at most {} pixels)", width,
                             height, largest_side, most_pixels));
   }
+  if (corners && scene.camera.kind == Camera::Kind::screen)
+    wrong_scene("points on the raster that are seen at the corners of pixels; that is for scenes with a camera");
   if (scene.surface && y_up) wrong_scene("a surface whose rows go up; those of its picture go down");
   const auto most = [&](const char* what, std::size_t count, std::int64_t limit) {
     if (count > static_cast<std::size_t>(limit))

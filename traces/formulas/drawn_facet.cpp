@@ -120,8 +120,8 @@ std::optional<DrawnFacet> DrawnFacet::from_scene(const Scene& scene, const Heade
   const Rounded width(scene.raster.width), height(scene.raster.height), w_y(camera.window),
       w_x = window_width(w_y, width, height), d(camera.d);
   for (const Viewed& corner : corners) {
-    const Rounded x = screen_x(parallel ? corner.x : projected(d, corner.x, corner.z), w_x, width),
-                  y = screen_y(parallel ? corner.y : projected(d, corner.y, corner.z), w_y, height, scene.raster.y_up),
+    const Rounded x = screen_x(parallel ? corner.x : projected(d, corner.x, corner.z), w_x, width, scene.raster),
+                  y = screen_y(parallel ? corner.y : projected(d, corner.y, corner.z), w_y, height, scene.raster),
                   z = vertex_depth(header.conventions.depth, parallel, Rounded(camera.near), Rounded(camera.far),
                                    corner.z);
     const double off = operations_of_vertex * roundoff;

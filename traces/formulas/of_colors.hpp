@@ -166,14 +166,13 @@ void derive(const ShadowCompare& e, const Situation& at, Out& out) {
   if (!std::isfinite(z_v)) return;
   const double w_x = camera.window * raster.width / raster.height;
   const double per_plane = camera.kind == Camera::Kind::orthographic ? 1 : z_v / camera.d;
-  const glm::dvec4 point =
-      glm::inverse(camera.view) *
-      glm::dvec4(window_x<double>(e.x, w_x, raster.width) * per_plane,
-                 window_y<double>(e.y, camera.window, raster.height, raster.y_up) * per_plane, z_v, 1);
+  const glm::dvec4 point = glm::inverse(camera.view) *
+                           glm::dvec4(window_x<double>(e.x, w_x, raster.width, raster) * per_plane,
+                                      window_y<double>(e.y, camera.window, raster.height, raster) * per_plane, z_v, 1);
   const glm::dvec4 seen = lamp.view * point;
   const double lamp_x = lamp.window * raster.width / raster.height;
-  const double x = screen_x<double>(projected<double>(lamp.d, seen.x, seen.z), lamp_x, raster.width),
-               y = screen_y<double>(projected<double>(lamp.d, seen.y, seen.z), lamp.window, raster.height, raster.y_up);
+  const double x = screen_x<double>(projected<double>(lamp.d, seen.x, seen.z), lamp_x, raster.width, raster),
+               y = screen_y<double>(projected<double>(lamp.d, seen.y, seen.z), lamp.window, raster.height, raster);
   const double z = buffer_depth(lamp, conventions, seen.z);
   if (!(seen.z > 0)) return;
   // There and back through two cameras some digits are lost.

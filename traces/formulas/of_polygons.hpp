@@ -151,8 +151,8 @@ void derive(const ViewportTransform& e, const Situation& at, Out& out) {
   if (!plane) return;
   const auto width = detail::of_scene(out, "W", raster.width), height = detail::of_scene(out, "H", raster.height),
              w_y = detail::of_scene(out, "w_y", at.camera->window);
-  const auto x = screen_x((*plane)[0], out.named("w_x", window_width(w_y, width, height)), width);
-  const auto y = screen_y((*plane)[1], w_y, height, raster.y_up);
+  const auto x = screen_x((*plane)[0], out.named("w_x", window_width(w_y, width, height)), width, raster);
+  const auto y = screen_y((*plane)[1], w_y, height, raster);
   out.gives(&ViewportTransform::x_s, snapped(x, at.header.conventions.positions));
   out.gives(&ViewportTransform::y_s, snapped(y, at.header.conventions.positions));
 }

@@ -96,28 +96,36 @@ T window_width(const T& w_y, const T& width, const T& height) {
   return w_y * width / height;
 }
 
-/// The window of half width w_x and half height w_y becomes the raster; pixel centres are at whole numbers, and rows go
-/// down from the top of the window or up from its bottom.
+/// The window of half width w_x and half height w_y becomes the raster, on which pixels are seen at whole numbers: at
+/// their centres or at their corners. Rows go down from the top of the window or up from its bottom.
 template <class T>
-T screen_x(const T& x_p, const T& w_x, const T& width) {
-  return (x_p + w_x) / (T(2) * w_x) * width - T(0.5);
+T screen_x(const T& x_p, const T& w_x, const T& width, const Raster& raster) {
+  const T x = (x_p + w_x) / (T(2) * w_x) * width;
+  return raster.corners ? x : x - T(0.5);
 }
 template <class T>
-T screen_y(const T& y_p, const T& w_y, const T& height, bool up) {
-  return up ? screen_x(y_p, w_y, height) : (w_y - y_p) / (T(2) * w_y) * height - T(0.5);
+T screen_y(const T& y_p, const T& w_y, const T& height, const Raster& raster) {
+  if (raster.y_up) return screen_x(y_p, w_y, height, raster);
+  const T y = (w_y - y_p) / (T(2) * w_y) * height;
+  return raster.corners ? y : y - T(0.5);
 }
 
 // From a pixel and its depth back to view coordinates: undoes the steps above, the last one first. Templates
 // for the reason in outlines.hpp.
 
-/// Where on the projection plane the centre of a pixel is, in a window of half width w_x and half height w_y.
+/// From the border of the raster to where a pixel is seen.
 template <class T>
-T window_x(const T& x, const T& w_x, const T& width) {
-  return (T(2) * (x + T(0.5)) / width - T(1)) * w_x;
+T within(const T& pixel, const Raster& raster) {
+  return raster.corners ? pixel : pixel + T(0.5);
+}
+/// Where on the projection plane a pixel is seen, in a window of half width w_x and half height w_y.
+template <class T>
+T window_x(const T& x, const T& w_x, const T& width, const Raster& raster) {
+  return (T(2) * within(x, raster) / width - T(1)) * w_x;
 }
 template <class T>
-T window_y(const T& y, const T& w_y, const T& height, bool up) {
-  return up ? window_x(y, w_y, height) : (T(1) - T(2) * (y + T(0.5)) / height) * w_y;
+T window_y(const T& y, const T& w_y, const T& height, const Raster& raster) {
+  return raster.y_up ? window_x(y, w_y, height, raster) : (T(1) - T(2) * within(y, raster) / height) * w_y;
 }
 
 /// z_v from z* = f (a z + b) / z with a = -(f + F) / (f (f - F)) and b = 2 F / (f - F) (003), solved for z.
@@ -134,14 +142,14 @@ T depth_of_parallel_pseudodepth(const T& near, const T& far, const T& z) {
 // The rays through the centres of a picture's pixels, X = X_0 + t dX in the world (002): from the eye, with t = 1 on
 // the projection plane; parallel ones have t = z_v, those of a screen scene its z.
 
-/// A pixel's centre on the projection plane.
+/// Where a pixel's ray meets the projection plane.
 template <class T>
-T ray_x(const T& x, const T& w_x, const T& width) {
-  return (x + T(0.5)) * T(2) * w_x / width - w_x;
+T ray_x(const T& x, const T& w_x, const T& width, const Raster& raster) {
+  return within(x, raster) * T(2) * w_x / width - w_x;
 }
 template <class T>
-T ray_y(const T& y, const T& w_y, const T& height, bool up) {
-  return up ? ray_x(y, w_y, height) : w_y - (y + T(0.5)) * T(2) * w_y / height;
+T ray_y(const T& y, const T& w_y, const T& height, const Raster& raster) {
+  return raster.y_up ? ray_x(y, w_y, height, raster) : w_y - within(y, raster) * T(2) * w_y / height;
 }
 
 class EyeRays {
@@ -153,7 +161,7 @@ class EyeRays {
         window_y_(camera.window),
         width_(raster.width),
         height_(raster.height),
-        up_rows_(raster.y_up) {
+        raster_(raster) {
     const glm::dmat4& view = camera.view;
     right_ = {view[0][0], view[1][0], view[2][0]};
     up_ = {view[0][1], view[1][1], view[2][1]};
@@ -169,7 +177,7 @@ class EyeRays {
   /// Of a place of the raster; pixels' centres are at integers.
   Ray through(double x, double y) const {
     if (kind_ == Camera::Kind::screen) return {{x, y, 0}, {0, 0, 1}};
-    const double x_p = ray_x(x, window_x_, width_), y_p = ray_y(y, window_y_, height_, up_rows_);
+    const double x_p = ray_x(x, window_x_, width_, raster_), y_p = ray_y(y, window_y_, height_, raster_);
     const glm::dvec3 across = x_p * right_ + y_p * up_;
     if (kind_ == Camera::Kind::orthographic) return {eye_ + across, away_};
     return {eye_, across + d_ * away_};
@@ -178,7 +186,7 @@ class EyeRays {
  private:
   Camera::Kind kind_;
   double d_, window_x_, window_y_, width_, height_;
-  bool up_rows_;
+  Raster raster_;
   glm::dvec3 eye_, right_, up_, away_;  // the axes of view coordinates in the world
 };
 

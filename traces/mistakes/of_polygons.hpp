@@ -72,8 +72,8 @@ inline void suppose(const ViewportTransform& e, const Situation& at, Supposed& o
       raster.height <= 0 || at.header.conventions.positions != Conventions::Positions::exact)
     return;
   const Rounded height = raster.height, w_y = at.camera->window, w_x = at.camera->window * raster.width / raster.height;
-  const Rounded x = formulas::screen_x(Rounded(vertex->plane.x), w_x, Rounded(raster.width)),
-                y = formulas::screen_y(Rounded(vertex->plane.y), w_y, height, raster.y_up);
+  const Rounded x = formulas::screen_x(Rounded(vertex->plane.x), w_x, Rounded(raster.width), raster),
+                y = formulas::screen_y(Rounded(vertex->plane.y), w_y, height, raster);
   const Rounded half = 0.5, turned = height - y - Rounded(1.0);
   out.number(y_upside_down, "y_s", e.y_s, {turned, turned + half, turned - half}, y);
   out.number(centres_half_off, "x_s", e.x_s, {x + half}, x);

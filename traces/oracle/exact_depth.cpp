@@ -206,8 +206,8 @@ std::optional<Point> on_raster(const Scene& scene, Conventions::Depth depth, con
     if (z_v == 0) return std::nullopt;
     x = formulas::projected(exactly(camera.d), x, z_v), y = formulas::projected(exactly(camera.d), y, z_v);
   }
-  return Point{formulas::screen_x(x, formulas::window_width(w_y, width, height), width),
-               formulas::screen_y(y, w_y, height, scene.raster.y_up), depth_of_view(camera, depth, z_v)};
+  return Point{formulas::screen_x(x, formulas::window_width(w_y, width, height), width, scene.raster),
+               formulas::screen_y(y, w_y, height, scene.raster), depth_of_view(camera, depth, z_v)};
 }
 
 }  // namespace

@@ -157,8 +157,8 @@ const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
   const Point right = row(0), up = row(1), away = row(2);
   const Rational width = scene_.raster.width, height = scene_.raster.height, w_y = exactly(camera.window),
                  w_x = formulas::window_width(w_y, width, height);
-  const Rational x_p = formulas::ray_x(Rational(x), w_x, width),
-                 y_p = formulas::ray_y(Rational(y), w_y, height, scene_.raster.y_up);
+  const Rational x_p = formulas::ray_x(Rational(x), w_x, width, scene_.raster),
+                 y_p = formulas::ray_y(Rational(y), w_y, height, scene_.raster);
   const Point across = scaled(right, x_p) + scaled(up, y_p);
   if (camera.kind == Camera::Kind::orthographic) {
     const Point origin = exactly(glm::dvec3(camera.view[3]));  // of the world, in view coordinates

@@ -46,16 +46,20 @@ void read_eye(Keys& keys, const std::string& file, Camera& camera) {
 
 }  // namespace
 
-void read_raster(Keys& top, const std::string& file, Raster& raster) {
+void read_raster(Keys& top, const std::string& file, bool screen, Raster& raster) {
   const toml::table* table = top.table("raster");
   if (table == nullptr) return;
   Keys keys(*table, file, "[raster]");
   raster.width = keys.whole("width", 1, largest_side).value_or(raster.width);
   raster.height = keys.whole("height", 1, largest_side).value_or(raster.height);
   if (const auto axis = keys.choice("y_axis", {"down", "up"})) raster.y_up = *axis == 1;
+  if (const auto seen = keys.choice("seen_at", {"centres", "corners"})) raster.corners = *seen == 1;
   keys.finish();
   if (std::int64_t{raster.width} * raster.height > most_pixels)
     fail_at(*table, file, fmt::format("the raster has more than {} pixels", most_pixels), "make it smaller");
+  if (raster.corners && screen)
+    fail_at(*table->get("seen_at"), file, "seen_at is for scenes with a camera",
+            "take it out: points on the raster are held against whole numbers");
 }
 
 void read_camera(Keys& top, const std::string& file, bool screen, Camera& camera) {
@@ -236,7 +240,7 @@ class Reader {
     scene.source = file_;
     scene.background = color(top_, "background").value_or(scene.background);
     screen_ = top_.choice("coordinates", {"world", "screen"}) == 1;
-    read_raster(top_, file_, scene.raster);
+    read_raster(top_, file_, screen_, scene.raster);
     read_camera(top_, file_, screen_, scene.camera);
     const toml::table* surface = top_.table("surface");
     // In screen coordinates there is no inside and outside, as textbooks give outlines either way round; a surface is

@@ -16,7 +16,7 @@ namespace zstep::scene {
 
 // `top` is the whole scene's table, `screen` whether it is in screen coordinates. All throw InputError.
 
-void read_raster(Keys& top, const std::string& file, Raster& raster);
+void read_raster(Keys& top, const std::string& file, bool screen, Raster& raster);
 /// Leaves rho, near and far at 0 where they are to come from the extent.
 void read_camera(Keys& top, const std::string& file, bool screen, Camera& camera);
 /// `two_sided`: back faces are drawn unless it says otherwise.

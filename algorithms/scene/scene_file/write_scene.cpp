@@ -210,6 +210,7 @@ bool edit_raster(TomlText& text, const Raster& was, const Raster& is) {
   if (was.width != is.width) text.set("raster", "width", fmt::format("{}", is.width));
   if (was.height != is.height) text.set("raster", "height", fmt::format("{}", is.height));
   if (was.y_up != is.y_up) text.set("raster", "y_axis", is.y_up ? "\"up\"" : "\"down\"");
+  if (was.corners != is.corners) text.set("raster", "seen_at", is.corners ? "\"corners\"" : "\"centres\"");
   return was != is;
 }
 

@@ -161,7 +161,8 @@ struct ThroughSpace {
     Operands of;
     const Formula at = x ? of("x", e.x) : of("y", e.y), size = x ? of("W", eye.width) : of("H", eye.height),
                   window = x ? of("w_x", work.window_width(step, "w_x", eye.window_y)) : of("w_y", eye.window_y),
-                  plane = x ? formulas::window_x(at, window, size) : formulas::window_y(at, window, size, eye.up),
+                  plane = x ? formulas::window_x(at, window, size, eye.raster)
+                            : formulas::window_y(at, window, size, eye.raster),
                   far = of("z_eye", z), d = of("d", eye.d), seen = eye.orthographic ? plane : plane * (far / d);
     return work.part(step, x ? "x_eye" : "y_eye", seen, of);
   }
@@ -199,12 +200,12 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   if (field == "x_light") {
     const Formula d = of("d", lens.d), x_v = of("x_v", through.seen(Axis3::x)), z_v = of("z_v", through.seen(Axis3::z)),
                   w_x = of("w_light", work.window_width(step, "w_light", lens.window_y)), width = of("W", lens.width);
-    return datum.is(formulas::screen_x(formulas::projected(d, x_v, z_v), w_x, width), of, false);
+    return datum.is(formulas::screen_x(formulas::projected(d, x_v, z_v), w_x, width, lens.raster), of, false);
   }
   if (field == "y_light") {
     const Formula w_y = of("w_y", lens.window_y), d = of("d", lens.d), y_v = of("y_v", through.seen(Axis3::y)),
                   z_v = of("z_v", through.seen(Axis3::z)), height = of("H", lens.height);
-    return datum.is(formulas::screen_y(formulas::projected(d, y_v, z_v), w_y, height, lens.up), of, false);
+    return datum.is(formulas::screen_y(formulas::projected(d, y_v, z_v), w_y, height, lens.raster), of, false);
   }
   if (field == "z_light") {
     const Formula n = of("n", lens.near), a = of("a", lens.a), z_v = of("z_v", through.seen(Axis3::z)),

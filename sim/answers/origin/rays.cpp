@@ -150,7 +150,7 @@ Formula across_window(Operands& of, Work& work, std::int64_t step, const viewing
   const Formula x = of("x", e.x), w_x = of("w_x", work.window_width(step, "w_x", lens.window_y)),
                 width = of("W", lens.width), t_1 = of("T_1", right), w_y = of("w_y", lens.window_y), y = of("y", e.y),
                 height = of("H", lens.height), t_2 = of("T_2", up);
-  return formulas::ray_x(x, w_x, width) * t_1 + formulas::ray_y(y, w_y, height, lens.up) * t_2;
+  return formulas::ray_x(x, w_x, width, lens.raster) * t_1 + formulas::ray_y(y, w_y, height, lens.raster) * t_2;
 }
 
 /// The hit that a ray kept: what it meets first.

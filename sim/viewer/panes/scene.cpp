@@ -30,8 +30,8 @@ struct Lens {
     const double scale = c.kind == Camera::Kind::perspective ? c.d / v.z : 1;
     if (c.kind == Camera::Kind::perspective && v.z <= c.near * 0.5) return std::nullopt;
     const double w = scene.raster.width, h = scene.raster.height;
-    return glm::dvec2(formulas::screen_x(v.x * scale, c.window * w / h, w),
-                      formulas::screen_y(v.y * scale, c.window, h, scene.raster.y_up));
+    return glm::dvec2(formulas::screen_x(v.x * scale, c.window * w / h, w, scene.raster),
+                      formulas::screen_y(v.y * scale, c.window, h, scene.raster));
   }
   /// A segment of the world on the raster, cut at the near plane.
   std::optional<std::pair<glm::dvec2, glm::dvec2>> segment(const glm::dvec3& a, const glm::dvec3& b) const {
