@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fmt/format.h>
+
 #include "tests/cli/program.hpp"
 #include "tests/where.hpp"
 

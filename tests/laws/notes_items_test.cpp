@@ -70,7 +70,7 @@ class Folder {
  public:
   Folder() : path_(fs::temp_directory_path() / fmt::format("zstep-notes-{}", ::getpid())) {
     fs::create_directories(path_);
-    for (const char* beside : {"scenes", "runs"})
+    for (const char* beside : {"scenes", "runs", "homework"})
       fs::create_directory_symlink(test::in_checkout(std::string("lessons/") + beside), path_ / beside);
   }
   ~Folder() {
@@ -94,11 +94,12 @@ TEST_CASE("law: each item of the lecture notes is shown at its stop") {
     ++(item.shows.find('{') == std::string::npos ? in_words : shown);
   }
   const Folder folder;
-  for (const auto& [id, of_lesson] : by_lesson) {
+  for (const auto& entry : by_lesson) {
+    const std::string& id = entry.first;
     CAPTURE(id);
     const Lesson lesson = find_lesson(id);
     std::string text = text_of(lesson.path);
-    for (const Item& item : of_lesson) {
+    for (const Item& item : entry.second) {
       const std::string where = fmt::format("tests/notes/items.md:{}: {}", item.line, item.item);
       CAPTURE(where);
       const std::size_t heading = text.find("\n## " + item.stop + " {");

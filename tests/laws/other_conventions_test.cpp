@@ -180,7 +180,7 @@ TEST_CASE("zoo: a convention that such a renderer has and its header has not is 
     std::vector<const char*> left_out;
     std::string named;
   };
-  for (const auto& [name, left_out, named] : std::vector<Case>{
+  for (const Case& one_case : std::vector<Case>{
            {"direct3d", {"centre"}, "pixel_centre half "},
            {"vulkan", {"axes"}, "view_coordinates right_handed "},
            {"opengl", {"y"}, "y_axis up "},
@@ -189,15 +189,16 @@ TEST_CASE("zoo: a convention that such a renderer has and its header has not is 
            {"opengl", {"y", "depth"}, "depth zero_to_one y_axis up "},
            {"opengl", {"y", "centre"}, "pixel_centre half y_axis up "},
        }) {
-    const auto is_left_out = [&left_out = left_out](std::string_view one) {
+    const std::string &name = one_case.library, &named = one_case.named;
+    const std::vector<const char*>& left_out = one_case.left_out;
+    const auto is_left_out = [&](std::string_view one) {
       return std::find(left_out.begin(), left_out.end(), one) != left_out.end();
     };
     int found = 0, wrong = 0;
     std::string others;
     for (std::uint64_t seed = 1; seed <= 12 / test::sparse; ++seed) {
-      const Library& library = *std::find_if(libraries.begin(), libraries.end(), [&, name = name](const Library& one) {
-        return one.name == name;
-      });
+      const Library& library =
+          *std::find_if(libraries.begin(), libraries.end(), [&](const Library& one) { return one.name == name; });
       const Scene scene = triangles_before_camera(seed, library.y_up);
       Scene declared = scene;
       Header header = header_like(library, false);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -82,8 +83,9 @@ class Painter {
     const bool is_new = set_up && set_up->edge_function == edge.edge_function;
     const Pixel32 color = to_pixel(is_new ? c_.now : c_.text);
     const glm::dvec2 a(map_.px(part->from.x), map_.py(part->from.y)), b(map_.px(part->to.x), map_.py(part->to.y));
-    canvas_.line(a.x, a.y, b.x, b.y, (is_new ? 5 : 4) * thin_, to_pixel(c_.pane), 200);
-    canvas_.line(a.x, a.y, b.x, b.y, (is_new ? 2.5 : 1.5) * thin_, color);
+    // As faint as the outline: numbers stand over it.
+    canvas_.line(a.x, a.y, b.x, b.y, 3 * thin_, to_pixel(c_.pane), 130);
+    canvas_.line(a.x, a.y, b.x, b.y, (is_new ? 2.5 : 1.2) * thin_, color, is_new ? 255 : 200);
     const glm::dvec2 inward(edge.edge_a, map_.y_up ? -edge.edge_b : edge.edge_b);
     const double length = glm::length(b - a), size = glm::length(inward), apart = std::max(1.5 * map_.cell, 12 * thin_);
     if (!(size > 0) || !(length > 0)) return;
@@ -98,8 +100,7 @@ class Painter {
     for (const std::int32_t vertex : {box.vertex_0, box.vertex_1, box.vertex_2})
       if (const auto to = on_raster(now_.scene(), now_.state(), vertex)) {
         const double x = map_.px(to->x), y = map_.py(to->y);
-        canvas_.line(map_.px(at.x), map_.py(at.y), x, y, 4 * thin_, to_pixel(c_.pane), 200);
-        canvas_.line(map_.px(at.x), map_.py(at.y), x, y, 2 * thin_, to_pixel(c_.now));
+        canvas_.line(map_.px(at.x), map_.py(at.y), x, y, 1.2 * thin_, to_pixel(c_.now), 200);
       }
   }
 
@@ -110,7 +111,20 @@ class Painter {
   double thin_;
 };
 
-/// A cross on each pixel of the box that is on the wrong side of an edge, where nothing stands in it.
+/// Has the pixel been tested? Tile after tile, row after row; where an edge is being set up it is shown of every pixel
+/// on which side it lies.
+bool is_told(const TriangleWork& triangle, const RecordedEvent* event, std::int32_t x, std::int32_t y) {
+  if (event && get_if<EdgeFunction>(&event->event)) return true;
+  const auto order = [&](std::int32_t column, std::int32_t row) {
+    const std::int32_t whole = std::numeric_limits<std::int32_t>::max();
+    const std::int32_t side = triangle.tile ? formulas::tile_side : whole;
+    return std::array{row / side, column / side, row, column};
+  };
+  if (triangle.test) return order(x, y) <= order(triangle.test->x, triangle.test->y);
+  return triangle.tile && order(x, y) < order(triangle.tile->first_column, triangle.tile->first_row);
+}
+
+/// A cross on each pixel of the box that is known to be on the wrong side of an edge, where nothing stands in it.
 void cross_out(const Ui& ui, const RasterMap& map, ImVec2 origin, const TriangleWork& triangle, bool stands_in) {
   if (triangle.edges.empty()) return;
   const Picture& picture = ui.session.picture();
@@ -120,7 +134,9 @@ void cross_out(const Ui& ui, const RasterMap& map, ImVec2 origin, const Triangle
     for (std::int32_t x = std::max(0, box.first_column); x < std::min(map.width, box.end_column); ++x) {
       const double at_x = map.px(x), at_y = map.py(y);
       const bool is_shown = at_x > 0 && at_y > 0 && at_x < map.box_width && at_y < map.box_height;
-      if (!is_shown || (stands_in && picture.polygon[picture.at(x, y)] != no_polygon)) continue;
+      if (!is_shown || !is_told(triangle, ui.session.event(), x, y) ||
+          (stands_in && picture.polygon[picture.at(x, y)] != no_polygon))
+        continue;
       if (std::all_of(triangle.edges.begin(), triangle.edges.end(),
                       [&](const EdgeFunction& edge) { return is_inside(edge, x, y); }))
         continue;

@@ -148,6 +148,17 @@ ImVec2 label_place(const View& v, const std::vector<glm::dvec2>& points, ImVec2 
   return moved_by(at_piece, normal.x * off, -normal.y * off);
 }
 
+/// A piece's name beside it, where no other stands.
+void name_piece(const View& v, std::int32_t number, const std::vector<glm::dvec2>& points, ImU32 color) {
+  const std::string name = piece_label(v.s.scene(), v.m, number);
+  const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, name), middle = label_place(v, points, size);
+  const ImVec2 place{std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)};
+  if (!v.names->free({place.x - 1, place.y}, {size.x + 2, size.y})) return;
+  v.list->AddRectFilled({place.x - 1, place.y}, {place.x + size.x + 1, place.y + size.y}, v.c.pane);
+  draw_text(v.ui, place, v.ui.fonts.bold, color, name);
+  v.names->take({place.x - 1, place.y}, {size.x + 2, size.y});
+}
+
 void draw_pieces(const View& v) {
   const std::int32_t now = piece_now(v.s);
   const std::vector<std::int32_t> draw_places = zstep::draw_places(v.m);
@@ -155,6 +166,7 @@ void draw_pieces(const View& v) {
   for (const Piece& piece : v.m.pieces) shown += piece.cut ? 0 : 1;
   std::int32_t number = -1;
   std::size_t drawn = 0;
+  std::vector<std::pair<std::int32_t, std::vector<glm::dvec2>>> others;  // that are named after the one at work
   for (const Piece& piece : v.m.pieces) {
     ++number;
     if (piece.cut || ++drawn > most_pieces) continue;
@@ -172,14 +184,10 @@ void draw_pieces(const View& v) {
     for (std::size_t k = 0; k < points.size(); ++k)
       stroke_line(v.list, v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own),
                   (painted || shown < most_names ? 4.0f : 1.5f) * v.ui.thin);
-    if (shown > most_names && !lit) continue;
-    const std::string name = piece_label(v.s.scene(), v.m, number);
-    const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, name), middle = label_place(v, points, size);
-    const ImVec2 place{std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)};
-    v.list->AddRectFilled({place.x - 1, place.y}, {place.x + size.x + 1, place.y + size.y}, v.c.pane);
-    draw_text(v.ui, place, v.ui.fonts.bold, lit ? v.c.now : v.c.text, name);
-    v.names->take(place, size);
+    if (lit) name_piece(v, number, points, v.c.now);
+    else if (shown <= most_names) others.emplace_back(number, points);
   }
+  for (const auto& [other, points] : others) name_piece(v, other, points, v.c.text);
 }
 
 void draw_planes(const View& v) {

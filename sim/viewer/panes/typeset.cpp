@@ -272,6 +272,12 @@ float widest_of(const std::vector<FormulaBox>& pieces) {
   return widest;
 }
 
+/// Whether a fraction's sums are stacked so high that nobody reads them as one.
+bool is_too_tall(const Ui& ui, const FormulaBox& box) {
+  constexpr float most_lines = 5.5f;
+  return box.above + box.below > most_lines * ui.fonts.text->FontSize;
+}
+
 /// "2", and "2.4, rounded to 2".
 bool ends_in_number(const FormulaBox& side) {
   const auto is_number = [](const FormulaBox& part) { return part.what.kind == Kind::number; };
@@ -301,7 +307,9 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, con
     std::vector<FormulaBox> pieces = pieces_of(ui, sides[side]);
     if (left + widest_of(pieces) > width) left = std::min(left, ui.em);
     for (FormulaBox& piece : pieces) narrow_box(ui, piece, width - left);
-    if (left + widest_of(pieces) > width) {
+    const bool tall =
+        std::any_of(pieces.begin(), pieces.end(), [&](const FormulaBox& box) { return is_too_tall(ui, box); });
+    if (tall || left + widest_of(pieces) > width) {
       const Notation plain{Kind::row, {}, {}, {Notation{Kind::text, words::on_one_line(notation[side])}}};
       pieces = pieces_of(ui, box_of(ui, plain));
     }
@@ -325,8 +333,8 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, con
     if (widest_of(pieces_of(ui, side)) > behind_sign) {
       FormulaBox broken = side, wider = side;
       narrow_box(ui, broken, behind_name), narrow_box(ui, wider, behind_sign);
-      narrowed =
-          widest_of(pieces_of(ui, broken)) <= behind_name && broken.above + broken.below <= wider.above + wider.below;
+      narrowed = !is_too_tall(ui, broken) && widest_of(pieces_of(ui, broken)) <= behind_name &&
+                 broken.above + broken.below <= wider.above + wider.below;
       if (narrowed) side = std::move(broken);
     }
     const bool under = whole > width && at > 1 && alike(at) && !side.parts.empty();
