@@ -93,8 +93,7 @@ double to_depths(Table& table, const Scene& scene, Conventions::Depth depth) {
 }  // namespace
 
 bool is_picture(const std::string& path) {
-  constexpr std::array<std::string_view, 8> extensions{".png", ".ppm", ".pgm", ".pnm",
-                                                       ".tga", ".bmp", ".npy", ".pfm"};
+  constexpr std::array<std::string_view, 8> extensions{".png", ".ppm", ".pgm", ".pnm", ".tga", ".bmp", ".npy", ".pfm"};
   return std::find(extensions.begin(), extensions.end(), std::filesystem::path(path).extension().string()) !=
          extensions.end();
 }

@@ -83,9 +83,13 @@ class Painter {
     const bool is_new = set_up && set_up->edge_function == edge.edge_function;
     const Pixel32 color = to_pixel(is_new ? c_.now : c_.text);
     const glm::dvec2 a(map_.px(part->from.x), map_.py(part->from.y)), b(map_.px(part->to.x), map_.py(part->to.y));
-    // As faint as the outline: numbers stand over it.
-    canvas_.line(a.x, a.y, b.x, b.y, 3 * thin_, to_pixel(c_.pane), 130);
-    canvas_.line(a.x, a.y, b.x, b.y, (is_new ? 2.5 : 1.2) * thin_, color, is_new ? 255 : 200);
+    // Between the vertices there is the outline; beyond them the line goes on, fainter.
+    if (is_new) {
+      canvas_.line(a.x, a.y, b.x, b.y, 2.5 * thin_, color);
+    } else {
+      canvas_.line(a.x, a.y, map_.px(from->x), map_.py(from->y), 1.2 * thin_, color, 150);
+      canvas_.line(map_.px(to->x), map_.py(to->y), b.x, b.y, 1.2 * thin_, color, 150);
+    }
     const glm::dvec2 inward(edge.edge_a, map_.y_up ? -edge.edge_b : edge.edge_b);
     const double length = glm::length(b - a), size = glm::length(inward), apart = std::max(1.5 * map_.cell, 12 * thin_);
     if (!(size > 0) || !(length > 0)) return;
