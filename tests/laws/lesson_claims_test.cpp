@@ -135,6 +135,20 @@ camera = { rho = 8, theta = 0, phi = 90 }
 polygon = [{ name = "N", corners = [0, 1, 2, 3] }]
 )";
 
+/// The mesh of the last lesson, its lines as they are in the file.
+const std::string tent = R"(keep_points = true
+points = [[-25, -25, -15], [25, -25, -15], [25, 25, -15], [-25, 25, -15], [-25, 0, 15], [25, 0, 20], [-37.5, -37.5, -15], [37.5, -37.5, -15], [37.5, 37.5, -15], [-37.5, 37.5, -15]]
+raster = { width = 24, height = 24 }
+camera = { rho = 60, theta = 36.86989764584402, phi = 53.13010235415598, d = 20, window = 12, near = 20, far = 120 }
+polygon = [
+  { name = "A", corners = [6, 7, 8, 9] },
+  { name = "B", corners = [2, 3, 4, 5] },
+  { name = "C", corners = [1, 2, 5] },
+  { name = "D", corners = [0, 1, 5, 4] },
+  { name = "E", corners = [3, 0, 4] },
+]
+)";
+
 /// A cube whose faces are two triangles each.
 const std::string cube_of_triangles =
     R"(points = [[1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, -1], [1, -1, 1], [1, 1, 1], [-1, 1, 1], [-1, -1, 1]]
@@ -378,6 +392,66 @@ TEST_CASE("what lessons say about other runs than their own is so") {
        "[options]\ncoherence = \"on\"",
        "{frame(6, 3) = A} {frame(13, 3) = B} {frame(8, 10) = A} {frame(15, 10) = B} {count(paint) = 247}",
        {{"[[6, 3, 2], [13, 3, 2], [15, 11, 2], [8, 11, 2]]", "[[7, 3, 2], [14, 3, 2], [16, 11, 2], [9, 11, 2]]"}}},
+      {"mesh-to-page: as the mesh has it", tent, "z-buffer", "[conventions]\nnumber_format = \"float32\"",
+       "{depth(12, 15) = 0.295625031} {steps = 2665} {count(facing where polygon == \"B\") = 2} {count(reject) = 3} "
+       "{frame(12, 15) = B}"},
+      {"mesh-to-page: the other winding",
+       tent,
+       "z-buffer",
+       "[conventions]\nnumber_format = \"float32\"",
+       "{count(facing where polygon == \"B\" and facing == back) = 2} {count(write_pixel where polygon == \"B\") = 0} "
+       "{frame(12, 15) = A} {depth(12, 15) ~ 0.7035}",
+       {{"[2, 3, 4, 5]", "[5, 4, 3, 2]"}}},
+      {"mesh-to-page: line 3 raised",
+       tent,
+       "z-buffer",
+       "[conventions]\nnumber_format = \"float32\"",
+       "{depth(12, 15) ~ 0.2694} {view_depth(0.703529418) - view_depth(depth(12, 15)) ~ 26.46}",
+       {{"[25, 25, -15]", "[25, 25, -10]"}}},
+      {"mesh-to-page: line 4 raised",
+       tent,
+       "z-buffer",
+       "[conventions]\nnumber_format = \"float32\"",
+       "{depth(12, 15) ~ 0.2738} {view_depth(0.703529418) - view_depth(depth(12, 15)) ~ 26.30}",
+       {{"[-25, 25, -15]", "[-25, 25, -10]"}}},
+      {"mesh-to-page: line 5 raised, and B is not cut",
+       tent,
+       "z-buffer",
+       "[conventions]\nnumber_format = \"float32\"",
+       "{depth(12, 15) = 0.295625031} {count(facing where polygon == \"B\") = 1} {view_depth(0.703529418) - "
+       "view_depth(depth(12, 15)) ~ 25.46}",
+       {{"[-25, 0, 15]", "[-25, 0, 20]"}}},
+      {"mesh-to-page: line 6 raised",
+       tent,
+       "z-buffer",
+       "[conventions]\nnumber_format = \"float32\"",
+       "{depth(12, 15) ~ 0.2436} {view_depth(0.703529418) - view_depth(depth(12, 15)) ~ 27.41}",
+       {{"[25, 0, 20]", "[25, 0, 25]"}}},
+      {"mesh-to-page: B begun at another vertex",
+       tent,
+       "z-buffer",
+       "[conventions]\nnumber_format = \"float32\"",
+       "{depth(12, 15) ~ 0.3186} {view_depth(depth(12, 15)) - view_depth(0.295625031) ~ 0.92} {count(facing where "
+       "polygon == \"B\") = 2}",
+       {{"[2, 3, 4, 5]", "[3, 4, 5, 2]"}}},
+      {"mesh-to-page: lifted to 15",
+       tent,
+       "z-buffer",
+       "[conventions]\nnumber_format = \"float32\"",
+       "{frame(12, 15) = B}",
+       {{"[25, 25, -15]", "[25, 25, 15]"}}},
+      {"mesh-to-page: lifted to 20",
+       tent,
+       "z-buffer",
+       "[conventions]\nnumber_format = \"float32\"",
+       "{frame(12, 15) = C}",
+       {{"[25, 25, -15]", "[25, 25, 20]"}}},
+      {"mesh-to-page: lifted to 25",
+       tent,
+       "z-buffer",
+       "[conventions]\nnumber_format = \"float32\"",
+       "{frame(12, 15) = A} {count(write_pixel where polygon == \"B\") = 77}",
+       {{"[25, 25, -15]", "[25, 25, 25]"}}},
   };
   for (const Run& run : runs) check(run);
 }

@@ -91,10 +91,13 @@ class Painter {
       canvas_.line(map_.px(to->x), map_.py(to->y), b.x, b.y, 1.2 * thin_, color, 150);
     }
     const glm::dvec2 inward(edge.edge_a, map_.y_up ? -edge.edge_b : edge.edge_b);
-    const double length = glm::length(b - a), size = glm::length(inward), apart = std::max(1.5 * map_.cell, 12 * thin_);
-    if (!(size > 0) || !(length > 0)) return;
+    // Strokes at the cells' borders, where no numbers stand.
+    const double length = glm::length(b - a), size = glm::length(inward),
+                 along = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
+    if (!(size > 0) || !(along > 0)) return;
+    const double apart = std::ceil(12 * thin_ / map_.cell) * map_.cell * length / along;
     const glm::dvec2 stroke = inward / size * std::min(0.45 * map_.cell, 10 * thin_);
-    for (double at = apart / 2; at < length; at += apart) {
+    for (double at = apart; at < length; at += apart) {
       const glm::dvec2 foot = a + (b - a) * (at / length), tip = foot + stroke;
       canvas_.line(foot.x, foot.y, tip.x, tip.y, (is_new ? 2.5 : 1.5) * thin_, color);
     }
