@@ -55,7 +55,7 @@ std::string undeclared_text(const Header& header, bool tie) {
 
 std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
   if (scene.camera.kind == Camera::Kind::screen) return "z";
-  constexpr ByEnum<Conventions::Depth, const char*> symbols{"z*", "z_v", "z_v", "1/z_v", "z_r", "z_F"};
+  constexpr ByEnum<Conventions::Depth, const char*> symbols{"z*", "z_v", "z_v", "1/z_v", "z_r", "z_F", "z_01"};
   return symbols[conventions.depth];
 }
 

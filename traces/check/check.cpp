@@ -527,14 +527,22 @@ std::optional<OtherConvention> convention_it_follows(const Trace& trace, const C
   // Of two that a run follows together one mends something by itself, or it is of those that hide what is wrong
   // besides: no place on the raster is judged, say, while z_v has the wrong sign.
   constexpr std::size_t most_begun = 4;
+  constexpr std::int64_t most_steps = 4'000'000;  // that are gone through for all the pairs
+  std::int64_t left = most_steps / std::max<std::int64_t>(1, trace.size());
+  Others seconds, begun;
+  for (const Otherwise& one : all) seconds.push_back(&one);
+  const auto is_elsewhere = [](const Otherwise* one) { return one->is_of_raster || one->is_of_numbers; };
+  std::stable_partition(seconds.begin(), seconds.end(), is_elsewhere);
   const std::int64_t to_beat = best ? best->wrong : report.wrong_steps;
   for (std::size_t i = 0; to_beat > 0 && i < tried.size(); ++i) {
     const Otherwise* first = tried[i].others.front();
-    if (i >= most_begun && !first->is_of_raster && !first->is_of_numbers) continue;
-    for (const Otherwise& second : all) {
-      if (second.key == first->key) continue;
-      const auto wrong = wrong_steps_under({first, &second}, trace, report);
-      if (wrong && 10 * *wrong < to_beat && (!best || *wrong < best->wrong)) best = Tried{{first, &second}, *wrong};
+    if (i >= most_begun && !is_elsewhere(first)) continue;
+    begun.push_back(first);
+    for (const Otherwise* second : seconds) {
+      const bool was_tried = std::find(begun.begin(), begun.end(), second) != begun.end();
+      if (second->key == first->key || was_tried || (best && best->wrong == 0) || left-- <= 0) continue;
+      const auto wrong = wrong_steps_under({first, second}, trace, report);
+      if (wrong && 10 * *wrong < to_beat && (!best || *wrong < best->wrong)) best = Tried{{first, second}, *wrong};
     }
   }
   if (!best) return std::nullopt;

@@ -139,7 +139,7 @@ struct OtherConvention {
 /// Of a trace with something wrong: the conventions under which the least would be, where that is less than a tenth of
 /// what is wrong under its own, and all that is judged under its own is judged under those, too: one, or two together
 /// where one alone leaves anything wrong and two leave less than a tenth of that. Goes through the trace for each, and
-/// for some of the pairs.
+/// for some of the pairs, fewer of a long one.
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report);
 
 // What a check leaves open: of which steps of a run, and of which of their numbers, nothing says what they must be.
