@@ -68,9 +68,12 @@ ZSTEP_INLINE void view_points(Stage& stage) {
       x_p = x_d / z_v, y_p = y_d / z_v, depth = view_z ? z_v : lens.near * (lens.a * z_v + lens.b) / z_v;
     }
     const double seen_at = lens.raster.corners ? 0 : 0.5;
-    const Doubles x_s = (x_p + lens.window_x) / (2 * lens.window_x) * lens.width - seen_at;
+    Doubles x_s = (x_p + lens.window_x) / (2 * lens.window_x) * lens.width - seen_at;
     const Doubles from_edge = lens.raster.y_up ? y_p + lens.window_y : lens.window_y - y_p;
-    const Doubles y_s = from_edge / (2 * lens.window_y) * lens.height - seen_at;
+    Doubles y_s = from_edge / (2 * lens.window_y) * lens.height - seen_at;
+    if (lens.raster.corners)
+      for (Doubles* s : {&x_s, &y_s})
+        *s = (*s < viewing::border_width) & (*s > -viewing::border_width) ? Doubles{} : *s;
     const Mask outside = (~(z_v - lens.near >= 0) & 1) | (~(lens.far - z_v >= 0) & 2) | (~(w_c + x_c >= 0) & 4) |
                          (~(w_c - x_c >= 0) & 8) | (~(w_c + y_c >= 0) & 16) | (~(w_c - y_c >= 0) & 32);
     for (std::size_t k = 0; k < four && first + k < range.end; ++k) {

@@ -359,6 +359,11 @@ void check(const Scene& scene, const Conventions& c) {
   using enum Conventions::Depth;
   const Camera::Kind kind = scene.camera.kind;
   const std::string depth = "--depth " + std::string(word_of(c.depth));
+  if (scene.raster.corners && c.number_format != NumberFormat::float64)
+    throw InputError(
+        "--number-format " + std::string(word_of(c.number_format)),
+        "is not run where pixels are seen at their corners: a vertex on a border would round to either side",
+        "give --seen-at centres, or --number-format float64");
   if ((c.depth == corrected || c.depth == reciprocal) && kind == Camera::Kind::orthographic)
     throw InputError(depth, "divides by z_v, which parallel projection does not do", "leave out --ortho");
   if (c.depth != pseudodepth && kind == Camera::Kind::screen)

@@ -107,8 +107,11 @@ glm::dvec3 Lens::project(glm::dvec3 view) const {
 }
 
 glm::dvec2 Lens::to_viewport(double x_p, double y_p) const {
-  return {formulas::snapped(formulas::screen_x<double>(x_p, window_x, width, raster), positions),
-          formulas::snapped(formulas::screen_y<double>(y_p, window_y, height, raster), positions)};
+  const glm::dvec2 at{formulas::screen_x<double>(x_p, window_x, width, raster),
+                      formulas::screen_y<double>(y_p, window_y, height, raster)};
+  // What is cut off at the border of the window lies on the first pixels' corners, and not beside them by rounding.
+  const auto on_border = [&](double x) { return raster.corners && std::abs(x) < border_width ? 0 : x; };
+  return {formulas::snapped(on_border(at.x), positions), formulas::snapped(on_border(at.y), positions)};
 }
 
 }  // namespace zstep::viewing

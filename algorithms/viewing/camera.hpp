@@ -52,6 +52,9 @@ struct DepthCoefficients {
 };
 DepthCoefficients depth_coefficients(double near, double far);
 
+/// So near the raster's first border a vertex lies on it, in pixels, where pixels are seen at their corners.
+inline constexpr double border_width = 1e-9;
+
 /// A camera made ready for one raster: all that lies between view coordinates and the raster.
 struct Lens {
   Lens(const Camera& camera, const Raster& raster, Conventions::Depth depth);

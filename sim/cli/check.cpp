@@ -152,9 +152,11 @@ std::string other_convention(const Trace& trace, const CheckReport& report) {
   const auto other = convention_it_follows(trace, report);
   if (!other) return "";
   std::vector<std::string> declared;
-  for (const OtherConvention::Declared& one : other->declared)
-    declared.push_back(
-        fmt::format("\"{}\": \"{}\" in its {}", one.key, one.word, one.in_raster ? "scene's raster" : "header"));
+  for (const OtherConvention::Declared& one : other->declared) {
+    const bool is_truth = one.word == "true" || one.word == "false";
+    declared.push_back(fmt::format("\"{}\": {} in its {}", one.key, is_truth ? one.word : '"' + one.word + '"',
+                                   one.in_raster ? "scene's raster" : "header"));
+  }
   return fmt::format("With {} {} would be wrong. Either its header or the program is wrong.",
                      fmt::join(declared, " and "),
                      other->wrong_steps == 0 ? "nothing" : "only " + counted(other->wrong_steps, "step", "steps"));

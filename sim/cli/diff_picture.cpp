@@ -52,9 +52,17 @@ struct Table {
   std::vector<double> numbers{};
   bool shares = false;  ///< the numbers are from 0, for the least depth that there can be, to 1, for the greatest
 };
+/// ".png" of "a.png" and of "A.PNG".
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
 Table read_table(const std::string& path) {
   Table table;
-  const std::string extension = std::filesystem::path(path).extension().string();
+  const std::string extension = ending_of(path);
   const auto grey = extension == ".png" ? read_grey16(path) : std::nullopt;
   if (grey) {
     table.width = grey->width, table.height = grey->height, table.shares = true;
@@ -94,8 +102,7 @@ double to_depths(Table& table, const Scene& scene, Conventions::Depth depth) {
 
 bool is_picture(const std::string& path) {
   constexpr std::array<std::string_view, 8> extensions{".png", ".ppm", ".pgm", ".pnm", ".tga", ".bmp", ".npy", ".pfm"};
-  return std::find(extensions.begin(), extensions.end(), std::filesystem::path(path).extension().string()) !=
-         extensions.end();
+  return std::find(extensions.begin(), extensions.end(), ending_of(path)) != extensions.end();
 }
 
 int diff_with_picture(const DiffOptions& options) {
@@ -262,7 +269,8 @@ int diff_of_picture(const DiffOptions& options) {
   }
   fmt::print("{} differ by more than rounding.\n", pixels_text(right));
   for (const mistakes::OtherLikeness& one : otherwise)
-    fmt::print("With \"{}\": \"{}\" {} would.\n", one.key, one.word,
+    fmt::print("With \"{}\": {} {} would.\n", one.key,
+               one.word == "true" || one.word == "false" ? one.word : '"' + one.word + '"',
                one.differ == 0 ? "none" : fmt::format("{} of {}", grouped(one.differ), grouped(one.sure)));
   if (shown.empty()) {
     if (otherwise.empty()) fmt::print("No known mistake, and no other convention, explains it.\n");

@@ -23,6 +23,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
+#include "traces/file/written.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/visit.hpp"
@@ -136,6 +137,7 @@ int write(const HeaderOptions& options) {
   const Run run = prepare_within_budget(options.run);
   Header header = header_of(run);
   header.writer = options.writer;
+  turn(header, Turned::as_written);  // what is asked for is as the program has it
   const auto choice = [](const char* name, const std::string& given, const std::vector<std::string>& words) {
     return given.empty() ? std::size_t{0} : parse_choice(name, given, words);
   };
@@ -144,6 +146,7 @@ int write(const HeaderOptions& options) {
         static_cast<Comparison::Nearer>(choice("--nearer", options.nearer, {"smaller", "greater"}));
   header.comparison.ties = static_cast<Comparison::Ties>(choice("--ties", options.ties, {"first", "last"}));
   header.initial_depth = options.initial_depth;
+  turn(header, Turned::as_own);
   std::string line = jsonl_header(header, run.scene);
   if (options.as_computed) {
     auto all = nlohmann::ordered_json::parse(line);

@@ -13,6 +13,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "traces/error.hpp"
+#include "traces/file/written.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -282,6 +283,7 @@ Run prepare_with(const RunOptions& options, bool notes) {
   if (like != likes.end()) {
     if (has_camera) run.conventions.depth = like->depth;
     run.conventions.cull = like->cull;
+    run.conventions.coverage = Conventions::Coverage::top_left;
     if (!options.written_given.contains("--pixel-centre")) run.written.centre = like->written.centre;
     if (has_camera && !options.written_given.contains("--view-coordinates")) run.written.axes = like->written.axes;
   }
@@ -293,6 +295,14 @@ Run prepare_with(const RunOptions& options, bool notes) {
   if (options.no_cull) run.conventions.cull = false;
   run.conventions.options = options.options;
   check_run(*run.method, run.scene, run.conventions);
+  if (const std::string_view kind = kind_that_cannot_turn(header_of(run)); !kind.empty()) {
+    if (!options.written_given.empty())
+      throw InputError(*options.written_given.begin(),
+                       fmt::format("is not written for {}, whose steps have planes or cuts on the raster ({})",
+                                   run.method->id, kind),
+                       "leave it out, or take z-buffer or half-space");
+    run.written = {};
+  }
   for (const Change& change : options.changes) make_change(*run.method, change, run.scene, run.conventions);
   return run;
 }

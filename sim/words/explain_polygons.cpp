@@ -103,8 +103,8 @@ void tell(Telling& t, const Projection& e) {
 }
 
 void tell(Telling& t, const ViewportTransform& e) {
-  t.say(fmt::format("Vertex {} lands on the raster at column {}, row {}; pixel centres are at whole numbers.", e.vertex,
-                    number(e.x_s), number(e.y_s)));
+  t.say(fmt::format("Vertex {} lands on the raster at column {}, row {}; pixel {} are at whole numbers.", e.vertex,
+                    number(e.x_s), number(e.y_s), t.scene.raster.corners ? "corners" : "centres"));
   t.derive(e);
   t.follows("x_s", "x_s", e.x_s);
   t.follows("y_s", "y_s", e.y_s);
@@ -187,7 +187,8 @@ void formulas_of_facing(Telling& t, const FacingTest& e) {
   t.formula(fmt::format("{} at the eye = {}   (A, B, C) = n; negative faces away",
                         plane_in_symbols(world_names, parallel ? "" : "D"), number(e.plane_at_eye)));
   formulas_of_determinant(t, e);
-  t.formula(fmt::format("n_z after projection = {}   positive faces away", number(e.projected_normal_z)));
+  t.formula(fmt::format("n_z after projection = {}   {} faces away", number(e.projected_normal_z),
+                        t.scene.raster.y_up ? "negative" : "positive"));
 }
 
 std::string in_binary(std::int32_t bits) { return fmt::format("{:06b}", static_cast<unsigned>(bits) & 63u); }

@@ -99,7 +99,7 @@ FacingVotes votes_of(const Scene& scene, std::int32_t facet, const FacingTest& t
     votes.back = votes.back || away > rounded, votes.front = votes.front || away < -rounded;
   };
   vote(test.view_dot_normal, least), vote(-test.plane_at_eye, least), vote(-test.determinant, least);
-  vote(test.projected_normal_z, 1e-6);  // in pixels, twice an area
+  vote(scene.raster.y_up ? -test.projected_normal_z : test.projected_normal_z, 1e-6);  // in pixels, twice an area
   return votes;
 }
 

@@ -23,6 +23,23 @@ void must(const Folder& folder, const std::string& arguments) {
 
 }  // namespace
 
+TEST_CASE("view and explain: a run of every depth and of every library's conventions is shown and told") {
+  const Folder folder;
+  for (const char* how :
+       {"--depth view", "--depth corrected", "--depth reciprocal", "--depth reversed", "--depth foley",
+        "--depth zero-to-one", "--like lecture", "--like opengl", "--like vulkan", "--like direct3d",
+        "--seen-at corners", "--positions subpixels", "--coverage round-half-open"}) {
+    CAPTURE(how);
+    REQUIRE(run(folder, std::string("record pyramid -o run.ztrace ") + how).code == 0);
+    const Outcome shown = run(folder, "view run.ztrace --at 900 --screenshot shown.png");
+    CHECK_MESSAGE(shown.code == 0, shown.err);
+    const Outcome told = run(folder, "explain run.ztrace 16 14");
+    CHECK_MESSAGE(told.code == 0, told.err);
+    const Outcome checked = run(folder, "check run.ztrace");
+    CHECK_MESSAGE(checked.code == 0, checked.out);
+  }
+}
+
 TEST_CASE("zstep alone without a display says so, writes the first picture and names what works") {
   const Folder folder;
   const Outcome outcome = run(folder, "");

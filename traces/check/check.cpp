@@ -431,6 +431,8 @@ std::vector<Otherwise> other_conventions() {
   std::erase_if(others, [](const Otherwise& one) {
     return one.key == "number_format" || one.key == "rounding" || (one.key == "attribute" && one.word == "none");
   });
+  others.push_back({"cull", "true", [](Header& h) { h.conventions.cull = true; }});
+  others.push_back({"cull", "false", [](Header& h) { h.conventions.cull = false; }});
   const std::size_t of_numbers = others.size();
   declare("pixel_centre", &Header::written, &WrittenAs::centre);
   declare("view_coordinates", &Header::written, &WrittenAs::axes);

@@ -89,7 +89,12 @@ Camera camera_from_json(const json& in) {
   for (int row = 0; row < 4; ++row) {
     const json& cells = rows[row];
     if (!cells.is_array() || cells.size() != 4) throw MalformedJson("a row of \"view\" does not have four numbers");
-    for (int column = 0; column < 4; ++column) camera.view[column][row] = real_from_json(cells[column], "view");
+    for (int column = 0; column < 4; ++column) {
+      camera.view[column][row] = real_from_json(cells[column], "view");
+      constexpr double most = 1e30;
+      if (!(std::abs(camera.view[column][row]) <= most))
+        throw MalformedJson(fmt::format("\"view\" has {}, which is too large", camera.view[column][row]));
+    }
   }
   return camera;
 }

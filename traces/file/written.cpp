@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <cstddef>
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -21,6 +23,23 @@ bool depths_change_sign(const Header& header) {
 }
 
 bool is_of_attribute(const FieldOfKind& field) { return field.name == "over_z" || field.name == "one_over_z"; }
+
+/// A number as it was printed, so much larger: what has few decimals still has no more, and shows how it was printed.
+double moved_by(double number, double by) {
+  constexpr std::ptrdiff_t few = 9;
+  const double moved = number + by;
+  std::array<char, 400> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed).ptr;
+  const auto point = std::find(text.data(), end, '.');
+  const std::ptrdiff_t decimals = point == end ? 0 : end - point - 1;
+  if (!std::isfinite(number) || decimals == 0 || decimals > few) return moved;
+  const auto last =
+      std::to_chars(text.data(), text.data() + text.size(), moved, std::chars_format::fixed, static_cast<int>(decimals))
+          .ptr;
+  double printed = moved;
+  std::from_chars(text.data(), last, printed);
+  return printed;
+}
 
 /// Of a field in pixels: a place on the raster, not how far two are apart.
 bool is_position(const FieldOfKind& field) {
@@ -54,7 +73,7 @@ void turn(Event& event, const Header& header, Turned to) {
   for (const FieldOfKind& field : fields_of_kind(event.index())) {
     if (field.type != FieldOfKind::Type::real) continue;
     if (right_handed && changes_sign(field, depths)) field.write(event, -field.read(event));
-    if (half != 0 && is_position(field)) field.write(event, field.read(event) + half);
+    if (half != 0 && is_position(field)) field.write(event, moved_by(field.read(event), half));
   }
   if (right_handed && to == Turned::as_own) take_either_sign(event);
   // A x + B y + C is the same number at a centre, however that is called.
@@ -79,7 +98,7 @@ void turn(Scene& scene, const Header& header, Turned to) {
     for (int column = 0; column < 4; ++column) view[column][2] = -view[column][2];
   if (header.written.centre == WrittenAs::Centre::integer || scene.camera.kind != Camera::Kind::screen) return;
   const double half = to == Turned::as_own ? -0.5 : 0.5;
-  for (glm::dvec3& point : scene.points) point.x += half, point.y += half;
+  for (glm::dvec3& point : scene.points) point.x = moved_by(point.x, half), point.y = moved_by(point.y, half);
 }
 
 std::string_view kind_that_cannot_turn(const Header& header) {

@@ -434,6 +434,7 @@ std::vector<OtherLikeness> likenesses_otherwise(const Scene& scene, const Header
   for (const Otherwise& other : other_conventions()) {
     // Rows are counted as the file has them, and numbers besides depths there are none.
     if (other.is_of_raster || other.is_of_numbers || other.holds(header, scene.raster)) continue;
+    if (other.key == "cull" && scene.camera.kind == Camera::Kind::screen) continue;
     Header changed = header;
     other.change(changed);
     if (scene.camera.kind == Camera::Kind::screen && other.key == "depth") continue;
