@@ -73,7 +73,7 @@ ZSTEP_INLINE void view_points(Stage& stage) {
     Doubles y_s = from_edge / (2 * lens.window_y) * lens.height - seen_at;
     if (lens.raster.corners)
       for (Doubles* s : {&x_s, &y_s})
-        *s = (*s < viewing::border_width) & (*s > -viewing::border_width) ? Doubles{} : *s;
+        *s = ((*s < viewing::border_width) & (*s > -viewing::border_width)) ? Doubles{} : *s;
     const Mask outside = (~(z_v - lens.near >= 0) & 1) | (~(lens.far - z_v >= 0) & 2) | (~(w_c + x_c >= 0) & 4) |
                          (~(w_c - x_c >= 0) & 8) | (~(w_c + y_c >= 0) & 16) | (~(w_c - y_c >= 0) & 32);
     for (std::size_t k = 0; k < four && first + k < range.end; ++k) {
