@@ -207,7 +207,9 @@ std::vector<Scene> meshes_from_files() {
       for (const auto& entry : fs::recursive_directory_iterator(of))
         for (const char* ending : {".obj", ".off", ".ply", ".stl", ".toml"})
           if (entry.path().extension() == ending) files.push_back(entry.path().string());
-  std::sort(files.begin(), files.end());
+  std::sort(files.begin(), files.end(), [](const std::string& one, const std::string& other) {  // wherever they are
+    return fs::path(one).filename() < fs::path(other).filename();
+  });
   std::vector<Scene> scenes;
   for (const std::string& file : files) {
     ViewOptions view;
@@ -254,6 +256,17 @@ TEST_CASE("law: check doubts no run on meshes from files, in any numbers, howeve
     }
   MESSAGE(runs, " runs on ", scenes.size(), " meshes and scenes from files");
   CHECK(runs > static_cast<int>(scenes.size()) * 10);
+}
+
+TEST_CASE("check: of corrected depths in fixed point, what edges have is cut to units of 1/z_v") {
+  ViewOptions view;
+  view.width = 24, view.height = 20;
+  const Scene scene = look_at_scene(load_scene(test::in_checkout("lessons/scenes/long-floor.toml")).scene, view);
+  Conventions conventions;
+  conventions.depth = Conventions::Depth::corrected, conventions.number_format = NumberFormat::fixed18;
+  conventions.rounding = Conventions::Rounding::down, conventions.positions = Conventions::Positions::integer;
+  conventions.interpolation = Conventions::Interpolation::increments;
+  CHECK(is_right(method("z-buffer"), scene, conventions));
 }
 
 TEST_CASE("check: where the header does not say in which numbers a run computes, the numbers do") {

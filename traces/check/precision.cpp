@@ -271,8 +271,13 @@ Precision precision_of_fixed(const Trace& trace, NumberFormat format, Convention
   Conventions conventions = trace.header().conventions;
   conventions.number_format = format, conventions.depth = depth;
   const double unit = depth_unit(trace.scene(), conventions);
+  double coarser = unit;
+  if (depth == Conventions::Depth::corrected) {  // edges and spans have 1/z_v, in units of its own
+    conventions.depth = Conventions::Depth::reciprocal;
+    coarser = std::max(unit, depth_unit(trace.scene(), conventions));
+  }
   Precision found{
-      formulas::rounding_of_float64, 2 * unit, true, fmt::format("{}, {}", word_of(format), why), format, unit};
+      formulas::rounding_of_float64, 2 * coarser, true, fmt::format("{}, {}", word_of(format), why), format, unit};
   found.positions = 2 / fixed_positions_a_pixel;
   return found;
 }
