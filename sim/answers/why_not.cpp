@@ -9,6 +9,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "sim/answers/seen_point.hpp"
 #include "sim/answers/why_not_parts.hpp"
 #include "sim/words/owners.hpp"
 #include "traces/replay/replay.hpp"
@@ -248,7 +249,7 @@ Verdict filled(Asked& q, const Picture& picture) {
   if (all.empty()) {
     q.ask_anywhere();
     Verdict verdict = q.verdict(Why::not_covered, facets.empty() ? 0 : facets.front().mark,
-                                "as it is drawn it covers no pixel's centre");
+                                "as it is drawn it covers no pixel's {}", seen_point(q.scene.raster));
     for (const FacetThere& there : facets) verdict.add_step(there.mark, q.polygon, "work on {} begins", q.name);
     return verdict;
   }

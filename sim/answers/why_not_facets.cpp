@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "algorithms/viewing/back_face.hpp"
+#include "sim/answers/seen_point.hpp"
 #include "sim/answers/why_not_parts.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/formulas/rounding.hpp"
@@ -89,7 +90,9 @@ RejectCheck check_of(const Asked& q, const FacetThere& there) {
   const auto test = event_at<FacingTest>(q.trace, step);
   RejectCheck check = check_reject(q.scene, there.facet, there.reason, test ? &*test : nullptr);
   if (there.reason != Reject::back_facing && there.surely)
-    check = {false, true, fmt::format("it covers the centre of pixel ({}, {})", there.surely->x, there.surely->y)};
+    check = {false, true,
+             fmt::format("it covers the {} of pixel ({}, {})", seen_point(q.scene.raster), there.surely->x,
+                         there.surely->y)};
   return check;
 }
 
@@ -227,15 +230,22 @@ std::string beside_text(const Asked& q, const FacetThere& there) {
   const bool declared = header.declares(Convention::coverage),
              half_open = declared && header.conventions.coverage == Conventions::Coverage::top_left;
   if (on_it && half_open)
-    return "the pixel's centre lies on a right or last edge of it, and by the half-open rule such a centre is outside";
+    return fmt::format(
+        "the pixel's {0} lies on a right or last edge of it, and by the half-open rule such a {0} is outside",
+        seen_point(q.scene.raster));
   if (on_it && !declared)
-    return "the pixel's centre lies on its outline or within rounding of it, and the header does not declare which "
-           "such centres are covered";
+    return fmt::format(
+        "the pixel's {0} lies on its outline or within rounding of it, and the header does not declare "
+        "which such {0}s are covered",
+        seen_point(q.scene.raster));
   if (on_it || there.covers())
-    return "the pixel's centre lies so near its outline that rounding decides, and it came to lie outside";
+    return fmt::format("the pixel's {} lies so near its outline that rounding decides, and it came to lie outside",
+                       seen_point(q.scene.raster));
   if (there.at->in_square)
-    return fmt::format("it covers the pixel only in part: the centre lies {} pixels outside its outline", far);
-  return fmt::format("it does not cover the pixel's centre, which lies {} pixels outside its outline", far);
+    return fmt::format("it covers the pixel only in part: the {} lies {} pixels outside its outline",
+                       seen_point(q.scene.raster), far);
+  return fmt::format("it does not cover the pixel's {}, which lies {} pixels outside its outline",
+                     seen_point(q.scene.raster), far);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/answers/why_not_parts.hpp"
+#include "sim/answers/seen_point.hpp"
 #include "traces/formulas/half_space.hpp"
 
 namespace zstep::answers {
@@ -26,20 +27,21 @@ void each_of_facet(const Asked& q, std::int64_t mark, Look&& look) {
 }
 
 /// "the pixel's centre lies on the wrong side of e1: E_1(3, 4) = −2.5 < 0"
-std::string beyond_text(const InsideTest& test, const std::vector<bool>& owns) {
+std::string beyond_text(const InsideTest& test, const std::vector<bool>& owns, const Raster& raster) {
   const std::array<double, 3> values{test.e_0, test.e_1, test.e_2};
   std::size_t worst = 0;
   for (std::size_t i = 1; i < 3; ++i)
     if (values[i] < values[worst]) worst = i;
   const std::string of = fmt::format("E_{}({}, {})", worst, test.x, test.y);
   if (values[worst] < 0)
-    return fmt::format("the pixel's centre lies on the wrong side of e{}: {} = {} < 0", worst, of,
+    return fmt::format("the pixel's {} lies on the wrong side of e{}: {} = {} < 0", seen_point(raster), worst, of,
                        number(values[worst]));
   for (std::size_t i = 0; i < 3; ++i)
     if (values[i] == 0 && i < owns.size() && !owns[i])
-      return fmt::format("the pixel's centre lies on e{0}, which the triangle does not own: E_{0}({1}, {2}) = 0", i,
-                         test.x, test.y);
-  return fmt::format("the trace says that the pixel's centre lies outside, though {} = {}", of, number(values[worst]));
+      return fmt::format("the pixel's {3} lies on e{0}, which the triangle does not own: E_{0}({1}, {2}) = 0", i,
+                         test.x, test.y, seen_point(raster));
+  return fmt::format("the trace says that the pixel's {} lies outside, though {} = {}", seen_point(raster), of,
+                     number(values[worst]));
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ std::optional<LeftOut> left_out_by_triangles(const Asked& q, std::int64_t mark) 
     if (!test || test->inside || test->x != q.pixel.x || test->y != q.pixel.y) return;
     const double value = std::min({test->e_0, test->e_1, test->e_2});
     ++tests;
-    if (value > nearest) nearest = value, found = LeftOut{step, beyond_text(*test, owns)};
+    if (value > nearest) nearest = value, found = LeftOut{step, beyond_text(*test, owns, q.scene.raster)};
   });
   if (found && tests > 1) found->text += ", in the one of its triangles that comes nearest";
   return found;

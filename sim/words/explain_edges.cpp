@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/words/explain_parts.hpp"
+#include "sim/answers/seen_point.hpp"
 #include "traces/formulas/of_edges.hpp"
 #include "traces/text.hpp"
 
@@ -224,8 +225,8 @@ void tell(Telling& t, const PlaneSlopes& e) {
 void tell(Telling& t, const SpanBegin& e) {
   const std::int32_t count = std::max(0, e.last - e.first + 1);
   const std::string left = brief(t, e.left_edge), right = brief(t, e.right_edge);
-  t.say(count == 0
-            ? fmt::format("Between {} and {} no pixel centre lies on scan line {}: nothing to draw.", left, right, e.y)
+  t.say(count == 0 ? fmt::format("Between {} and {} no pixel's {} lies on scan line {}: nothing to draw.", left, right,
+                                 seen_point(t.scene.raster), e.y)
         : count == 1 ? fmt::format("Between {} and {} lies 1 pixel of scan line {}: x = {}.", left, right, e.y, e.first)
                      : fmt::format("Between {} and {} lie {} pixels of scan line {}: x = {} to {}.", left, right, count,
                                    e.y, e.first, e.last));
@@ -287,11 +288,11 @@ void tell(Telling& t, const SpanFlags& e) {
   const std::string pixels = e.last < e.first    ? "no pixel"
                              : e.first == e.last ? fmt::format("pixel {}", e.first)
                                                  : fmt::format("pixels {} to {}", e.first, e.last);
-  const std::string what = e.last < e.first ? "it holds no pixel's centre, so nothing is to be done"
-                           : e.flags == 0   ? "no flag is true, so nothing is drawn"
-                           : e.flags == 1
-                               ? fmt::format("only {} is in, so {} is seen", names_inside(t), names_inside(t))
-                               : fmt::format("{} are in, so the frontmost must be found", names_inside(t));
+  const std::string what =
+      e.last < e.first ? fmt::format("it holds no pixel's {}, so nothing is to be done", seen_point(t.scene.raster))
+      : e.flags == 0   ? "no flag is true, so nothing is drawn"
+      : e.flags == 1   ? fmt::format("only {} is in, so {} is seen", names_inside(t), names_inside(t))
+                       : fmt::format("{} are in, so the frontmost must be found", names_inside(t));
   t.say(fmt::format("From here to the next edge: {}.", what));
   t.formula(fmt::format("x = {} to {}: {}, {} flag{} true", number(e.x_left), number(e.x_right), pixels, e.flags,
                         e.flags == 1 ? "" : "s"));
@@ -321,8 +322,8 @@ void tell(Telling& t, const ImpliedEdge& e) {
 }
 
 void tell(Telling& t, const SpanWinner& e) {
-  t.say(e.last < e.first
-            ? fmt::format("{} is seen, but between two pixels' centres: no pixel shows it.", t.piece(e.piece))
+  t.say(e.last < e.first ? fmt::format("{} is seen, but between two pixels' {}s: no pixel shows it.", t.piece(e.piece),
+                                       seen_point(t.scene.raster))
         : e.first == e.last ? fmt::format("{} is seen at pixel {}.", t.piece(e.piece), e.first)
                             : fmt::format("{} is seen from pixel {} to pixel {}.", t.piece(e.piece), e.first, e.last));
 }

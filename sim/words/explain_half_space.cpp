@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sim/words/explain_parts.hpp"
+#include "sim/answers/seen_point.hpp"
 #include "traces/formulas/of_half_space.hpp"
 
 namespace zstep::words {
@@ -46,7 +47,7 @@ void tell(Telling& t, const TriangleSetup& e) {
   const bool empty = e.first_column >= e.end_column || e.first_row >= e.end_row;
   const std::string who = fmt::format("Triangle {} of {}", vertices_text(t, e), t.here());
   if (e.twice_area == 0) t.say(who + " has no area on the raster: no pixel of it is tested.");
-  else if (empty) t.say(who + " has no pixel's centre in its bounding box.");
+  else if (empty) t.say(fmt::format("{} has no pixel's {} in its bounding box.", who, seen_point(t.scene.raster)));
   else t.say(fmt::format("{}: the pixels of its bounding box are {}.", who, pixels_text(e)));
   t.derive(e);
   t.follows("area2", "twice_area", e.twice_area);
@@ -62,10 +63,12 @@ void tell(Telling& t, const EdgeFunction& e) {
   if (kind == nullptr) kind = e.edge_b > 0 ? "It is a top edge" : "It is a bottom edge";
   t.say(
       fmt::format("Edge e{} goes from vertex {} to vertex {}: E_{} is positive on the side of the triangle. {}, so a "
-                  "centre on it {} to the triangle.",
-                  e.edge_function, from, to, e.edge_function, kind, e.owns ? "belongs" : "does not belong"));
+                  "{} on it {} to the triangle.",
+                  e.edge_function, from, to, e.edge_function, kind, seen_point(t.scene.raster),
+                  e.owns ? "belongs" : "does not belong"));
   if (e.owns != formulas::owns_line(e.edge_a, e.edge_b))
-    t.doubt(fmt::format("By the top-left rule such a centre {} to it.", e.owns ? "does not belong" : "belongs"));
+    t.doubt(fmt::format("By the top-left rule such a {} {} to it.", seen_point(t.scene.raster),
+                        e.owns ? "does not belong" : "belongs"));
   t.derive(e);
   t.follows("A", "edge_a", e.edge_a);
   t.follows("B", "edge_b", e.edge_b);
@@ -131,7 +134,8 @@ void tell(Telling& t, const TileDepthTest& e) {
 
 void tell(Telling& t, const InsideTest& e) {
   const std::array<double, 3> values{e.e_0, e.e_1, e.e_2};
-  const std::string centre = fmt::format("The centre of pixel ({}, {})", e.x, e.y);
+  const std::string point = seen_point(t.scene.raster),
+                    centre = fmt::format("The {} of pixel ({}, {})", point, e.x, e.y);
   const auto& edges = t.machine.triangle.edges;
   const bool known = formulas::detail::has_edges(t.at);
   bool inside = true;
@@ -146,8 +150,10 @@ void tell(Telling& t, const InsideTest& e) {
   if (inside != e.inside)
     t.contradict(fmt::format("The trace says {} of pixel ({}, {}), although {}.", e.inside ? "inside" : "outside", e.x,
                              e.y,
-                             inside ? "its centre is on the right side of all three edges"
-                                    : "its centre " + (beyond.empty() ? on : beyond)));
+                             "its " + point + " " +
+                                 (inside           ? "is on the right side of all three edges"
+                                  : beyond.empty() ? on
+                                                   : beyond)));
   else if (!inside) t.say(fmt::format("{} {}: outside.", centre, beyond.empty() ? on : beyond));
   else if (borders.empty()) t.say(fmt::format("{} lies on the inner side of all three edges: inside.", centre));
   else
@@ -163,7 +169,7 @@ void tell(Telling& t, const BarycentricWeights& e) {
   t.say(fmt::format("At pixel ({}, {}) the weights of the three vertices are {}, {} and {}.", e.x, e.y, number(e.w_0),
                     number(e.w_1), number(e.w_2)));
   if (const auto& test = t.machine.triangle.test; test && test->x == e.x && test->y == e.y && !test->inside)
-    t.doubt("Its centre was not found inside the triangle.");
+    t.doubt(fmt::format("Its {} was not found inside the triangle.", seen_point(t.scene.raster)));
   t.derive(e);
   t.follows("w_0", "w_0", e.w_0);
   t.follows("w_1", "w_1", e.w_1);

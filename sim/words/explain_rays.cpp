@@ -1,5 +1,6 @@
 // Rays: boxes and cells, the plane of a facet, the point on it, and what a ray brings back (002, "Simple Ray Tracing").
 #include "sim/words/explain_parts.hpp"
+#include "sim/answers/seen_point.hpp"
 #include "traces/formulas/of_colors.hpp"
 
 namespace zstep::words {
@@ -59,7 +60,7 @@ void tell(Telling& t, const RayBegin& e) {
   const std::string pixel = fmt::format("({}, {})", e.x, e.y);
   switch (e.role) {
     case RayRole::eye:
-      t.say(fmt::format("A ray is cast from the eye through the centre of pixel {}.", pixel));
+      t.say(fmt::format("A ray is cast from the eye through the {} of pixel {}.", seen_point(t.scene.raster), pixel));
       break;
     case RayRole::reflected:
       t.say("What does the facet mirror? A ray goes on where a mirror would send it.");

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/answers/seen_point.hpp"
 #include "sim/words/derived.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -58,7 +59,7 @@ bool only_repeats(const std::string& formula, double value) {
 }
 
 /// How a pixel lies to a facet: "its centre lies 0.31 to the right of edge 1–2, which meets scan line 2 at x = 1.69".
-std::string place_to(const formulas::DrawnFacet& facet, const Trace::Pixel& pixel) {
+std::string place_to(const formulas::DrawnFacet& facet, const Trace::Pixel& pixel, const Raster& raster) {
   const auto beside = facet.beside(pixel.x, pixel.y);
   if (!beside) return fmt::format("scan line {} does not meet it", pixel.y);
   const auto name = [](std::int32_t vertex) { return vertex < 0 ? std::string("(cut)") : fmt::format("{}", vertex); };
@@ -66,11 +67,11 @@ std::string place_to(const formulas::DrawnFacet& facet, const Trace::Pixel& pixe
   const double distance = pixel.x - beside->x_edge;
   if (distance == 0) {
     if (facet.cover(pixel.x, pixel.y) == formulas::DrawnFacet::Cover::inside)
-      return fmt::format("its centre lies on {}, and is the polygon's own there", edge);
-    return fmt::format("its centre lies on {}, a {} edge, which does not own it", edge,
+      return fmt::format("its {} lies on {}, and is the polygon's own there", seen_point(raster), edge);
+    return fmt::format("its {} lies on {}, a {} edge, which does not own it", seen_point(raster), edge,
                        beside->is_left ? "left" : "right");
   }
-  return fmt::format("its centre lies {} to the {} of {}, which meets scan line {} at x = {}",
+  return fmt::format("its {} lies {} to the {} of {}, which meets scan line {} at x = {}", seen_point(raster),
                      number(std::abs(distance)), distance < 0 ? "left" : "right", edge, pixel.y,
                      tell_apart(beside->x_edge, pixel.x).first);
 }
@@ -81,9 +82,9 @@ std::string place_in_scene(const Fault& fault, const Event& event, const formula
   if (fault.rule == Rule::pixel_on_facet) {
     const auto pixel = pixel_of(event);
     const formulas::DrawnFacet* facet = before.drawn_facet();
-    return pixel && facet
-               ? "Of " + polygon_label(before.scene, before.method().polygon) + ", " + place_to(*facet, *pixel) + "."
-               : "";
+    return pixel && facet ? "Of " + polygon_label(before.scene, before.method().polygon) + ", " +
+                                place_to(*facet, *pixel, before.scene.raster) + "."
+                          : "";
   }
   if (!fault.pixel) return "";
   std::optional<formulas::DrawnFacet> never;
@@ -94,7 +95,7 @@ std::string place_in_scene(const Fault& fault, const Event& event, const formula
   const std::int32_t polygon = fault.facet >= 0 ? before.scene.facets[fault.facet].polygon : before.method().polygon;
   return fmt::format(
       "It is pixel ({}, {}) of {}: {}{}.", fault.pixel->x, fault.pixel->y, polygon_label(before.scene, polygon),
-      place_to(*facet, *fault.pixel),
+      place_to(*facet, *fault.pixel, before.scene.raster),
       fault.more_pixels == 0
           ? ""
           : fmt::format("; {} missing, too", how_many(fault.more_pixels, "other pixel is", "other pixels are")));
