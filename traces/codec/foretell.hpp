@@ -1,5 +1,5 @@
-// Guesses about vertices, polygons, the edge table, pieces and rays; with foretell_rows.hpp these are all. Part of
-// foreteller.hpp.
+// Guesses about vertices, polygons, the edge table, pieces and rays; with foretell_rows.hpp and foretell_triangles.hpp
+// these are all. Part of foreteller.hpp.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "traces/codec/foretell_rows.hpp"
+#include "traces/codec/foretell_triangles.hpp"
 #include "traces/codec/foreteller.hpp"
 
 namespace zstep::codec {
@@ -243,6 +244,7 @@ inline void Foreteller::begin_polygon(std::span<const std::int32_t> corners) {
   looked_at_corners_ = false;
   side_ = 0;
   in_span_ = false;
+  triangle_.of_polygon = 0;
   if (keeps_all_) return;
   made_.clear();
   edges_.clear();

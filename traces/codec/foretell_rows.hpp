@@ -158,7 +158,8 @@ inline void Foreteller::note(const EdgeSwap& event) {
 }
 
 inline void Foreteller::evaluate(DepthInterpolate& event) {
-  event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")];
+  event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")])
+                     : depth_by_weights(event.x, event.y);
 }
 
 // Guesses where planes are compared: on Warnock's areas, and on intervals of a scan line. Part of foreteller.hpp.

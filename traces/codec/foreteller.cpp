@@ -105,6 +105,7 @@ void Foreteller::forget() {
   areas_.clear();
   painted_ = -1;
   sweep_.clear();
+  triangle_ = {};
   begin_depths(false, {}, 0);
   ray_from_ = ray_along_ = glm::dvec3(0);
 }

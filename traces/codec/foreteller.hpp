@@ -4,7 +4,7 @@
 // file's header and scene state and what the block's earlier events told, and nothing else, so that each block is read
 // without the others.
 //
-// The guesses themselves stand in foretell.hpp and foretell_rows.hpp,
+// The guesses themselves stand in foretell.hpp, foretell_rows.hpp and foretell_triangles.hpp,
 // to be compiled into the loops that ask for them: encoder and decoder include foretell.hpp.
 #pragma once
 
@@ -20,7 +20,9 @@
 #include "traces/codec/runs.hpp"
 #include "traces/codec/scene_geometry.hpp"
 #include "traces/events/areas.hpp"
+#include "traces/events/half_space.hpp"
 #include "traces/events/slots.hpp"
+#include "traces/formulas/edge_functions.hpp"
 #include "traces/record/event_log.hpp"
 
 namespace zstep::codec {
@@ -235,6 +237,31 @@ class KnownEdges {
   std::size_t enter_ = 0;                         ///< place in the table after the edge that entered last
 };
 
+/// The triangle at work.
+struct KnownTriangle {
+  struct Edge {
+    double a = 0, b = 0, x = 0, y = 0;  ///< E = a (column - x) + b (row - y)
+    bool owns = false;
+  };
+  std::size_t of_polygon = 0;  ///< how many of its polygon the block has told of
+  std::array<std::int32_t, 3> vertices{};
+  std::array<glm::dvec3, 3> corners{};  ///< (x_s, y_s, depth) of these
+  bool known = false;                   ///< all of them
+  double twice_area = 0;
+  TileTest box{}, walked{};  ///< its bounding box; the part of it in which pixels come one after another
+  bool in_tiles = false;     ///< the block has told of one of its tiles
+  std::array<Edge, 3> edges{};
+  InsideTest test{-1, -1, 0, 0, 0, false};
+  BarycentricWeights weights{-1, -1, 0, 0, 0};
+
+  /// The edge opposite the i-th corner, as the corners say.
+  Edge edge(std::size_t i) const {
+    const glm::dvec3 &from = corners[(i + 1) % 3], &to = corners[(i + 2) % 3];
+    const bool first = formulas::is_first_end(from.x, from.y, to.x, to.y);
+    return {from.y - to.y, to.x - from.x, first ? from.x : to.x, first ? from.y : to.y};
+  }
+};
+
 struct Row;
 
 class Foreteller {
@@ -327,6 +354,11 @@ class Foreteller {
   template <class E>
   void note(const E&) {}  ///< what the event changes besides its registers
 
+  void walk_from(const TileTest& box);
+  std::pair<std::int32_t, std::int32_t> next_pixel() const;
+  double edge_value(std::size_t i, std::int32_t x, std::int32_t y) const;
+  InsideTest tested_at(std::int32_t x, std::int32_t y) const;
+  double depth_by_weights(std::int32_t x, std::int32_t y) const;
   /// All of a span that follows from where its ends are.
   void fill_span(SpanBegin& event, double x_left, double z_left, double x_right, double z_right) const;
   struct Range {
@@ -367,6 +399,7 @@ class Foreteller {
   bool in_rows_ = false;  ///< scan lines of the table have begun
   bool in_span_ = false;
   SpanBegin span_{};
+  KnownTriangle triangle_;
   FacetPlane divider_;               ///< the plane that the block told of last, by the number of its piece
   bool planes_in_world_ = false;     ///< that is where the block told of it
   FacetPlane of_facet_;              ///< one that it did not tell of; what it is depends on the scene alone

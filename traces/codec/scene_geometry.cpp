@@ -11,6 +11,7 @@
 
 #include "traces/events/vocabulary.hpp"
 #include "traces/file/header.hpp"
+#include "traces/formulas/edge_functions.hpp"
 #include "traces/formulas/viewing.hpp"
 #include "traces/scene.hpp"
 
@@ -20,6 +21,7 @@ SceneGeometry::SceneGeometry(const Scene& scene, const Header& header)
     : scene_(&scene),
       increments_(header.conventions.interpolation == Conventions::Interpolation::increments),
       inclusive_(header.conventions.coverage == Conventions::Coverage::inclusive),
+      steps_edges_(formulas::steps_edges(header.conventions)),
       cull_(header.conventions.cull),
       viewed_(scene.camera.kind != Camera::Kind::screen),
       orthographic_(scene.camera.kind == Camera::Kind::orthographic),

@@ -81,6 +81,8 @@ class SceneGeometry {
   const Scene& scene() const { return *scene_; }
   bool increments() const { return increments_; }
   bool inclusive() const { return inclusive_; }
+  /// Are edge functions added to from pixel to pixel?
+  bool steps_edges() const { return steps_edges_; }
   /// False for scenes whose points stand on the raster already.
   bool viewed() const { return viewed_; }
 
@@ -156,7 +158,7 @@ class SceneGeometry {
   void for_each_edge(std::int32_t piece, Each&& each) const;
 
   const Scene* scene_;
-  bool increments_, inclusive_, cull_, viewed_, orthographic_, view_depth_, one_table_;
+  bool increments_, inclusive_, steps_edges_, cull_, viewed_, orthographic_, view_depth_, one_table_;
   double d_, window_x_, window_y_, near_, far_, a_, b_, width_, height_;
   void find_out(std::int32_t vertex, VertexGeometry& facts) const;
   /// False where there are not so many pieces.

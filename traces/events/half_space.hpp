@@ -44,16 +44,19 @@ inline constexpr Description description_of<TriangleSetup>{
 template <>
 inline constexpr auto fields_of<TriangleSetup> = Fields{
     Field{"vertex_0", &TriangleSetup::vertex_0, Measure::vertex, "vertex 0; the order is that of a positive area",
-          As::subject},
-    Field{"vertex_1", &TriangleSetup::vertex_1, Measure::vertex, "vertex 1", As::subject},
-    Field{"vertex_2", &TriangleSetup::vertex_2, Measure::vertex, "vertex 2", As::subject},
+          As::subject, Guess::told},
+    Field{"vertex_1", &TriangleSetup::vertex_1, Measure::vertex, "vertex 1", As::subject, Guess::told},
+    Field{"vertex_2", &TriangleSetup::vertex_2, Measure::vertex, "vertex 2", As::subject, Guess::told},
     Field{"twice_area", &TriangleSetup::twice_area, "px^2",
-          "twice its area on the raster, (x_1 - x_0)(y_2 - y_0) - (x_2 - x_0)(y_1 - y_0)", As::formula},
+          "twice its area on the raster, (x_1 - x_0)(y_2 - y_0) - (x_2 - x_0)(y_1 - y_0)", As::formula, Guess::formula},
     Field{"first_column", &TriangleSetup::first_column, Measure::column_or_end, "the first column of its bounding box",
-          As::formula},
-    Field{"first_row", &TriangleSetup::first_row, Measure::row_or_end, "the first row of it", As::formula},
-    Field{"end_column", &TriangleSetup::end_column, Measure::column_or_end, "the column just beyond it", As::formula},
-    Field{"end_row", &TriangleSetup::end_row, Measure::row_or_end, "the row just beyond it", As::formula}};
+          As::formula, Guess::formula},
+    Field{"first_row", &TriangleSetup::first_row, Measure::row_or_end, "the first row of it", As::formula,
+          Guess::formula},
+    Field{"end_column", &TriangleSetup::end_column, Measure::column_or_end, "the column just beyond it", As::formula,
+          Guess::formula},
+    Field{"end_row", &TriangleSetup::end_row, Measure::row_or_end, "the row just beyond it", As::formula,
+          Guess::formula}};
 
 template <>
 inline constexpr Description description_of<EdgeFunction>{
@@ -63,19 +66,23 @@ inline constexpr Description description_of<EdgeFunction>{
     .called = "edge function E_{edge_function} of the edge from {vertex_0} to {vertex_1}",
     .within = Within::polygon | Within::triangle};
 template <>
-inline constexpr auto fields_of<EdgeFunction> = Fields{
-    Field{"edge_function", &EdgeFunction::edge_function, "index",
-          "which of the three, 0 to 2: the edge opposite the vertex of that number", As::aside, Guess::next},
-    Field{"vertex_0", &EdgeFunction::vertex_0, Measure::vertex, "the vertex it comes from", As::formula | As::subject},
-    Field{"vertex_1", &EdgeFunction::vertex_1, Measure::vertex, "the vertex it goes to", As::formula | As::subject},
-    Field{"edge_a", &EdgeFunction::edge_a, "px", "A = y_0 - y_1: what E gains from pixel to pixel", As::formula},
-    Field{"edge_b", &EdgeFunction::edge_b, "px", "B = x_1 - x_0: what E gains from scan line to scan line",
-          As::formula},
-    Field{"edge_c", &EdgeFunction::edge_c, "px^2",
-          "C = -(A X + B Y), (X, Y) being the end with the smaller y, of equal ones the smaller x", As::formula},
-    Field{"owns", &EdgeFunction::owns, "1",
-          "a centre on the line belongs to the triangle: a left edge, A > 0, or a top one, A = 0 and B > 0",
-          As::formula}};
+inline constexpr auto fields_of<EdgeFunction> =
+    Fields{Field{"edge_function", &EdgeFunction::edge_function, "index",
+                 "which of the three, 0 to 2: the edge opposite the vertex of that number", As::aside, Guess::next},
+           Field{"vertex_0", &EdgeFunction::vertex_0, Measure::vertex, "the vertex it comes from",
+                 As::formula | As::subject, Guess::formula},
+           Field{"vertex_1", &EdgeFunction::vertex_1, Measure::vertex, "the vertex it goes to",
+                 As::formula | As::subject, Guess::formula},
+           Field{"edge_a", &EdgeFunction::edge_a, "px", "A = y_0 - y_1: what E gains from pixel to pixel", As::formula,
+                 Guess::formula},
+           Field{"edge_b", &EdgeFunction::edge_b, "px", "B = x_1 - x_0: what E gains from scan line to scan line",
+                 As::formula, Guess::formula},
+           Field{"edge_c", &EdgeFunction::edge_c, "px^2",
+                 "C = -(A X + B Y), (X, Y) being the end with the smaller y, of equal ones the smaller x", As::formula,
+                 Guess::formula},
+           Field{"owns", &EdgeFunction::owns, "1",
+                 "a centre on the line belongs to the triangle: a left edge, A > 0, or a top one, A = 0 and B > 0",
+                 As::formula, Guess::formula}};
 
 template <>
 inline constexpr Description description_of<TileTest>{
@@ -89,13 +96,14 @@ inline constexpr Description description_of<TileTest>{
 template <>
 inline constexpr auto fields_of<TileTest> = Fields{
     Field{"first_column", &TileTest::first_column, Measure::column_or_end,
-          "the first column of what the tile has of the bounding box", As::subject},
-    Field{"first_row", &TileTest::first_row, Measure::row_or_end, "the first row of that", As::subject},
-    Field{"end_column", &TileTest::end_column, Measure::column_or_end, "the column just beyond it", As::formula},
-    Field{"end_row", &TileTest::end_row, Measure::row_or_end, "the row just beyond it", As::formula},
+          "the first column of what the tile has of the bounding box", As::subject, Guess::told},
+    Field{"first_row", &TileTest::first_row, Measure::row_or_end, "the first row of that", As::subject, Guess::told},
+    Field{"end_column", &TileTest::end_column, Measure::column_or_end, "the column just beyond it", As::formula,
+          Guess::formula},
+    Field{"end_row", &TileTest::end_row, Measure::row_or_end, "the row just beyond it", As::formula, Guess::formula},
     Field{"cover", &TileTest::cover, "1",
           "outside: beyond one edge, and rejected; inside: within all, and accepted; partly: its pixels are tested",
-          As::formula}};
+          As::formula, Guess::formula}};
 
 template <>
 inline constexpr Description description_of<TileDepthTest>{
@@ -125,13 +133,14 @@ inline constexpr Description description_of<InsideTest>{.name = "inside_test",
                                                         .called = "inside test of pixel ({x}, {y})",
                                                         .within = Within::polygon | Within::triangle};
 template <>
-inline constexpr auto fields_of<InsideTest> = Fields{
-    Field{"x", &InsideTest::x, Measure::column, "column", As::subject, Guess::next},
-    Field{"y", &InsideTest::y, Measure::pixel_row, "row", As::subject},
-    Field{"e_0", &InsideTest::e_0, "px^2", "E_0 at the centre", As::formula},
-    Field{"e_1", &InsideTest::e_1, "px^2", "E_1", As::formula},
-    Field{"e_2", &InsideTest::e_2, "px^2", "E_2", As::formula},
-    Field{"inside", &InsideTest::inside, "1", "each is positive, or 0 on an edge that owns its line", As::formula}};
+inline constexpr auto fields_of<InsideTest> =
+    Fields{Field{"x", &InsideTest::x, Measure::column, "column", As::subject, Guess::told},
+           Field{"y", &InsideTest::y, Measure::pixel_row, "row", As::subject, Guess::told},
+           Field{"e_0", &InsideTest::e_0, "px^2", "E_0 at the centre", As::formula, Guess::formula},
+           Field{"e_1", &InsideTest::e_1, "px^2", "E_1", As::formula, Guess::formula},
+           Field{"e_2", &InsideTest::e_2, "px^2", "E_2", As::formula, Guess::formula},
+           Field{"inside", &InsideTest::inside, "1", "each is positive, or 0 on an edge that owns its line",
+                 As::formula, Guess::formula}};
 
 template <>
 inline constexpr Description description_of<BarycentricWeights>{
@@ -142,10 +151,10 @@ inline constexpr Description description_of<BarycentricWeights>{
     .within = Within::polygon | Within::triangle};
 template <>
 inline constexpr auto fields_of<BarycentricWeights> =
-    Fields{Field{"x", &BarycentricWeights::x, Measure::column, "column", As::subject},
-           Field{"y", &BarycentricWeights::y, Measure::pixel_row, "row", As::subject},
-           Field{"w_0", &BarycentricWeights::w_0, "1", "the weight of vertex 0", As::formula},
-           Field{"w_1", &BarycentricWeights::w_1, "1", "of vertex 1", As::formula},
-           Field{"w_2", &BarycentricWeights::w_2, "1", "of vertex 2", As::formula}};
+    Fields{Field{"x", &BarycentricWeights::x, Measure::column, "column", As::subject, Guess::told},
+           Field{"y", &BarycentricWeights::y, Measure::pixel_row, "row", As::subject, Guess::told},
+           Field{"w_0", &BarycentricWeights::w_0, "1", "the weight of vertex 0", As::formula, Guess::formula},
+           Field{"w_1", &BarycentricWeights::w_1, "1", "of vertex 1", As::formula, Guess::formula},
+           Field{"w_2", &BarycentricWeights::w_2, "1", "of vertex 2", As::formula, Guess::formula}};
 
 }  // namespace zstep

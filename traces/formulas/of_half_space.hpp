@@ -127,8 +127,8 @@ void derive(const TriangleSetup& e, const Situation& at, Out& out) {
   const auto coordinate = [&](std::size_t i, bool of_x) {
     const Place place{Place::In::vertex, vertices[i]};
     const auto point = *at.on_raster(vertices[i]);
-    return of_x ? out.number(detail::numbered("x_", i), point.x, place["x_s"])
-                : out.number(detail::numbered("y_", i), point.y, place["y_s"]);
+    return of_x ? out.number(detail::numbered("x_0 x_1 x_2", i), point.x, place["x_s"])
+                : out.number(detail::numbered("y_0 y_1 y_2", i), point.y, place["y_s"]);
   };
   out.gives(&TriangleSetup::twice_area, twice_area(coordinate(0, true), coordinate(0, false), coordinate(1, true),
                                                    coordinate(1, false), coordinate(2, true), coordinate(2, false)));
@@ -241,7 +241,7 @@ void derive(const BarycentricWeights& e, const Situation& at, Out& out) {
     using T = typename Out::Number;
     if (!test) return detail::edge_value_at(out, at, i, e.x, e.y);
     return std::optional<T>(
-        out.number(detail::numbered("E_", i), tested, detail::triangle_place(detail::test_place, field)));
+        out.number(detail::numbered("E_0 E_1 E_2", i), tested, detail::triangle_place(detail::test_place, field)));
   };
   if (const auto e_0 = value(0, test ? test->e_0 : 0, "e_0")) out.gives(&BarycentricWeights::w_0, *e_0 / area);
   if (const auto e_1 = value(1, test ? test->e_1 : 0, "e_1")) out.gives(&BarycentricWeights::w_1, *e_1 / area);

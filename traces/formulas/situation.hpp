@@ -177,6 +177,7 @@ struct Situation {
   bool is_fixed = false;            ///< it computes in fixed point, whatever the header says
   double written = 0;               ///< by what share of itself a number may be off that is written with fewer digits
   double written_off = 0;           ///< and by how much besides
+  bool steps_edges = false;         ///< edge functions are added to from pixel to pixel
 
   /// Takes the camera that is at work now.
   void look() { camera = before.machine.pass != Pass::light ? &scene.camera : lamp ? &*lamp : nullptr; }

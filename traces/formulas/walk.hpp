@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "traces/file/trace.hpp"
+#include "traces/formulas/edge_functions.hpp"
 #include "traces/formulas/situation.hpp"
 #include "traces/replay/apply.hpp"
 #include "traces/replay/key_frames.hpp"
@@ -55,6 +56,7 @@ inline Situation situation_of(const Trace& trace, const State& before, const Hea
   for (const StepInfo& step : header.page)
     if (step.kind < kind_count) at.kinds_on_page[step.kind] = 1;
   at.ahead = spans_ahead_of(trace, header.conventions);
+  at.steps_edges = steps_edges(header.conventions);
   detail::recall_spans(trace, at);
   at.look();
   return at;
