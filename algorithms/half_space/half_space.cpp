@@ -10,7 +10,7 @@
 #include "algorithms/viewing/clip.hpp"
 #include "traces/error.hpp"
 #include "traces/formulas/attributes.hpp"
-#include "traces/formulas/half_space.hpp"
+#include "traces/formulas/edge_functions.hpp"
 #include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 
@@ -97,9 +97,9 @@ class Drawing {
         tiles_(is_on(options, conventions, "tiles")),
         hierarchical_(is_on(options, conventions, "hierarchical-z")),
         corrected_(conventions.depth == Conventions::Depth::corrected),
-        greater_(greater_is_nearer(conventions.depth)),
         shades_(conventions.attribute != Conventions::Attribute::none),
-        divides_(formulas::attribute_over_depth(scene, conventions)) {}
+        divides_(formulas::attribute_over_depth(scene, conventions)),
+        comparison_(interpolation::comparison_of(conventions)) {}
 
   void draw(std::int32_t polygon, const clipping::Outline& outline) {
     polygon_ = polygon;
@@ -122,7 +122,8 @@ class Drawing {
  private:
   glm::dvec3 raster(std::int32_t vertex) const { return vertices_[vertex].raster; }
   T position(double x) const { return NumbersOf<T>{}.position(x); }
-  bool nearer(double z, double other) const { return greater_ ? z > other : z < other; }
+  bool nearer(double z, double other) const { return comparison_.wins(z, other); }
+  bool greater() const { return comparison_.nearer == Comparison::Nearer::greater; }
   T depth_of(const T& along) const { return corrected_ ? T(1) / along : along; }
 
   Triangle<T> set_up(Corners corners) const {
@@ -197,7 +198,7 @@ class Drawing {
   /// The nearest depth that the triangle can have in a tile.
   T nearest_in(const Triangle<T>& triangle, const Box& tile) const {
     const EdgeWalk<T> walk(triangle, stepping_);
-    const bool greatest = greater_ != corrected_;
+    const bool greatest = greater() != corrected_;
     const auto nearest = [&](const T& one, const T& other) {
       return greatest ? std::max(one, other) : std::min(one, other);
     };
@@ -216,7 +217,8 @@ class Drawing {
     double farthest = picture_.depth[picture_.at(left, top)];
     for (std::int32_t y = top; y < std::min(picture_.height, top + tile_side); ++y)
       for (std::int32_t x = left; x < std::min(picture_.width, left + tile_side); ++x)
-        if (const double stored = picture_.depth[picture_.at(x, y)]; nearer(farthest, stored)) farthest = stored;
+        if (const double stored = picture_.depth[picture_.at(x, y)]; comparison_.behind(farthest, stored) < 0)
+          farthest = stored;
     return farthest;
   }
 
@@ -307,7 +309,8 @@ class Drawing {
   Picture& picture_;
   R& record_;
   Stepping stepping_;
-  bool tiles_, hierarchical_, corrected_, greater_, shades_, divides_;
+  bool tiles_, hierarchical_, corrected_, shades_, divides_;
+  Comparison comparison_;
   std::int32_t polygon_ = no_polygon;
   Triangulation triangulation_;
   std::vector<std::int32_t> covers_;  ///< by pixel, where triangles may overlap
@@ -316,7 +319,7 @@ class Drawing {
 template <class T, Recorder R>
 Picture draw(const Scene& scene, const Conventions& conventions, R& record) {
   const Raster& raster = scene.raster;
-  const double farthest = greater_is_nearer(conventions.depth) ? -no_depth : no_depth;
+  const double farthest = interpolation::comparison_of(conventions).farthest();
 
   Picture picture(raster.width, raster.height);
   for (double& depth : picture.depth) depth = farthest;

@@ -34,12 +34,14 @@ namespace zstep::half_space {
 
 enum class Stepping { products, increments };
 
-inline constexpr std::array<Option, 3> options{
+inline constexpr std::array<Option, 5> options{
     {{"stepping", "products|increments", "products",
       "edge functions evaluated at each pixel, or stepped by A from pixel to pixel and by B from line to line"},
      {"tiles", "off|8", "off", "8x8 tiles, accepted or rejected as a whole where an edge function's corners allow it"},
      {"hierarchical-z", "off|on", "off",
-      "a tile is rejected where the nearest depth of the triangle in it is not nearer than its farthest stored one"}}};
+      "a tile is rejected where the nearest depth of the triangle in it is not nearer than its farthest stored one"},
+     interpolation::nearer_option,
+     interpolation::ties_option}};
 
 /// Draws the scene's facets in their order, each as triangles. Strictly nearer wins, or strictly greater where the
 /// depth grows towards the eye; of equal depths the one drawn first stays.

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "traces/formulas/half_space.hpp"
+#include "traces/formulas/edge_functions.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::half_space {

@@ -4,6 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
 
 #include "algorithms/scan_conversion/spans.hpp"
 #include "algorithms/viewing/clip.hpp"
@@ -27,17 +31,16 @@ using scan_conversion::Span;
 
 /// What is to be known of the conventions at each pixel.
 struct Ways {
-  bool adds, by_plane, corrected, greater, shades;
+  bool adds, by_plane, corrected, shades;
+  Comparison comparison;
 
   explicit Ways(const Conventions& c)
       : adds(adds_slopes(c)),
         by_plane(c.interpolation == Conventions::Interpolation::plane ||
                  c.interpolation == Conventions::Interpolation::plane_increments),
         corrected(c.depth == Conventions::Depth::corrected),
-        greater(greater_is_nearer(c.depth)),
-        shades(c.attribute != Conventions::Attribute::none) {}
-  double farthest() const { return greater ? -no_depth : no_depth; }
-  bool wins(double z, double stored) const { return greater ? z > stored : z < stored; }
+        shades(c.attribute != Conventions::Attribute::none),
+        comparison(comparison_of(c)) {}
 };
 
 /// The plane of a polygon, as the depth of one of its vertices and two slopes.
@@ -168,7 +171,7 @@ class Drawing {
 
     const std::size_t pixel = picture_.at(x, y);
     each_.computed(pixel, depth);
-    const bool nearer = ways_.wins(z, picture_.depth[pixel]);
+    const bool nearer = ways_.comparison.wins(z, picture_.depth[pixel]);
     record_(z_buffer::step::compare, DepthCompare{x, y, z, nearer});
     if (!nearer) return;
 
@@ -213,9 +216,9 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
   const Ways ways(conventions);
 
   Picture picture(raster.width, raster.height);
-  for (double& depth : picture.depth) depth = ways.farthest();
+  for (double& depth : picture.depth) depth = ways.comparison.farthest();
   if (ways.shades) picture.use_ink();
-  record(z_buffer::step::clear, BuffersClear{ways.farthest()});
+  record(z_buffer::step::clear, BuffersClear{ways.comparison.farthest()});
 
   viewing::Lens lens(scene.camera, raster, conventions.depth);
   lens.positions = conventions.positions;
@@ -298,12 +301,25 @@ auto in_numbers(const Scene& scene, const Conventions& conventions, Use&& use) {
 
 }  // namespace
 
+Comparison comparison_of(const Conventions& conventions) {
+  const auto chosen = [&](const Option& option) {
+    const auto given = conventions.options.find(std::string(option.name));
+    return given == conventions.options.end() ? std::string_view() : std::string_view(given->second);
+  };
+  Comparison comparison;
+  const std::string_view nearer = chosen(nearer_option);
+  if (nearer == "greater" || (nearer != "smaller" && greater_is_nearer(conventions.depth)))
+    comparison.nearer = Comparison::Nearer::greater;
+  if (chosen(ties_option) == "last") comparison.ties = Comparison::Ties::last;
+  return comparison;
+}
+
 bool is_taught(const Conventions& c) {
   using enum Conventions::Depth;
   using enum Conventions::Interpolation;
   return (c.depth == pseudodepth || c.depth == view) && (c.interpolation == direct || c.interpolation == increments) &&
          c.number_format == NumberFormat::float64 && c.positions == Conventions::Positions::exact &&
-         c.attribute == Conventions::Attribute::none;
+         c.attribute == Conventions::Attribute::none && comparison_of(c) == Comparison{};
 }
 
 template <Recorder R>
@@ -346,11 +362,11 @@ Page page_with(Page page, const Conventions& conventions) {
   if (conventions.attribute == Conventions::Attribute::linear)
     for (StepInfo& line : page)
       if (line.id == step::attribute.id) line.text = "a, interpolated as z is";
-  if (!ways.greater) return page;
   for (StepInfo& line : page) {
-    if (line.id == z_buffer::step::clear.id)
+    if (line.id == z_buffer::step::clear.id && ways.comparison.nearer == Comparison::Nearer::greater)
       line.text = "frame[x,y] = background, zbuffer[x,y] = \u2212\u221e for all x, y";
-    if (line.id == z_buffer::step::compare.id) line.text = "if z > zbuffer[x,y]";
+    if (line.id == z_buffer::step::compare.id && ways.comparison != Comparison{})
+      line.text = fmt::format("if z {} zbuffer[x,y]", ways.comparison.sign());
   }
   return page;
 }

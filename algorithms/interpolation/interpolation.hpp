@@ -5,9 +5,11 @@
 // Plane slopes: 004, "z at the next pixel is z - A/C". The bounds are running error bounds (numbers.hpp).
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "algorithms/catalog/catalog.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "algorithms/scan_conversion/numbers.hpp"
 #include "traces/record/recorder.hpp"
@@ -21,6 +23,15 @@
 #include "traces/record/declare_steps.hpp"
 
 namespace zstep::interpolation {
+
+/// Which of two depths wins a pixel; as the depth says, the first of equals, where nothing else is asked for.
+inline constexpr Option nearer_option{"nearer", "by-depth|smaller|greater", "by-depth",
+                                      "which depth wins a pixel: what is nearer in this depth, or always so", false};
+inline constexpr Option ties_option{"ties", "first|last", "first",
+                                    "which of two equal depths stays: the one drawn first, or the one drawn last",
+                                    false};
+inline constexpr std::array<Option, 2> options{nearer_option, ties_option};
+Comparison comparison_of(const Conventions& conventions);
 
 /// Does the page as it is taught draw under these conventions?
 bool is_taught(const Conventions& conventions);

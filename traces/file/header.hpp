@@ -14,7 +14,8 @@
 
 namespace zstep {
 
-/// Which of two depths wins a pixel. Of zstep's own methods the smaller one, and of equals the first.
+/// Which of two depths wins a pixel. Of zstep's own methods the smaller one, and of equals the first, unless they are
+/// asked otherwise.
 struct Comparison {
   enum class Nearer : std::uint8_t { smaller, greater };
   enum class Ties : std::uint8_t { first, last };
