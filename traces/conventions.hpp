@@ -49,7 +49,7 @@ struct Conventions {
   };
   enum class Rounding : std::uint8_t { nearest, down };  ///< of fixed-point quotients
   /// Of vertices on the raster: as they are, or at the nearest whole pixel, or 256th of one, as GPUs have it.
-  enum class Positions : std::uint8_t { exact, integer, subpixels };
+  enum class Positions : std::uint8_t { exact, integer, subpixels, sixteenths };
   /// How an attribute of the vertices goes over a polygon, and shades it: x_w, as a texture coordinate.
   enum class Attribute : std::uint8_t {
     none,         ///< polygons have one colour
@@ -86,7 +86,8 @@ inline constexpr std::array<std::string_view, 7> words_of<NumberFormat>{"float64
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<Conventions::Rounding>{"nearest", "down"};
 template <>
-inline constexpr std::array<std::string_view, 3> words_of<Conventions::Positions>{"exact", "integer", "subpixels"};
+inline constexpr std::array<std::string_view, 4> words_of<Conventions::Positions>{"exact", "integer", "subpixels",
+                                                                                  "sixteenths"};
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Conventions::Attribute>{"none", "linear", "perspective"};
 
@@ -118,7 +119,7 @@ struct ConventionChoices {
 
 /// The parts of a pixel at which vertices lie; 0 where they lie anywhere.
 constexpr int parts_of_pixel(Conventions::Positions positions) {
-  constexpr ByEnum<Conventions::Positions, int, 3> parts{0, 1, 256};
+  constexpr ByEnum<Conventions::Positions, int> parts{0, 1, 256, 16};
   return parts[positions];
 }
 

@@ -5,11 +5,36 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep {
+
+glm::dmat4 view_of_matrices(const glm::dmat4& projection, const Raster& raster) {
+  const double aspect = static_cast<double>(raster.width) / raster.height;
+  glm::dmat4 rows(0);
+  for (int column = 0; column < 4; ++column) {
+    rows[column][0] = projection[column][0] * aspect;
+    rows[column][1] = projection[column][1];
+    rows[column][2] = projection[column][3];
+  }
+  rows[3][3] = 1;
+  return rows;
+}
+
+bool take_matrices(Camera& camera, const Raster& raster) {
+  if (!camera.matrices) return true;
+  camera.view = view_of_matrices(camera.matrices->projection, raster) * camera.matrices->view;
+  camera.polar = false, camera.d = 1, camera.window = 1;
+  const glm::dmat3 axes(camera.view);
+  const double volume = glm::length(axes[0]) * glm::length(axes[1]) * glm::length(axes[2]);
+  if (!(std::abs(glm::determinant(axes)) > 1e-12 * volume)) return false;
+  camera.eye = -(glm::inverse(axes) * glm::dvec3(camera.view[3])) + 0.0;
+  return true;
+}
 
 double view_depth(const Camera& camera, const Conventions& conventions, double buffer_depth) {
   using enum Conventions::Depth;

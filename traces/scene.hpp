@@ -142,8 +142,23 @@ struct Camera {
   double near = 0, far = 0;              ///< z_v of the clipping planes
   glm::dmat4 view{1};                    ///< world to view: v = view * w, column vectors (T_v of the notes)
   glm::dvec3 eye{0};                     ///< world; for orthographic the direction towards the eye, unit length
+
+  /// Two matrices of another program: world to its view coordinates, and those to its clip coordinates, column vectors.
+  struct Matrices {
+    glm::dmat4 view{1}, projection{1};
+    bool operator==(const Matrices&) const = default;
+  };
+  /// What the camera was made from by take_matrices(), where it was.
+  std::optional<Matrices> matrices = {};
   bool operator==(const Camera&) const = default;
 };
+
+/// Far planes are no farther than this times near. "Infinite" ones are there: no number of float64 that has z_v and
+/// near beside far shows the difference.
+inline constexpr double infinitely_far = 0x1p60;
+inline bool is_infinitely_far(const Camera& camera) {
+  return camera.kind == Camera::Kind::perspective && camera.near > 0 && camera.far >= infinitely_far * camera.near;
+}
 
 /// A lamp, and all that makes a camera of it: what it shines on is what that camera sees. It looks from `position` at
 /// `target` with the world's z axis upwards, in perspective, with its projection plane at distance 1.
@@ -189,6 +204,14 @@ struct Raster {
   bool corners = false;  ///< through a camera pixels are seen at their first corner, not at their centre
   bool operator==(const Raster&) const = default;
 };
+
+/// Makes of view coordinates as another program has them those by which zstep sees the same picture: with the window's
+/// middle in the line of sight, half its height and d both 1, and z_v = w_c. x_c, y_c and w_c may be any that are
+/// linear in view coordinates; the row of z_c is not looked at.
+glm::dmat4 view_of_matrices(const glm::dmat4& projection, const Raster& raster);
+/// Sets view, eye, d and window of a camera in perspective from its matrices; false where they have no eye, or w_c is
+/// the same everywhere.
+[[nodiscard]] bool take_matrices(Camera& camera, const Raster& raster);
 
 struct Scene {
   std::string name;                ///< "pyramid"

@@ -1,6 +1,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <fmt/format.h>
@@ -155,7 +156,8 @@ constexpr std::array catalog{
         draw_z_buffer, z_buffer_of_any_kind, .id = "z-buffer", .title = "Z-buffer",
         .paper = "E. Catmull, A Subdivision Algorithm for Computer Display of Curved Surfaces, PhD thesis, University "
                  "of Utah, 1974",
-        .interpolates = true, .in_any_way = true, .page_for = interpolation::page_for),
+        .interpolates = true, .in_any_way = true, .options = interpolation::options,
+        .page_for = interpolation::page_for),
     METHOD(scan_line, .id = "scan-line", .title = "Scan line",
            .paper = "W. J. Bouknight, A Procedure for Generation of Three-Dimensional Half-Toned Computer Graphics "
                     "Presentations, Communications of the ACM 13(9), 1970",
@@ -237,6 +239,11 @@ void check_run(const Method& method, const Scene& scene, const Conventions& conv
                      "give a formula in its place: \"y = sin(x)*cos(z)\"");
   if (method.needs == Needs::light && !scene.light)
     throw InputError(name, id + " needs a light, and this scene has none", "add a [light] to the scene's file");
+  if (const Page page = method.page();
+      scene.camera.matrices &&
+      std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<RayBegin>; }))
+    throw InputError(name, id + " casts rays, and the scene's camera has a projection matrix",
+                     "give eye, d and window in its place, or use z-buffer");
   check_options(method.options, method.id, conventions, who);
   if (method.check) method.check(conventions, who);
   const std::string wanted = method.interpolates ? "" : options_for_planes(conventions);
@@ -289,7 +296,7 @@ Header header_for(const Method& method, const Conventions& conventions) {
   header.title = method.title;
   header.conventions = conventions;
   header.page = method.page_for ? method.page_for(conventions) : method.page();
-  if (greater_is_nearer(conventions.depth)) header.comparison.nearer = Comparison::Nearer::greater;
+  header.comparison = interpolation::comparison_of(conventions);
   return header;
 }
 

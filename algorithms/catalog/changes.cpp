@@ -80,7 +80,8 @@ bool has(const Scene& scene, const CameraNumber& number) {
   const Camera& camera = scene.camera;
   const bool polar = number.name == "rho" || number.name == "theta" || number.name == "phi";
   return camera.kind != Camera::Kind::screen && (camera.polar || !polar) &&
-         (number.name != "d" || camera.kind == Camera::Kind::perspective);
+         (number.name != "d" || camera.kind == Camera::Kind::perspective) &&
+         !(camera.matrices && (number.name == "d" || number.name == "window"));
 }
 
 /// Whether the clipping planes stand where a scene gets them that states none: then they go with it.

@@ -91,6 +91,10 @@ double distance_for_all(const Scene& scene) {
 void place_eye(Scene& scene, const ViewOptions& options) {
   Camera& camera = scene.camera;
   if (options.rho || options.theta || options.phi) camera.polar = true;
+  if (camera.polar || options.d || options.window || options.orthographic) camera.matrices.reset();
+  if (!take_matrices(camera, scene.raster))
+    throw InputError(scene.name, "its projection has no eye",
+                     "the rows of x_c, y_c and w_c must go with three directions");
   if (options.rho) camera.rho = positive(*options.rho, "--rho");
   if (options.theta) camera.theta = checked(*options.theta, "--theta");
   if (options.phi) camera.phi = checked(*options.phi, "--phi");
@@ -108,7 +112,7 @@ void place_eye(Scene& scene, const ViewOptions& options) {
 void choose_depths(Scene& scene, const ViewOptions& options) {
   Camera& camera = scene.camera;
   if (options.near) camera.near = checked(*options.near, "--near");
-  if (options.far) camera.far = checked(*options.far, "--far");
+  if (options.far) camera.far = std::isinf(*options.far) ? *options.far : checked(*options.far, "--far");
   const bool perspective = camera.kind == Camera::Kind::perspective;
   const bool near_given = options.near || camera.near != 0, far_given = options.far || camera.far != 0;
 
@@ -130,9 +134,10 @@ void choose_depths(Scene& scene, const ViewOptions& options) {
   }
   if (!near_given) {
     camera.near = low - pad;
-    if (perspective) camera.near = std::max(camera.near, camera.far / 1000);
+    if (perspective) camera.near = std::max(camera.near, std::min(camera.far, high + pad) / 1000);
     if (far_given && !(camera.far > camera.near)) camera.near = perspective ? camera.far / 1000 : camera.far - pad;
   }
+  if (perspective && std::isinf(camera.far)) camera.far = infinitely_far * camera.near;
   if (perspective && !(camera.near > 0))
     throw InputError("--near", fmt::format("it is {}", camera.near), "in perspective it must be greater than 0");
   if (!(camera.far > camera.near))

@@ -22,7 +22,10 @@ std::string camera_text(const Camera& camera) {
   if (camera.kind == Camera::Kind::screen) return "none: the points are (x_s, y_s, z) of the screen";
   const std::string where = camera.polar ? fmt::format("rho {}, theta {}, phi {}", camera.rho, camera.theta, camera.phi)
                                          : fmt::format("eye ({}, {}, {})", camera.eye.x, camera.eye.y, camera.eye.z);
-  const std::string range = fmt::format("window {}, near {}, far {}", camera.window, camera.near, camera.far);
+  const std::string far = is_infinitely_far(camera) ? "infinite" : fmt::format("{}", camera.far);
+  if (camera.matrices)
+    return fmt::format("perspective, {}, by a projection matrix, near {}, far {}", where, camera.near, far);
+  const std::string range = fmt::format("window {}, near {}, far {}", camera.window, camera.near, far);
   if (camera.kind == Camera::Kind::orthographic) return fmt::format("orthographic, {}, {}", where, range);
   return fmt::format("perspective, {}, d {}, {}", where, camera.d, range);
 }
@@ -89,6 +92,7 @@ std::string numbers_text(const Conventions& conventions) {
     text += conventions.rounding == Conventions::Rounding::nearest ? ", rounded" : ", cut off";
   if (conventions.positions == Conventions::Positions::integer) text += ", vertices at whole pixels";
   if (conventions.positions == Conventions::Positions::subpixels) text += ", vertices at 256ths of a pixel";
+  if (conventions.positions == Conventions::Positions::sixteenths) text += ", vertices at 16ths of a pixel";
   if (conventions.attribute == Conventions::Attribute::linear) text += ", attribute linear on the picture";
   if (conventions.attribute == Conventions::Attribute::perspective) text += ", attribute perspective-correct";
   return text;

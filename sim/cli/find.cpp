@@ -222,7 +222,7 @@ int dump(const DumpOptions& options) {
       if (!filter.shows(recorded.step)) return true;
       const std::string_view place = trace.printed_at(position, recorded.step);
       if (options.jsonl) {
-        std::cout << jsonl_event(trace.header(), recorded, place) + '\n';
+        std::cout << jsonl_event(trace.header(), trace.scene(), recorded, place) + '\n';
       } else {
         const StepInfo* info = find_step(page, recorded.step);
         const std::string fields = fields_text(recorded.event);

@@ -238,7 +238,7 @@ class LogReader {
         polygon = static_cast<std::int32_t>(value_of(*field_of_kind(kind_of<PolygonBegin>, column_of_polygon), cell));
     }
     if (polygon && polygon != at_work_) begin(*polygon);
-    turn(event, header_, Turned::as_own);
+    turn(event, header_, scene_.camera, scene_.raster, Turned::as_own);
     check(event);
     if (auto* compare = get_if<DepthCompare>(&event)) {
       double& stored = depths_[static_cast<std::size_t>(compare->y) * static_cast<std::size_t>(scene_.raster.width) +

@@ -295,7 +295,7 @@ Run prepare_with(const RunOptions& options, bool notes) {
   if (options.no_cull) run.conventions.cull = false;
   run.conventions.options = options.options;
   check_run(*run.method, run.scene, run.conventions);
-  if (const std::string_view kind = kind_that_cannot_turn(header_of(run)); !kind.empty()) {
+  if (const std::string_view kind = kind_that_cannot_turn(header_of(run), run.scene.camera); !kind.empty()) {
     if (!options.written_given.empty())
       throw InputError(*options.written_given.begin(),
                        fmt::format("is not written for {}, whose steps have planes or cuts on the raster ({})",

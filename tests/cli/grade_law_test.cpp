@@ -47,7 +47,7 @@ struct Set {
       const auto right = references.find(task, task.conventions);
       std::string text;
       right->each(0, right->size(), [&](std::int64_t, const RecordedEvent& recorded) {
-        const std::string line = changed(recorded, jsonl_event(right->header(), recorded));
+        const std::string line = changed(recorded, jsonl_event(right->header(), right->scene(), recorded));
         if (!line.empty()) text += line + "\n";
         return true;
       });

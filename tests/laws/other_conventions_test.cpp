@@ -88,7 +88,7 @@ TEST_CASE("law: a run whose numbers are written otherwise is the same run") {
         header.written = {WrittenAs::Centre::half, axes};
         std::string text = jsonl_header(header, scene) + "\n";
         run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& event) {
-          text += jsonl_event(header, event) + "\n";
+          text += jsonl_event(header, scene, event) + "\n";
           return true;
         });
         CAPTURE(method);

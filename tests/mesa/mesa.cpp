@@ -87,10 +87,11 @@ double linearised(const Camera& camera, double depth) {
 Picture drawn_by_opengl(const Scene& scene, bool cull, const OnFacet& on_facet) {
   Canvas canvas(scene.raster.width, scene.raster.height);
   glViewport(0, 0, scene.raster.width, scene.raster.height);
+  const Camera& camera = scene.camera;
   glMatrixMode(GL_PROJECTION);
-  glLoadMatrixd(glm::value_ptr(clip_matrix(scene.camera, scene.raster)));
+  glLoadMatrixd(glm::value_ptr(camera.matrices ? camera.matrices->projection : clip_matrix(camera, scene.raster)));
   glMatrixMode(GL_MODELVIEW);
-  glLoadMatrixd(glm::value_ptr(scene.camera.view));
+  glLoadMatrixd(glm::value_ptr(camera.matrices ? camera.matrices->view : camera.view));
   glDisable(GL_DITHER);
   glShadeModel(GL_FLAT);
   glEnable(GL_DEPTH_TEST);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "algorithms/scene/load.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "sim/truth/explain_difference.hpp"
+#include "tests/matrices.hpp"
 #include "tests/mesa/mesa.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "traces/check/check.hpp"
@@ -148,6 +150,26 @@ TEST_SUITE("mesa") {
           FAIL_CHECK("step ", fault.step, ": ", fault.field, " ", fault.recorded, " ", fault.expected, " ", rule);
         }
         MESSAGE(name, ": ", report.numbers, " depths, of which ", report.wrong_steps, " are wrong");
+        CHECK(report.numbers > 1000);
+      }
+  }
+
+  TEST_CASE("through frusta beside the line of sight, and with a far plane at infinity") {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (const std::string name : {"dodecahedron", "pyramid-behind", "teapot:2"})
+      for (const double far : {20.0, infinity}) {
+        CAPTURE(name);
+        CAPTURE(far);
+        ViewOptions options;
+        options.theta = 33, options.phi = 62, options.width = 320, options.height = 200;
+        const Scene in_sight = look_at_scene(load_scene(name).scene, options);
+        const double n = in_sight.camera.near / 2;
+        const glm::dmat4 projection = test::frustum(-0.2 * n, 0.4 * n, -0.3 * n, 0.15 * n, n, far);
+        Scene scene = test::seen_through(in_sight, projection, n, far);
+        hold_against_mesa(scene, false);
+        scene.raster.y_up = true;
+        const CheckReport report = check(run_of_mesa(scene, scene, false));
+        CHECK(report.causes.empty());
         CHECK(report.numbers > 1000);
       }
   }

@@ -476,7 +476,8 @@ Trace read_with(const Trace& trace, const Header& header, const Others& others) 
   TraceRecorder recorder(as_own, scene);
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     Event event = recorded.event;
-    turn(event, trace.header(), Turned::as_written), turn(event, header, Turned::as_own);
+    turn(event, trace.header(), trace.scene().camera, trace.scene().raster, Turned::as_written);
+    turn(event, header, scene.camera, scene.raster, Turned::as_own);
     record_any(recorder, recorded.step, event);
     return true;
   });
@@ -491,7 +492,7 @@ std::optional<std::int64_t> wrong_steps_under(const Others& others, const Trace&
   turn(header, Turned::as_written);
   bool anew = false;
   for (const Otherwise* other : others) other->change(header), anew |= other->is_of_raster || other->is_of_numbers;
-  if (anew && !kind_that_cannot_turn(header).empty()) return std::nullopt;
+  if (anew && !kind_that_cannot_turn(header, trace.scene().camera).empty()) return std::nullopt;
   const CheckReport report = [&] {
     if (anew) {
       const Trace read = read_with(trace, header, others);

@@ -42,7 +42,7 @@ nlohmann::ordered_json scene_to_json(const Scene& scene);
 Scene scene_from_json(const nlohmann::json& json);
 
 nlohmann::ordered_json camera_to_json(const Camera& camera);
-Camera camera_from_json(const nlohmann::json& json);
+Camera camera_from_json(const nlohmann::json& json, const Raster& raster);
 nlohmann::ordered_json raster_to_json(const Raster& raster);
 Raster raster_from_json(const nlohmann::json& json);
 nlohmann::ordered_json light_to_json(const Light& light);

@@ -58,8 +58,8 @@ std::string jsonl_header(const Header& header, const Scene& scene) {
   return printable_json(text_of(line));
 }
 
-std::string jsonl_event(const Header& header, RecordedEvent recorded, std::string_view printed_at) {
-  turn(recorded.event, header, Turned::as_written);
+std::string jsonl_event(const Header& header, const Scene& scene, RecordedEvent recorded, std::string_view printed_at) {
+  turn(recorded.event, header, scene.camera, scene.raster, Turned::as_written);
   ordered_json line = begin_line(header.page, recorded.step);
   for (const FieldOfKind& field : fields_of_kind(recorded.event.index())) {
     switch (field.type) {
@@ -84,7 +84,7 @@ std::string jsonl_event(const Header& header, RecordedEvent recorded, std::strin
 void write_jsonl(const Trace& trace, std::ostream& out) {
   out << jsonl_header(trace.header(), trace.scene()) + '\n';
   trace.each(0, trace.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
-    out << jsonl_event(trace.header(), recorded, trace.printed_at(position, recorded.step)) +
+    out << jsonl_event(trace.header(), trace.scene(), recorded, trace.printed_at(position, recorded.step)) +
                '\n';  // in one piece: what ends early ends with a line
     return static_cast<bool>(out);
   });

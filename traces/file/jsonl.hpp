@@ -21,7 +21,8 @@ std::string jsonl_header(const Header& header, const Scene& scene);
 std::string step_label(const Page& page, const StepInfo& step);
 /// One event, its numbers as the run's program writes them: {"step":"compare","x":3,"y":2,"z":4.25,"nearer":true}. The
 /// step's name is short where it is unique. `printed_at`: the place in the program's source, where that is known.
-std::string jsonl_event(const Header& header, RecordedEvent event, std::string_view printed_at = {});
+std::string jsonl_event(const Header& header, const Scene& scene, RecordedEvent event,
+                        std::string_view printed_at = {});
 /// The only key of the last line of a recording that was cut off: {"cut_off":true}.
 inline constexpr const char* cut_off_key = "cut_off";
 /// The whole trace.

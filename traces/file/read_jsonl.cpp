@@ -237,7 +237,7 @@ class Reader {
   bool read_quickly(std::string& line) {
     if (!tail_.empty() || cut_off_ || !quick_->read(line, quick_event_)) return false;
     give_numbers_of_span(quick_event_.event);
-    turn(quick_event_.event, header_, Turned::as_own);
+    turn(quick_event_.event, header_, camera_, raster_, Turned::as_own);
     EventCheck of_one = *check_;
     if (!visit_event([&](const auto& event) { return of_one(event).empty(); }, quick_event_.event)) return false;
     const SourcePlaces& places = recorder_->places();
@@ -257,7 +257,7 @@ class Reader {
   }
 
   void give_numbers_of_span(Event& event) const {
-    if (passed_over_) give_numbers_of_empty(event, width_, header_.conventions.coverage);
+    if (passed_over_) give_numbers_of_empty(event, raster_.width, header_.conventions.coverage);
   }
 
   /// One line, or the several on which a pretty-printed object stands.
@@ -399,8 +399,12 @@ class Reader {
         if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
         scene = scene_from_json(document.at("scene"));
       });
-    if (const std::string_view kind = kind_that_cannot_turn(header_); !kind.empty())
+    const Camera& camera = given_ != nullptr ? given_->scene->camera : scene.camera;
+    if (const std::string_view kind = kind_that_cannot_turn(header_, camera); !kind.empty())
       parts.read([&] {
+        if (camera.matrices)
+          throw MalformedJson(document, "scene", fmt::format("a run with \"{}\" cannot have a \"projection\"", kind),
+                              "give \"eye\", \"d\" and \"window\"");
         throw MalformedJson(document, "conventions",
                             fmt::format("a run with \"{}\" must have pixel centres at integers and left-handed view "
                                         "coordinates",
@@ -417,7 +421,7 @@ class Reader {
       scene = *given_->scene;
     }
     at_header_ = !no_header;
-    width_ = scene.raster.width;
+    camera_ = scene.camera, raster_ = scene.raster;
     check_.emplace(scene);
     for (const StepInfo& step : header_.page) step_names_.push_back(step.name);
     quick_.emplace(header_.page);
@@ -441,7 +445,7 @@ class Reader {
     if (is_judged()) as_trace_has_it(document, header_.page);
     Event event = event_from_json(step->kind, document);
     give_numbers_of_span(event);
-    turn(event, header_, Turned::as_own);
+    turn(event, header_, camera_, raster_, Turned::as_own);
     EventCheck of_one = *check_;  // how often buffers are cleared is held against a block, once it is read
     if (const std::string fault = visit_event([&](const auto& e) { return of_one(e); }, event); !fault.empty())
       throw ImpossibleStep(document, std::string(of_one.field()), fault,
@@ -470,7 +474,8 @@ class Reader {
   std::int64_t number_ = 0;  ///< of the line that was read last
   Header header_;
   std::vector<std::string_view> step_names_;
-  std::int32_t width_ = 0;  ///< of the raster
+  Camera camera_;  ///< of the scene
+  Raster raster_;
   std::optional<EventCheck> check_;
   std::optional<QuickLine> quick_;
   RecordedEvent quick_event_{};

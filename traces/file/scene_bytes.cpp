@@ -273,8 +273,9 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   Scene scene;
   scene.name = in.text();
   scene.source = in.text();
-  scene.camera = camera_from_json(document());
+  const auto camera = document();
   scene.raster = raster_from_json(document());
+  scene.camera = camera_from_json(camera, scene.raster);
   scene.background = take_color(in);
   scene.points.resize(count_of_points(in));
   for (int axis = 0; axis < 3; ++axis) take_coordinates(in, scene.points, axis);

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -48,28 +49,58 @@ ordered_json vector_to(const glm::dvec3& v) {
 
 }  // namespace
 
+namespace {
+
+ordered_json matrix_to(const glm::dmat4& matrix) {
+  ordered_json rows = ordered_json::array();
+  for (int row = 0; row < 4; ++row) {
+    ordered_json cells = ordered_json::array();
+    for (int column = 0; column < 4; ++column) cells.push_back(real_to_json(matrix[column][row]));
+    rows.push_back(std::move(cells));
+  }
+  return rows;
+}
+
+glm::dmat4 matrix_from(const json& in, const char* key) {
+  glm::dmat4 matrix(0);
+  const json& rows = list(in, key);
+  if (rows.size() != 4) throw MalformedJson(fmt::format("\"{}\" does not have four rows", key));
+  for (int row = 0; row < 4; ++row) {
+    const json& cells = rows[row];
+    if (!cells.is_array() || cells.size() != 4)
+      throw MalformedJson(fmt::format("a row of \"{}\" does not have four numbers", key));
+    for (int column = 0; column < 4; ++column) {
+      matrix[column][row] = real_from_json(cells[column], key);
+      constexpr double most = 1e30;
+      if (!(std::abs(matrix[column][row]) <= most))
+        throw MalformedJson(fmt::format("\"{}\" has {}, which is too large", key, matrix[column][row]));
+    }
+  }
+  return matrix;
+}
+
+}  // namespace
+
 ordered_json camera_to_json(const Camera& camera) {
   ordered_json out;
   out["kind"] = word(camera.kind, camera_words);
   if (camera.kind == Camera::Kind::screen) return out;
   if (camera.polar) out.update({{"rho", camera.rho}, {"theta", camera.theta}, {"phi", camera.phi}});
-  out["d"] = camera.d;
-  out["window"] = camera.window;
+  if (!camera.matrices) out["d"] = camera.d, out["window"] = camera.window;
   out["near"] = camera.near;
-  out["far"] = camera.far;
-  out["eye"] = vector_to(camera.eye);
-  ordered_json rows = ordered_json::array();
-  for (int row = 0; row < 4; ++row) {
-    ordered_json cells = ordered_json::array();
-    for (int column = 0; column < 4; ++column) cells.push_back(real_to_json(camera.view[column][row]));
-    rows.push_back(std::move(cells));
+  out["far"] = real_to_json(is_infinitely_far(camera) ? std::numeric_limits<double>::infinity() : camera.far);
+  if (camera.matrices) {
+    out["view"] = matrix_to(camera.matrices->view), out["projection"] = matrix_to(camera.matrices->projection);
+    return out;
   }
-  out["view"] = std::move(rows);
+  out["eye"] = vector_to(camera.eye);
+  out["view"] = matrix_to(camera.view);
   return out;
 }
 
-Camera camera_from_json(const json& in) {
-  known_keys(in, "the camera", {"kind", "rho", "theta", "phi", "d", "window", "near", "far", "eye", "view"});
+Camera camera_from_json(const json& in, const Raster& raster) {
+  known_keys(in, "the camera",
+             {"kind", "rho", "theta", "phi", "d", "window", "near", "far", "eye", "view", "projection"});
   Camera camera;
   camera.kind = word_or(in, "kind", camera_words, Camera::Kind::perspective);
   if (camera.kind == Camera::Kind::screen) return camera;
@@ -83,18 +114,22 @@ Camera camera_from_json(const json& in) {
   camera.window = real_or(in, "window", 1);
   camera.near = real(in, "near");
   camera.far = real(in, "far");
-  camera.eye = vector_from(member(in, "eye"), "eye");
-  const json& rows = list(in, "view");
-  if (rows.size() != 4) throw MalformedJson("\"view\" does not have four rows");
-  for (int row = 0; row < 4; ++row) {
-    const json& cells = rows[row];
-    if (!cells.is_array() || cells.size() != 4) throw MalformedJson("a row of \"view\" does not have four numbers");
-    for (int column = 0; column < 4; ++column) {
-      camera.view[column][row] = real_from_json(cells[column], "view");
-      constexpr double most = 1e30;
-      if (!(std::abs(camera.view[column][row]) <= most))
-        throw MalformedJson(fmt::format("\"view\" has {}, which is too large", camera.view[column][row]));
-    }
+  if (std::isinf(camera.far) && camera.kind == Camera::Kind::perspective) camera.far = infinitely_far * camera.near;
+  camera.view = matrix_from(in, "view");
+  if (in.contains("projection")) {
+    for (const char* other : {"rho", "d", "window", "eye"})
+      if (in.contains(other))
+        throw MalformedJson(in, other, fmt::format("\"{}\" stands beside \"projection\"", other),
+                            "take it out: the matrices say where the eye is and what it sees");
+    if (camera.kind != Camera::Kind::perspective)
+      throw MalformedJson(in, "projection", "\"projection\" is for a camera in perspective",
+                          "give \"window\", \"near\" and \"far\" of a parallel one");
+    camera.matrices = {camera.view, matrix_from(in, "projection")};
+    if (!take_matrices(camera, raster))
+      throw MalformedJson(in, "projection", "\"view\" and \"projection\" have no eye",
+                          "the rows of x_c, y_c and w_c must go with three directions");
+  } else {
+    camera.eye = vector_from(member(in, "eye"), "eye");
   }
   return camera;
 }
@@ -232,7 +267,7 @@ Scene scene_from_json(const json& in) {
   scene.name = text_or(in, "name", "scene");
   scene.source = text_or(in, "source", "");
   scene.raster = raster_from_json(member(in, "raster"));
-  scene.camera = camera_from_json(member(in, "camera"));
+  scene.camera = camera_from_json(member(in, "camera"), scene.raster);
   scene.background = color_from(text_or(in, "background", "#ffffff"));
   if (in.contains("light")) scene.light = light_from_json(in.at("light"));
   if (in.contains("surface")) scene.surface = surface_from_json(in.at("surface"));

@@ -66,13 +66,45 @@ void take_either_sign(Event& event) {
 
 }  // namespace
 
-void turn(Event& event, const Header& header, Turned to) {
-  if (header.written == WrittenAs{}) return;
+namespace {
+
+/// The fields of a vector in view coordinates.
+bool has_view_coordinates(std::size_t kind) { return kind == kind_of<ViewTransform> || kind == kind_of<ClipCross>; }
+
+/// View coordinates, places on the projection plane and determinants of a program with matrices of its own.
+void take_matrices_over(Event& event, const Camera& camera, const Raster& raster, Turned to) {
+  const std::size_t kind = event.index();
+  const double aspect = static_cast<double>(raster.width) / raster.height;
+  glm::dmat4 turned = view_of_matrices(camera.matrices->projection, raster);
+  if (to == Turned::as_written) turned = glm::inverse(turned);
+  if (has_view_coordinates(kind)) {
+    std::array<const FieldOfKind*, 3> fields{};
+    glm::dvec4 v(0, 0, 0, 1);
+    for (int i = 0; i < 3; ++i) {
+      constexpr std::array<std::string_view, 3> names{"x_v", "y_v", "z_v"};
+      fields[i] = field_of_kind(kind, names[i]), v[i] = fields[i]->read(event);
+    }
+    v = turned * v;
+    for (int i = 0; i < 3; ++i) fields[i]->write(event, v[i]);
+  } else if (kind == kind_of<Projection>) {
+    auto& e = event.as<Projection>();
+    e.x_p = to == Turned::as_own ? e.x_p * aspect : e.x_p / aspect;
+  } else if (kind == kind_of<FacingTest>) {
+    event.as<FacingTest>().determinant *= glm::determinant(glm::dmat3(turned));
+  }
+}
+
+}  // namespace
+
+void turn(Event& event, const Header& header, const Camera& camera, const Raster& raster, Turned to) {
+  if (header.written == WrittenAs{} && !camera.matrices) return;
   const bool right_handed = header.written.axes == WrittenAs::Axes::right_handed, depths = depths_change_sign(header);
   const double half = header.written.centre == WrittenAs::Centre::integer ? 0 : to == Turned::as_own ? -0.5 : 0.5;
+  if (camera.matrices) take_matrices_over(event, camera, raster, to);
   for (const FieldOfKind& field : fields_of_kind(event.index())) {
     if (field.type != FieldOfKind::Type::real) continue;
-    if (right_handed && changes_sign(field, depths)) field.write(event, -field.read(event));
+    const bool taken_over = camera.matrices && (field.name == "z_v" || field.unit == "view^3");
+    if (right_handed && !taken_over && changes_sign(field, depths)) field.write(event, -field.read(event));
     if (half != 0 && is_position(field)) field.write(event, moved_by(field.read(event), half));
   }
   if (right_handed && to == Turned::as_own) take_either_sign(event);
@@ -93,7 +125,7 @@ void turn(Header& header, Turned) {
 void turn(Scene& scene, const Header& header, Turned to) {
   // Of a right-handed world, which zstep's is, a left-handed view is mirrored, and a right-handed one is not.
   glm::dmat4& view = scene.camera.view;
-  if (header.written.axes == WrittenAs::Axes::right_handed && to == Turned::as_own &&
+  if (!scene.camera.matrices && header.written.axes == WrittenAs::Axes::right_handed && to == Turned::as_own &&
       glm::determinant(glm::dmat3(view)) > 0)
     for (int column = 0; column < 4; ++column) view[column][2] = -view[column][2];
   if (header.written.centre == WrittenAs::Centre::integer || scene.camera.kind != Camera::Kind::screen) return;
@@ -101,11 +133,16 @@ void turn(Scene& scene, const Header& header, Turned to) {
   for (glm::dvec3& point : scene.points) point.x = moved_by(point.x, half), point.y = moved_by(point.y, half);
 }
 
-std::string_view kind_that_cannot_turn(const Header& header) {
-  constexpr std::array kinds{kind_of<PlaneEquation>, kind_of<ExtentTest>, kind_of<SplitVertex>};
-  if (header.written == WrittenAs{}) return {};
-  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](std::size_t kind) { return records(header, kind); });
-  return found == kinds.end() ? std::string_view() : description_of_kind(*found).name;
+std::string_view kind_that_cannot_turn(const Header& header, const Camera& camera) {
+  constexpr std::array on_raster{kind_of<PlaneEquation>, kind_of<ExtentTest>, kind_of<SplitVertex>};
+  constexpr std::array from_eye{kind_of<RayBegin>};
+  const auto first_of = [&](const auto& kinds) {
+    const auto found =
+        std::find_if(kinds.begin(), kinds.end(), [&](std::size_t kind) { return records(header, kind); });
+    return found == kinds.end() ? std::string_view() : description_of_kind(*found).name;
+  };
+  const std::string_view ray = camera.matrices ? first_of(from_eye) : std::string_view();
+  return !ray.empty() || header.written == WrittenAs{} ? ray : first_of(on_raster);
 }
 
 }  // namespace zstep

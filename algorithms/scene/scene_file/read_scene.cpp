@@ -44,6 +44,29 @@ void read_eye(Keys& keys, const std::string& file, Camera& camera) {
   camera.eye = *eye;
 }
 
+/// The four rows of a projection matrix. Where w_c is -z_v, view coordinates are right-handed.
+void read_projection(Keys& keys, const std::string& file, Camera& camera) {
+  const toml::array* rows = keys.array("projection");
+  if (rows == nullptr) return;
+  for (const std::string_view other : {"d", "window", "field_of_view", "orthographic"})
+    keys.not_both("projection", other, "the matrix says what is seen: keep one");
+  if (camera.polar) fail_at(*rows, file, "'projection' stands without 'eye'", "add eye = [x, y, z], target and up");
+  glm::dmat4 matrix(0);
+  if (rows->size() != 4) fail_at(*rows, file, "projection does not have four rows", "write [[1, 0, 0, 0], ...]");
+  for (int row = 0; row < 4; ++row) {
+    const toml::array* cells = (*rows)[static_cast<std::size_t>(row)].as_array();
+    if (cells == nullptr || cells->size() != 4)
+      fail_at(*rows, file, fmt::format("row {} of projection does not have four numbers", row + 1),
+              "write [[1, 0, 0, 0], ...]");
+    for (int column = 0; column < 4; ++column)
+      matrix[column][row] = number_in((*cells)[static_cast<std::size_t>(column)], file, "projection");
+  }
+  glm::dmat4 view = camera.view;
+  if (matrix[2][3] < 0)
+    for (int column = 0; column < 4; ++column) view[column][2] = -view[column][2];
+  camera.matrices = {view, matrix};
+}
+
 }  // namespace
 
 void read_raster(Keys& top, const std::string& file, bool screen, Raster& raster) {
@@ -90,8 +113,12 @@ void read_camera(Keys& top, const std::string& file, bool screen, Camera& camera
     camera.window = viewing::window_for_field_of_view(*degrees, camera.d);
   }
   read_eye(keys, file, camera);
+  read_projection(keys, file, camera);
   if (const auto near = keys.number("near")) camera.near = *near;
-  if (const auto far = keys.number("far")) camera.far = *far;
+  if (const toml::node* far = keys.find("far")) {
+    const bool infinite = camera.kind == Camera::Kind::perspective && far->value<double>() == HUGE_VAL;
+    camera.far = infinite ? HUGE_VAL : number_in(*far, file, "far");
+  }
   keys.finish();
   if (keys.has("near") && !(camera.near > 0))
     fail_at(*keys.find("near"), file, "near is not greater than 0", "try 0.1");

@@ -204,6 +204,6 @@ TEST_SUITE("foreign traces") {
     CHECK(test::jsonl_of(again) == text);
     // It is the end: nothing comes after it.
     std::optional<TraceRecorder> other;
-    CHECK_THROWS_AS(read(text + jsonl_event(cut.header(), cut.event(1)) + "\n", other, kept), InputError);
+    CHECK_THROWS_AS(read(text + jsonl_event(cut.header(), cut.scene(), cut.event(1)) + "\n", other, kept), InputError);
   }
 }
