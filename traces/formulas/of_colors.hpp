@@ -185,7 +185,10 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
                                          static_cast<double>(e.b8)};
     shades = detail::channels(at.scene.polygons[polygon].color);
     const auto& told = at.method().light_share;
-    const double share = told && told->x == e.x && told->y == e.y ? told->share : shadow->lit ? 1 : 0;
+    const bool is_told = told && told->x == e.x && told->y == e.y;
+    const auto found = is_told ? std::optional(told->share) : detail::share_of_compares(at, *shadow);
+    if (!found) return;
+    const double share = *found;
     std::array<double, 3> by_light = shades, besides = shades;
     for (std::size_t k = 0; k < 3; ++k) by_light[k] *= share, besides[k] *= 1 - share;
     const double left = share < 1 ? detail::shadow_factor(recorded, besides, by_light, 1) : in_shadow;

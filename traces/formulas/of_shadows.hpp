@@ -187,6 +187,25 @@ inline std::optional<NextNeighbour> next_neighbour(const Situation& at, const Sh
   return next;
 }
 
+/// How many of a point's compares say lit. What the run does not tell is compared here; beside the light's picture all
+/// is dark.
+inline std::optional<double> share_of_compares(const Situation& at, const ShadowCompare& compare) {
+  const auto& neighbours = at.method().neighbours;
+  double lit = compare.lit ? 1 : 0;
+  for (const ShadowNeighbour& neighbour : neighbours) lit += neighbour.lit ? 1 : 0;
+  const ShadowOptions options = shadow_options(at.header.conventions);
+  if (!options.declared) return lit / (1 + static_cast<double>(neighbours.size()));
+  const auto point = point_at_light(at, compare.x, compare.y);
+  if (!point) return std::nullopt;
+  for (std::size_t done = neighbours.size();; ++done) {
+    const auto next = next_neighbour(at, compare, *point, done);
+    if (!next) return lit / (options.across * options.across);
+    const auto missing = lit_at(at, compare.x, compare.y, *point, next->x, next->y);
+    if (!missing) return std::nullopt;
+    lit += *missing ? 1 : 0;
+  }
+}
+
 }  // namespace detail
 
 /// How steep a pixel's polygon is as the light sees it, and what bias that makes.
@@ -239,28 +258,13 @@ void derive(const ShadowNeighbour& e, const Situation& at, Out& out) {
   if (lit) out.is(&ShadowNeighbour::lit, *lit);
 }
 
-/// Outcomes are averaged, not depths. What was left out is compared here; beside the light's picture all is dark.
+/// Outcomes are averaged, not depths.
 template <class Out>
-void derive(const LightShare& e, const Situation& at, Out& out) {
+void derive(const LightShare&, const Situation& at, Out& out) {
   const auto& compare = at.method().shadow;
   if (!compare) return;
   out.is(&LightShare::x, compare->x), out.is(&LightShare::y, compare->y);
-  const auto& neighbours = at.method().neighbours;
-  double lit = compare->lit ? 1 : 0;
-  for (const ShadowNeighbour& neighbour : neighbours) lit += neighbour.lit ? 1 : 0;
-  const ShadowOptions options = shadow_options(at.header.conventions);
-  if (!options.declared)
-    return out.near(&LightShare::share, Rounded(lit / (1 + static_cast<double>(neighbours.size()))));
-  const auto point = detail::point_at_light(at, compare->x, compare->y);
-  if (!point) return;
-  for (std::size_t done = neighbours.size();; ++done) {
-    const auto next = detail::next_neighbour(at, *compare, *point, done);
-    if (!next) break;
-    const auto missing = detail::lit_at(at, compare->x, compare->y, *point, next->x, next->y);
-    if (!missing) return;
-    lit += *missing ? 1 : 0;
-  }
-  out.near(&LightShare::share, Rounded(lit / (options.across * options.across)));
+  if (const auto share = detail::share_of_compares(at, *compare)) out.near(&LightShare::share, Rounded(*share));
 }
 
 }  // namespace zstep::formulas

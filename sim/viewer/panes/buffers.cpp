@@ -427,7 +427,7 @@ void mark_point(Ui& ui, const RasterMap& map, ImVec2 origin, const HeldAgainst& 
   frame_box(ui, {centre.x - half, centre.y - half}, {centre.x + half, centre.y + half}, ui.colors().now, 2);
 }
 /// What a compare said, where several count: a white dot for lit, a black one for dark.
-void mark_outcome(Ui& ui, const RasterMap& map, ImVec2 origin, const HeldAgainst& at) {
+void mark_outcome(const RasterMap& map, ImVec2 origin, const HeldAgainst& at) {
   if (!at.on(map)) return;
   const float size = static_cast<float>(std::max(map.cell / 5, 2.0));
   const ImVec2 centre = moved_by(origin, map.px(at.column), map.py(at.row));
@@ -448,9 +448,9 @@ std::string verdict(const HeldAgainst& at, const State& state) {
 /// The pixels of the shadow buffer that count for the point at work, and which of them the step is about.
 void mark_held(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const MethodState& machine = ui.session.state().machine;
-  if (!machine.neighbours.empty()) mark_outcome(ui, map, origin, held_against(*machine.shadow));
+  if (!machine.neighbours.empty()) mark_outcome(map, origin, held_against(*machine.shadow));
   for (const ShadowNeighbour& one : machine.neighbours)
-    mark_outcome(ui, map, origin, {static_cast<double>(one.x_shadow), static_cast<double>(one.y_shadow), one.lit});
+    mark_outcome(map, origin, {static_cast<double>(one.x_shadow), static_cast<double>(one.y_shadow), one.lit});
   mark_point(ui, map, origin, held_now(machine, ui.moment()));
 }
 
