@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <glm/mat4x4.hpp>
+#include <vector>
 
 #include "algorithms/viewing/camera.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
+#include "traces/formulas/of_shadows.hpp"
 #include "traces/formulas/viewing.hpp"
 #include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
@@ -22,24 +24,51 @@ glm::dvec3 point_at(const viewing::Lens& lens, const glm::dmat4& world_of_view, 
   return glm::dvec3(world_of_view * glm::dvec4(x_p * per_plane, y_p * per_plane, z_v, 1));
 }
 
-/// Does the light reach a point? `seen` is its picture, `camera` what it is seen with.
-struct AtLight {
-  double x, y, z;  ///< where the point is in the light's picture, and its depth there
-  bool lit;
-};
-AtLight at_light(const Picture& seen, const Camera& camera, const viewing::Lens& lens, const Conventions& conventions,
-                 glm::dvec3 point, double bias) {
-  const auto view = glm::dvec3(camera.view * glm::dvec4(point, 1));
-  const glm::dvec3 plane = lens.project(view);
-  const glm::dvec2 raster = lens.to_viewport(plane.x, plane.y);
-  AtLight at{raster.x, raster.y, plane.z, false};
-  const double column = std::round(raster.x), row = std::round(raster.y);
-  const bool inside = view.z >= camera.near && column >= 0 && column < seen.width && row >= 0 && row < seen.height;
-  if (!inside) return at;
+/// The light's picture, and what it is seen with.
+struct SeenByLight {
+  const Picture& picture;
+  const Camera& camera;
+  const viewing::Lens lens;
+  const Conventions& conventions;
 
-  const double stored = seen.depth[seen.at(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row))];
-  at.lit = view.z * (1 - bias) <= view_depth(camera, conventions, stored);
-  return at;
+  glm::dvec3 view(glm::dvec3 point) const { return glm::dvec3(camera.view * glm::dvec4(point, 1)); }
+  /// Is what this pixel holds not before a point at z_v, but for the bias? Beside the picture all is dark.
+  bool lights(double z_v, double bias, double column, double row) const {
+    const bool inside = z_v >= camera.near && column >= 0 && column < picture.width && row >= 0 && row < picture.height;
+    if (!inside) return false;
+    const std::size_t pixel = picture.at(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row));
+    return z_v - bias <= view_depth(camera, conventions, picture.depth[pixel]);
+  }
+};
+
+/// The share of the light that reaches the point of a pixel.
+template <Recorder R>
+double share_of_light(const SeenByLight& light, const formulas::ShadowOptions& options, std::int32_t x, std::int32_t y,
+                      glm::dvec3 view, const formulas::Vector<double>& normal, R& record) {
+  formulas::LightSlopes<double> slopes{0, 0};
+  if (options.slope_bias != 0)
+    slopes = formulas::light_slopes(normal, light.camera, light.lens.raster, {view.x, view.y, view.z});
+  const double bias = formulas::light_bias(view.z, options.bias, options.slope_bias, slopes.greater());
+  if (options.slope_bias != 0) record(step::slope_bias, ShadowBias{x, y, slopes.dz_dx, slopes.dz_dy, bias});
+
+  const glm::dvec3 plane = light.lens.project(view);
+  const glm::dvec2 raster = light.lens.to_viewport(plane.x, plane.y);
+  const double column = std::round(raster.x), row = std::round(raster.y);
+  const bool lit = light.lights(view.z, bias, column, row);
+  record(step::compare_light, ShadowCompare{x, y, raster.x, raster.y, plane.z, lit});
+  if (options.across == 1) return lit ? 1 : 0;
+
+  double count = lit ? 1 : 0;
+  const auto compare = [&](std::int32_t i, std::int32_t j) {
+    const bool lit_there = light.lights(view.z, bias, i, j);
+    record(step::compare_neighbour, ShadowNeighbour{x, y, i, j, lit_there});
+    count += lit_there ? 1 : 0;
+  };
+  if (view.z >= light.camera.near)
+    formulas::for_each_neighbour(column, row, options.across, light.lens.raster, compare);
+  const double share = count / (options.across * options.across);
+  record(step::share, LightShare{x, y, share});
+  return share;
 }
 
 }  // namespace
@@ -57,22 +86,28 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
   picture.use_ink();
 
   const viewing::Lens eye(scene.camera, scene.raster, conventions.depth);
-  const viewing::Lens light(from_light.camera, scene.raster, conventions.depth);
+  const SeenByLight light{seen_by_light, from_light.camera,
+                          viewing::Lens(from_light.camera, scene.raster, conventions.depth), conventions};
   const glm::dmat4 world_of_view = glm::inverse(scene.camera.view);
-  const double bias = static_cast<double>(whole_number(options, conventions, "bias")) / 1000;
+  const formulas::ShadowOptions given = formulas::shadow_options(conventions);
+  std::vector<formulas::Vector<double>> normals;
+  for (std::int32_t polygon = 0; polygon < std::ssize(scene.polygons); ++polygon)
+    normals.push_back(formulas::normal_of_polygon<double>(scene, polygon));
   for (std::int32_t y = 0; y < picture.height; ++y) {
     for (std::int32_t x = 0; x < picture.width; ++x) {
       const std::size_t pixel = picture.at(x, y);
-      if (picture.polygon[pixel] == no_polygon) continue;
+      const std::int32_t polygon = picture.polygon[pixel];
+      if (polygon == no_polygon) continue;
 
       const double z_v = view_depth(scene.camera, conventions, picture.depth[pixel]);
       const glm::dvec3 point = point_at(eye, world_of_view, x, y, z_v);
-      const AtLight at = at_light(seen_by_light, from_light.camera, light, conventions, point, bias);
-      record(step::compare_light, ShadowCompare{x, y, at.x, at.y, at.z, at.lit});
-      if (at.lit) continue;
+      const double share = share_of_light(light, given, x, y, light.view(point), normals[polygon], record);
+      if (share == 1) continue;
 
-      const Color color = scene.polygons[picture.polygon[pixel]].color;
-      const auto dark = [](std::uint8_t shade) { return nearest_byte(shade * in_shadow); };
+      const Color color = scene.polygons[polygon].color;
+      const auto dark = [&](std::uint8_t shade) {
+        return nearest_byte(shade * formulas::kept_of_color(in_shadow, share));
+      };
       const Color shaded{dark(color.red), dark(color.green), dark(color.blue)};
       picture.ink[pixel] = ink_of(shaded);
       record(step::darken, ColorWrite{x, y, shaded.red, shaded.green, shaded.blue});

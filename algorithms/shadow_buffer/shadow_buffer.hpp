@@ -2,14 +2,15 @@
 //
 // L. Williams, "Casting Curved Shadows on Curved Surfaces", SIGGRAPH 1978; 004 ("you are replacing the viewer by the
 // light source"). As in 004 both pictures are Z-buffers; the light's has the raster of the eye's. A point outside the
-// light's window is not reached by it.
+// light's window is not reached by it. The bias that grows with the slope and the mean of several compares are named in
+// traces/formulas/of_shadows.hpp.
 #pragma once
 
 #include <array>
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
-#include "traces/formulas/of_light.hpp"
+#include "traces/formulas/of_shadows.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 
@@ -23,9 +24,16 @@
 namespace zstep::shadow_buffer {
 
 inline constexpr std::array options{
-    Option{"bias", "", "10",
+    Option{"bias", "", formulas::standard_bias,
            "how far behind the shadow buffer a point may lie and still be lit, in 1/1000 of its distance", false, 0,
            1000},
+    Option{
+        "slope-bias", "", formulas::standard_slope_bias,
+        "how many times what a polygon's depth gains from pixel to pixel of the light's picture is added to the bias",
+        false, 0, 100},
+    Option{"pcf", "1|3|5|7", formulas::standard_pcf,
+           "compare with so many times so many pixels of the light's picture; the share that says lit is the light",
+           false},
 };
 
 using formulas::in_shadow;

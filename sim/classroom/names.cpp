@@ -10,7 +10,9 @@
 
 #include <fmt/core.h>
 
+#include "algorithms/catalog/catalog.hpp"
 #include "traces/error.hpp"
+#include "traces/formulas/of_light.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/math/portable_math.hpp"
 
@@ -96,6 +98,30 @@ Quantity stored_polygon(const Moment& moment) {
   return Quantity::of_polygon(fragment_at(moment).stored_polygon);
 }
 
+/// Does a pixel show less than half of the light that its polygon can have?
+bool is_dark(const Scene& scene, const Picture& picture, std::size_t pixel) {
+  const Color full = scene.polygons[picture.polygon[pixel]].color, shown = color_at(picture, scene, pixel);
+  const double half = formulas::kept_of_color(formulas::in_shadow, 0.5);
+  return shown.red + shown.green + shown.blue < half * (full.red + full.green + full.blue);
+}
+/// The pixels that are dark, or lit, where a ray from their point to the lamp says otherwise.
+Quantity wrongly(const Moment& moment, bool dark) {
+  const Scene& scene = moment.trace().scene();
+  if (!scene.light) throw InputError(moment.where, "the scene has no light", "name a scene with a [light]");
+  Conventions conventions;
+  conventions.cull = moment.trace().header().conventions.cull;
+  conventions.options["depth"] = "0";
+  NullRecorder nothing;
+  const Picture rays = method("ray-tracing").render(scene, conventions, nothing);
+  const Picture& picture = moment.state().picture;
+  double wrong = 0;
+  for (std::size_t pixel = 0; pixel < picture.polygon.size(); ++pixel) {
+    if (picture.polygon[pixel] == no_polygon || picture.polygon[pixel] != rays.polygon[pixel]) continue;
+    if (is_dark(scene, picture, pixel) == dark && is_dark(scene, rays, pixel) != dark) ++wrong;
+  }
+  return Quantity::of(wrong);
+}
+
 double count(std::size_t size) { return static_cast<double>(size); }
 
 using Type = Quantity::Type;
@@ -174,6 +200,10 @@ const KnownName names[] = {
      "how many polygons the scene has"},
     {"vertices", Type::number, [](const Moment& m) { return Quantity::of(count(m.trace().scene().points.size())); },
      "how many vertices the scene has"},
+    {"wrongly_dark", Type::number, [](const Moment& m) { return wrongly(m, true); },
+     "pixels with less than half of the light though a ray from their point reaches the lamp"},
+    {"wrongly_lit", Type::number, [](const Moment& m) { return wrongly(m, false); },
+     "pixels with half of the light or more though something is between their point and the lamp"},
     {"steps", Type::number, [](const Moment& m) { return Quantity::of(static_cast<double>(m.trace().size())); },
      "how many steps the run took"},
 };

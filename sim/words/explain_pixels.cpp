@@ -8,7 +8,7 @@
 #include "traces/file/header.hpp"
 #include "traces/formulas/attributes.hpp"
 #include "traces/formulas/half_space.hpp"
-#include "traces/formulas/of_light.hpp"
+#include "traces/formulas/of_shadows.hpp"
 
 namespace zstep::words {
 namespace {
@@ -354,14 +354,65 @@ void tell(Telling& t, const ShadowCompare& e) {
   t.value("shadow[x',y']", stored);
 }
 
+void tell(Telling& t, const ShadowBias& e) {
+  const std::string polygon = t.label(t.after.picture.polygon[t.after.picture.at(e.x, e.y)]);
+  const double slope = std::max(std::abs(e.dz_dx_light), std::abs(e.dz_dy_light));
+  t.say(
+      fmt::format("At pixel ({}, {}) {} may lie {} behind the shadow buffer and still be lit: its distance from the "
+                  "light changes by {} from pixel to pixel of the light's picture.",
+                  e.x, e.y, polygon, number(e.bias), number(slope)));
+  t.formula(fmt::format("m = max(|dz/dx|, |dz/dy|) = max(|{}|, |{}|) = {}", number(e.dz_dx_light),
+                        number(e.dz_dy_light), number(slope)));
+  t.value("dz/dx", e.dz_dx_light);
+  t.value("dz/dy", e.dz_dy_light);
+  t.value("bias", e.bias);
+  const auto point = formulas::detail::point_at_light(t.at, e.x, e.y);
+  const formulas::ShadowOptions options = formulas::shadow_options(t.conventions);
+  if (!point || !options.declared) return;
+  const Shown z_v("z_v", point->seen.z.value), constant("constant", options.bias), factor("factor", options.slope_bias),
+      m("m", slope);
+  t.gives("bias", formulas::light_bias(z_v, constant, factor, m), e.bias);
+}
+
+void tell(Telling& t, const ShadowNeighbour& e) {
+  const State& state = t.after;
+  const std::string polygon = t.label(state.picture.polygon[state.picture.at(e.x, e.y)]);
+  if (state.light.depth.empty())
+    return t.say(fmt::format("A neighbour in the shadow buffer of pixel ({}, {}).", e.x, e.y));
+  const std::size_t cell = state.light.at(e.x_shadow, e.y_shadow);
+  t.say(fmt::format("Held against its neighbour shadow[{}, {}], {} is {}.", e.x_shadow, e.y_shadow, polygon,
+                    e.lit ? "lit" : "dark: " + t.label(state.light.polygon[cell]) + " is nearer to the light"));
+  t.value("shadow[i,j]", state.light.depth[cell]);
+  const bool known = t.machine.shadow && t.machine.shadow->x == e.x && t.machine.shadow->y == e.y;
+  if (!known) return;
+  const auto [z, shadow] = tell_apart(t.machine.shadow->z_light, state.light.depth[cell]);
+  t.formula(fmt::format("shadow[{}, {}] = {};  {} {} it by more than the bias{}", e.x_shadow, e.y_shadow, shadow, z,
+                        e.lit ? "is not behind" : "is behind", e.lit ? "" : ": dark"));
+}
+
+void tell(Telling& t, const LightShare& e) {
+  std::size_t lit = t.machine.shadow && t.machine.shadow->lit ? 1 : 0;
+  for (const ShadowNeighbour& neighbour : t.machine.neighbours) lit += neighbour.lit ? 1 : 0;
+  const std::int32_t across = formulas::shadow_options(t.conventions).across;
+  t.say(fmt::format("{} of {} compares say lit: {} of the light reaches pixel ({}, {}).", lit, across * across,
+                    e.share == 1   ? "all"
+                    : e.share == 0 ? "none"
+                                   : number(e.share),
+                    e.x, e.y));
+  t.gives("share", Shown("lit", static_cast<double>(lit)) / Shown("k·k", across * across), e.share);
+}
+
 void tell(Telling& t, const ColorWrite& e) {
   const bool shaded =
       t.machine.shadow && !t.machine.shadow->lit && t.machine.shadow->x == e.x && t.machine.shadow->y == e.y;
+  const auto& share = t.machine.light_share;
+  const bool partly = share && share->x == e.x && share->y == e.y && share->share > 0;
   const auto& attribute = t.machine.attribute;
   const bool striped = attribute && attribute->x == e.x && attribute->y == e.y;
   const bool dark = striped && formulas::stripe_shade(attribute->attribute) < 1;
   t.say(fmt::format("Pixel ({}, {}) takes the colour {}, {}, {}{}.", e.x, e.y, e.r8, e.g8, e.b8,
-                    shaded    ? ": its polygon is in shadow"
+                    partly    ? fmt::format(": {} of the light reaches its polygon", number(share->share))
+                    : shaded  ? ": its polygon is in shadow"
                     : dark    ? ": its polygon is in a dark stripe of a"
                     : striped ? ": its polygon is in a bright stripe of a"
                               : ""));

@@ -113,6 +113,9 @@ struct ColorWrite { std::int32_t x, y, r8, g8, b8; };
 struct ColorBlend { std::int32_t x, y, polygon; double opacity; std::int32_t r8, g8, b8; };
 struct PassBegin { Pass pass; };
 struct ShadowCompare { std::int32_t x, y; double x_light, y_light, z_light; bool lit; };
+struct ShadowBias { std::int32_t x, y; double dz_dx_light, dz_dy_light, bias; };
+struct ShadowNeighbour { std::int32_t x, y, x_shadow, y_shadow; bool lit; };
+struct LightShare { std::int32_t x, y; double share; };
 
 // clang-format on
 
@@ -183,5 +186,49 @@ inline constexpr auto fields_of<ShadowCompare> =
            Field{"y_light", &ShadowCompare::y_light, "px", "row there", As::formula},
            Field{"z_light", &ShadowCompare::z_light, "depth", "depth of the point as the light sees it", As::formula},
            Field{"lit", &ShadowCompare::lit, "1", "nothing lies before it", As::formula}};
+
+template <>
+inline constexpr Description description_of<ShadowBias>{
+    .name = "shadow_bias",
+    .meaning = "how far behind the shadow buffer a point may lie and still be lit, by the slope of its polygon",
+    .work = WorkKind::tests,
+    .called = "bias at pixel ({x}, {y})"};
+template <>
+inline constexpr auto fields_of<ShadowBias> = Fields{
+    Field{"x", &ShadowBias::x, Measure::column, "column of the eye's picture", As::subject},
+    Field{"y", &ShadowBias::y, Measure::pixel_row, "its row", As::subject},
+    Field{"dz_dx_light", &ShadowBias::dz_dx_light, "view",
+          "what the polygon's distance from the light, z_v there, gains from column to column of the light's picture",
+          As::formula},
+    Field{"dz_dy_light", &ShadowBias::dz_dy_light, "view", "and from row to row", As::formula},
+    Field{"bias", &ShadowBias::bias, "view",
+          "constant share of z_v + factor * the greater one of the two, without sign", As::formula}};
+
+template <>
+inline constexpr Description description_of<ShadowNeighbour>{
+    .name = "shadow_neighbour",
+    .meaning = "the same point is held against a neighbour in the shadow buffer",
+    .work = WorkKind::compares,
+    .called = "pixel ({x}, {y}) against shadow[{x_shadow}, {y_shadow}]"};
+template <>
+inline constexpr auto fields_of<ShadowNeighbour> =
+    Fields{Field{"x", &ShadowNeighbour::x, Measure::column, "column of the eye's picture", As::formula | As::subject},
+           Field{"y", &ShadowNeighbour::y, Measure::pixel_row, "its row", As::formula | As::subject},
+           Field{"x_shadow", &ShadowNeighbour::x_shadow, Measure::column,
+                 "column of the neighbour in the light's picture", As::formula | As::subject},
+           Field{"y_shadow", &ShadowNeighbour::y_shadow, Measure::pixel_row, "row there", As::formula | As::subject},
+           Field{"lit", &ShadowNeighbour::lit, "1", "the depth there does not lie before the point", As::formula}};
+
+template <>
+inline constexpr Description description_of<LightShare>{
+    .name = "light_share",
+    .meaning = "the mean outcome of a point's compares with the shadow buffer",
+    .work = WorkKind::tests,
+    .called = "share of light at pixel ({x}, {y})"};
+template <>
+inline constexpr auto fields_of<LightShare> =
+    Fields{Field{"x", &LightShare::x, Measure::column, "column of the eye's picture", As::formula | As::subject},
+           Field{"y", &LightShare::y, Measure::pixel_row, "its row", As::formula | As::subject},
+           Field{"share", &LightShare::share, "1", "of the light, 0 to 1", As::formula}};
 
 }  // namespace zstep

@@ -13,6 +13,7 @@
 #include "traces/formulas/of_curves.hpp"
 #include "traces/formulas/of_light.hpp"
 #include "traces/formulas/of_rays.hpp"
+#include "traces/formulas/of_shadows.hpp"
 #include "traces/formulas/viewing.hpp"
 #include "traces/math/whole.hpp"
 
@@ -40,12 +41,6 @@ T light_back(const T& own_part, const T& color, const std::optional<T>& in_shado
   if (mirrored || through) light = own_part * light;
   if (mirrored) light = with_share(light, mirrored->part, mirrored->light);
   return through ? with_share(light, through->part, through->light) : light;
-}
-
-/// How far from the light a point counts as, so that its own face, as the light's picture has it, does not shade it.
-template <class T>
-T nearer_by_bias(const T& z_v, const T& bias) {
-  return z_v * (T(1) - bias);
 }
 
 namespace detail {
@@ -153,43 +148,6 @@ inline std::int32_t shade_of(std::int32_t recorded, double value) {
 
 }  // namespace detail
 
-/// A pixel's point as the light sees it. How much nearer than the light's picture it may be and still be in shadow is
-/// the program's own.
-template <class Out>
-void derive(const ShadowCompare& e, const Situation& at, Out& out) {
-  if (!at.camera || !at.lamp || at.on_screen() || !at.header.declares(Convention::depth)) return;
-  const Camera &camera = *at.camera, &lamp = *at.lamp;
-  const Raster& raster = at.scene.raster;
-  const Conventions& conventions = at.header.conventions;
-  out.reads(at.depth_place(e.x, e.y));
-  const double z_v = view_depth(camera, conventions, at.stored(e.x, e.y));
-  if (!std::isfinite(z_v)) return;
-  const double w_x = camera.window * raster.width / raster.height;
-  const double per_plane = camera.kind == Camera::Kind::orthographic ? 1 : z_v / camera.d;
-  const glm::dvec4 point = glm::inverse(camera.view) *
-                           glm::dvec4(window_x<double>(e.x, w_x, raster.width, raster) * per_plane,
-                                      window_y<double>(e.y, camera.window, raster.height, raster) * per_plane, z_v, 1);
-  const glm::dvec4 seen = lamp.view * point;
-  const double lamp_x = lamp.window * raster.width / raster.height;
-  const double x = screen_x<double>(projected<double>(lamp.d, seen.x, seen.z), lamp_x, raster.width, raster),
-               y = screen_y<double>(projected<double>(lamp.d, seen.y, seen.z), lamp.window, raster.height, raster);
-  const double z = buffer_depth(lamp, conventions, seen.z);
-  if (!(seen.z > 0)) return;
-  // There and back through two cameras some digits are lost.
-  const double lost = 1 + std::abs(z_v / seen.z) + std::abs(seen.z / lamp.near);
-  out.near(&ShadowCompare::x_light, Rounded(x, 8 * lost * (std::abs(x) + raster.width)));
-  out.near(&ShadowCompare::y_light, Rounded(y, 8 * lost * (std::abs(y) + raster.height)));
-  out.near(&ShadowCompare::z_light, Rounded(z, 8 * lost * (std::abs(z) + 1)));
-  const double column = std::round(e.x_light), row = std::round(e.y_light);
-  const bool on_raster = column >= 0 && column < raster.width && row >= 0 && row < raster.height;
-  if (!on_raster || at.before.light.depth.empty()) return;
-  const std::size_t pixel = at.before.light.at(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row));
-  const double stored = view_depth(lamp, conventions, at.before.light.depth[pixel]);
-  constexpr double some = 0.1;
-  if (seen.z >= lamp.near && seen.z < stored * (1 - rounding_of_float32)) out.is(&ShadowCompare::lit, true);
-  if (seen.z * (1 - some) > stored) out.is(&ShadowCompare::lit, false);
-}
-
 /// A curve's ink, light on the way back along a ray, the shares of a pixel, or a polygon's colour where the light does
 /// not reach it or in a stripe of its attribute.
 template <class Out>
@@ -226,9 +184,16 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
     const std::array<double, 3> recorded{static_cast<double>(e.r8), static_cast<double>(e.g8),
                                          static_cast<double>(e.b8)};
     shades = detail::channels(at.scene.polygons[polygon].color);
-    const double kept = shadow->lit ? 1 : detail::shadow_factor(recorded, shades, {}, 1);
-    for (double& shade : shades) shade *= kept;
-    if (kept != 1 && kept != in_shadow)  // of which the byte that tells it leaves one digit open
+    const auto& told = at.method().light_share;
+    const bool is_told = told && told->x == e.x && told->y == e.y;
+    const auto found = is_told ? std::optional(told->share) : detail::share_of_compares(at, *shadow);
+    if (!found) return;
+    const double share = *found;
+    std::array<double, 3> by_light = shades, besides = shades;
+    for (std::size_t k = 0; k < 3; ++k) by_light[k] *= share, besides[k] *= 1 - share;
+    const double left = share < 1 ? detail::shadow_factor(recorded, besides, by_light, 1) : in_shadow;
+    for (double& shade : shades) shade *= kept_of_color(left, share);
+    if (left != in_shadow)  // of which the byte that tells it leaves one digit open
       for (std::size_t k = 0; k < 3; ++k)
         if (std::abs(recorded[k] - shades[k]) < 2) shades[k] = recorded[k];
   } else if (attribute && attribute->x == e.x && attribute->y == e.y) {

@@ -11,6 +11,7 @@
 #include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/of_polygons.hpp"
 #include "traces/formulas/of_rays.hpp"
+#include "traces/formulas/of_shadows.hpp"
 
 namespace zstep::formulas {
 

@@ -20,6 +20,12 @@ namespace zstep::formulas {
 /// How much of its colour a polygon keeps in shadow.
 inline constexpr double in_shadow = 0.4;
 
+/// How much of its colour a polygon keeps where this share of the light reaches it; `left` in shadow.
+template <class T>
+T kept_of_color(const T& left, const T& share) {
+  return left + (T(1) - left) * share;
+}
+
 /// A channel of a colour of this opacity that is laid over another one.
 template <class T>
 T laid_over(const T& opacity, const T& over, const T& under) {

@@ -447,10 +447,19 @@ inline void apply_method_state(const PassBegin& event, MethodState& machine) {
   detail::begin_polygon(machine, no_polygon);
   machine.pass = event.pass;
 }
-inline void apply_method_state(const ShadowCompare& event, MethodState& machine) {
+inline void apply_method_state(const ShadowBias& event, MethodState& machine) {
   if (!machine.shadow) detail::begin_polygon(machine, no_polygon);  // the polygons are all drawn
-  machine.shadow = event;
+  machine.shadow_bias = event;
 }
+inline void apply_method_state(const ShadowCompare& event, MethodState& machine) {
+  if (!machine.shadow) detail::begin_polygon(machine, no_polygon);
+  machine.shadow = event;
+  machine.neighbours.clear();
+}
+inline void apply_method_state(const ShadowNeighbour& event, MethodState& machine) {
+  machine.neighbours.push_back(event);
+}
+inline void apply_method_state(const LightShare& event, MethodState& machine) { machine.light_share = event; }
 
 /// The same where the step is known: where a plane was found is asked for long after, and nothing else says it.
 template <class E>
@@ -585,7 +594,8 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     log.ink(state.picture.at(event.x, event.y), ink);
     ink = ink_of({static_cast<std::uint8_t>(event.r8), static_cast<std::uint8_t>(event.g8),
                   static_cast<std::uint8_t>(event.b8)});
-  } else if constexpr (std::is_same_v<E, ShadowCompare>) {
+  } else if constexpr (std::is_same_v<E, ShadowBias> || std::is_same_v<E, ShadowCompare> ||
+                       std::is_same_v<E, ShadowNeighbour> || std::is_same_v<E, LightShare>) {
     set_fragment(fragment_at(event.x, event.y, state.picture.depth[state.picture.at(event.x, event.y)]));
   } else if constexpr (std::is_same_v<E, PassBegin>) {
     set_fragment(std::nullopt);

@@ -227,17 +227,21 @@ struct MethodState {
   SharedChunks<CellHold> cells;  ///< what the grid's cells hold
   RayWork rays;
   HorizonWork horizon;
-  SharedChunks<LineRow> lines;              ///< by number
-  std::int32_t line = -1;                   ///< at work
-  std::optional<LineAgainst> against;       ///< the face that line was last held against
-  std::optional<ShadowCompare> shadow;      ///< the last one
-  ByEnum<Coherence, std::int64_t> saved{};  ///< tests, by coherence
+  SharedChunks<LineRow> lines;               ///< by number
+  std::int32_t line = -1;                    ///< at work
+  std::optional<LineAgainst> against;        ///< the face that line was last held against
+  std::optional<ShadowCompare> shadow;       ///< the last one
+  std::optional<ShadowBias> shadow_bias;     ///< the last one
+  SharedChunks<ShadowNeighbour> neighbours;  ///< of that compare
+  std::optional<LightShare> light_share;     ///< the last one
+  ByEnum<Coherence, std::int64_t> saved{};   ///< tests, by coherence
 
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,
                     scan_line, slopes, span, triangle, fragment, attribute, keeps_all, compares_write, edges_told,
                     enters_told, polygons_told, rays_told, pass, pieces, drawn, list, pair, tree, node, sweep, areas,
-                    area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
+                    area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow, shadow_bias,
+                    neighbours, light_share, saved);
   }
 };
 

@@ -3,17 +3,15 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include <glm/matrix.hpp>
 
-#include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "traces/formulas/attributes.hpp"
 #include "traces/formulas/of_colors.hpp"
-#include "traces/formulas/of_light.hpp"
+#include "traces/formulas/of_shadows.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::answers {
@@ -88,10 +86,15 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& 
   }
   if (m.shadow && m.shadow->x == e.x && m.shadow->y == e.y) {
     const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
+    Operands of;
+    const Formula color = of("colour", work.color_of(polygon, which)), left = of("in_shadow", formulas::in_shadow);
+    if (m.light_share && m.light_share->x == e.x && m.light_share->y == e.y) {
+      const Number share = work.field(work.last<LightShare>(step), "share", m.light_share->share);
+      return datum.is(round(color * formulas::kept_of_color(left, of("share", share))), of);
+    }
     const Step compare = work.last<ShadowCompare>(step);
     if (compare) work.later(*compare, "lit");
-    return datum.is("round(colour*in_shadow)",
-                    {{"colour", work.color_of(polygon, which)}, {"in_shadow", shadow_buffer::in_shadow}});
+    return datum.is(round(color * left), of);
   }
   if (m.attribute && m.attribute->x == e.x && m.attribute->y == e.y) {
     const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
@@ -135,7 +138,7 @@ void tell_view_depth(Datum& datum, const viewing::Lens& lens, const std::string&
 struct ThroughSpace {
   Work& work;
   std::int64_t step;
-  const ShadowCompare& e;
+  const Trace::Pixel e;
   const viewing::Lens eye{work.scene.camera, work.scene.raster, work.conventions.depth};
   const Camera camera = viewing::camera_of(*work.scene.light);
   const viewing::Lens light{camera, work.scene.raster, work.conventions.depth};
@@ -181,20 +184,65 @@ struct ThroughSpace {
   }
 };
 
-/// How far behind the shadow buffer a point may lie and still be lit, in 1/1000: as the run was told, or the method's
-/// own.
-double bias_of(const Conventions& conventions) {
-  const auto given = conventions.options.find("bias");
-  return std::strtod(given != conventions.options.end() ? given->second.c_str()
-                                                        : std::string(shadow_buffer::options[0].standard).c_str(),
-                     nullptr);
+/// The last step of a kind before this one, where it is of this pixel.
+template <class E>
+Step of_pixel(Work& work, std::int64_t step, Trace::Pixel pixel) {
+  const Step last = work.last<E>(step);
+  const E* event = last ? get_if<E>(&work.trace.event(*last).event) : nullptr;
+  return event && event->x == pixel.x && event->y == pixel.y ? last : Step{};
+}
+
+/// How far behind the shadow buffer the point of a pixel may lie.
+Number bias_of(ThroughSpace& through) {
+  Work& work = through.work;
+  if (const Step told = of_pixel<ShadowBias>(work, through.step, through.e)) return work.field(*told, "bias");
+  const formulas::ShadowOptions options = formulas::shadow_options(work.conventions);
+  Operands of;
+  const Formula thousandths = of("bias_in_1000", options.bias * 1000);
+  return work.part(through.step, "bias", of("z_v", through.seen(Axis3::z)) * (thousandths / Formula(1000)), of);
+}
+
+/// Whether the point of a pixel is lit by what the shadow buffer holds at (column, row). `asked` is what that place
+/// comes of.
+void tell_lit(Datum& datum, ThroughSpace& through, double column, double row, bool lit,
+              const std::vector<Number>& asked) {
+  Work& work = through.work;
+  const Picture& light = work.buffers().light;
+  if (!(column >= 0 && column < light.width && row >= 0 && row < light.height))
+    return datum.comes_of("false beside the light's picture", asked);
+  const Trace::Pixel pixel{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
+  const double stored = light.depth[light.at(pixel.x, pixel.y)];
+  const std::string owner = work.label(light.polygon[light.at(pixel.x, pixel.y)]);
+  const Number shadow = work.kept(
+      through.step, "shadow", fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, owner), "shadow", stored, "z",
+      [&] { return step_of_depth(work.trace, through.step, pixel, true); }, "the light saw nothing there");
+  // It is by how far they are from the light that the two depths are held against each other.
+  const Number z_v = through.seen(Axis3::z);
+  std::vector<Number> besides = asked;
+  if (z_v.value < through.camera.near) {
+    besides.insert(besides.begin(), z_v);
+    return datum.comes_of("false before the light's near plane", besides);
+  }
+  const Number behind = through.value("z_shadow", view_depth(through.camera, work.conventions, stored),
+                                      [&](Datum& inner) { tell_view_depth(inner, through.light, "shadow", shadow); });
+  const Number bias = bias_of(through);
+  const bool as_recorded = lit == (z_v.value - bias.value <= behind.value);
+  if (!as_recorded && !formulas::shadow_options(work.conventions).declared) {
+    besides.insert(besides.begin(), {z_v, behind, shadow});
+    return datum.comes_of("by z_v and z_shadow; the trace does not say how large its bias is", besides);
+  }
+  Operands of;
+  const Formula nearer = of("z_v", z_v) - of("bias", bias),
+                holds = Formula::compared(nearer, "<=", of("z_shadow", behind), as_recorded);
+  datum.holds_if(holds.text(), of.in(holds));
+  datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
 }
 
 }  // namespace
 
 static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, std::string_view field) {
   if (!work.scene.light || field == "x" || field == "y") return;
-  ThroughSpace through{work, step, e};
+  ThroughSpace through{work, step, {e.x, e.y}};
   const viewing::Lens& lens = through.light;
   Operands of;
   if (field == "x_light") {
@@ -212,36 +260,61 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
                   b = of("b", lens.b);
     return datum.is(lens.depth == Conventions::Depth::view ? z_v : formulas::pseudodepth(n, a, b, z_v), of, false);
   }
-  const double column = std::round(e.x_light), row = std::round(e.y_light);
-  const std::vector<Number> asked{work.field(step, "z_light"), work.field(step, "x_light"),
-                                  work.field(step, "y_light")};
-  const Picture& light = work.buffers().light;
-  if (!(column >= 0 && column < light.width && row >= 0 && row < light.height))
-    return datum.comes_of("false beside the light's picture", asked);
-  const Trace::Pixel pixel{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
-  const double stored = light.depth[light.at(pixel.x, pixel.y)];
-  const std::string owner = work.label(light.polygon[light.at(pixel.x, pixel.y)]);
-  const Number shadow = work.kept(
-      step, "shadow", fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, owner), "shadow", stored, "z",
-      [&] { return step_of_depth(work.trace, step, pixel, true); }, "the light saw nothing there");
-  // It is by how far they are from the light that the two depths are held against each other.
+  tell_lit(datum, through, std::round(e.x_light), std::round(e.y_light), e.lit,
+           {work.field(step, "z_light"), work.field(step, "x_light"), work.field(step, "y_light")});
+}
+
+static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowBias& e, std::string_view field) {
+  if (!work.scene.light || field == "x" || field == "y") return;
+  ThroughSpace through{work, step, {e.x, e.y}};
+  const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
   const Number z_v = through.seen(Axis3::z);
-  if (z_v.value < through.camera.near)
-    return datum.comes_of("false before the light's near plane", {z_v, asked[0], asked[1], asked[2]});
-  const Number behind = through.value("z_shadow", view_depth(through.camera, work.conventions, stored),
-                                      [&](Datum& inner) { tell_view_depth(inner, lens, "shadow", shadow); });
-  const double bias = bias_of(work.conventions);
-  const bool as_recorded = e.lit == (z_v.value * (1 - bias / 1000) <= behind.value);
-  if (!as_recorded && !work.conventions.options.contains("bias"))
-    return datum.comes_of("by z_v and z_shadow; the trace does not say how large its bias is",
-                          {z_v, behind, asked[0], shadow, asked[1], asked[2]});
-  const Formula depth = of("z_v", z_v), nearer = formulas::nearer_by_bias(depth, of("bias", bias) / Formula(1000)),
-                lit = Formula::compared(nearer, "<=", of("z_shadow", behind), as_recorded);
-  datum.holds_if(lit.text(), of.in(lit));
-  datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
+  Operands of;
+  if (field == "bias") {
+    const formulas::ShadowOptions options = formulas::shadow_options(work.conventions);
+    const bool across = std::abs(e.dz_dx_light) >= std::abs(e.dz_dy_light);
+    const Number slope = work.field(step, across ? "dz_dx_light" : "dz_dy_light");
+    const Formula m = of(across ? "dz_dx" : "dz_dy", slope), z = of("z_v", z_v),
+                  c = of("bias_in_1000", options.bias * 1000) / Formula(1000), f = of("factor", options.slope_bias);
+    return datum.is(formulas::light_bias(z, c, f, slope.value < 0 ? -m : m), of, false);
+  }
+  const glm::dvec3 p(through.seen(Axis3::x).value, through.seen(Axis3::y).value, z_v.value);
+  const auto world = formulas::normal_of_polygon<double>(work.scene, polygon);
+  const glm::dvec3 normal = glm::dmat3(through.camera.view) * glm::dvec3(world.x, world.y, world.z);
+  const double pixel = 2 * through.camera.window / work.scene.raster.height, n_p = glm::dot(normal, p);
+  const bool x = field == "dz_dx_light";
+  const Formula n = of(x ? "N_x" : "N_y", x ? normal.x : normal.y), of_point = of("N_p", n_p), z = of("z_v", z_v),
+                d = of("d", through.camera.d),
+                step_on_plane = of("pixel", x || work.scene.raster.y_up ? pixel : -pixel);
+  const Formula slope = formulas::slope_in_picture(n, of_point, z, d, step_on_plane);
+  if (!(std::abs(slope.value()) < z_v.value))
+    return datum.comes_of("the light sees the polygon edge-on: no more than z_v", {z_v});
+  datum.is(slope, of, false);
+  datum.note("N is the polygon's normal as the light sees it, N_p = N \u00b7 P of the point");
+}
+
+static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowNeighbour& e, std::string_view field) {
+  const Step compare = of_pixel<ShadowCompare>(work, step, {e.x, e.y});
+  if (!work.scene.light || !compare || field == "x" || field == "y") return;
+  const std::vector<Number> asked{work.field(*compare, "x_light"), work.field(*compare, "y_light")};
+  if (field != "lit") return datum.comes_of("a neighbour of where the point is in the light's picture", asked);
+  ThroughSpace through{work, step, {e.x, e.y}};
+  tell_lit(datum, through, e.x_shadow, e.y_shadow, e.lit, asked);
+}
+
+static void tell(Datum& datum, Work& work, std::int64_t step, const LightShare& e, std::string_view field) {
+  if (field != "share") return;
+  const MethodState& m = work.machine();
+  double lit = m.shadow && m.shadow->lit ? 1 : 0;
+  for (const ShadowNeighbour& neighbour : m.neighbours) lit += neighbour.lit ? 1 : 0;
+  if (const Step compare = of_pixel<ShadowCompare>(work, step, {e.x, e.y})) work.later(*compare, "lit");
+  Operands of;
+  const Formula across = of("k", formulas::shadow_options(work.conventions).across);
+  datum.is(of("lit", lit) / (across * across), of);
+  datum.note("lit is how many of its k times k compares say lit; beside the light's picture there is none");
 }
 
 TellTheme* const tell_pixels = tell_one_of<PixelPaint, ColorBlend, ColorWrite>;
-TellTheme* const tell_light = tell_one_of<ShadowCompare>;
+TellTheme* const tell_light = tell_one_of<ShadowBias, ShadowCompare, ShadowNeighbour, LightShare>;
 
 }  // namespace zstep::answers

@@ -129,6 +129,8 @@ std::optional<SliceAt> slice_line(const Moment& now, std::optional<Cell> chosen)
   const MethodState& machine = now.state().machine;
   if (chosen) return SliceAt{machine.pass, chosen->y};
   if (!now.event()) return std::nullopt;
+  if (const auto* neighbour = get_if<ShadowNeighbour>(&now.event()->event))
+    return SliceAt{Pass::light, neighbour->y_shadow};
   if (const auto* shadow = get_if<ShadowCompare>(&now.event()->event)) {
     const double row = std::round(shadow->y_light);
     if (row >= 0 && row < now.state().light.height) return SliceAt{Pass::light, static_cast<std::int32_t>(row)};
@@ -151,6 +153,17 @@ std::optional<Slice::Compare> compare_at(const Moment& now, const SliceAt& at, c
     const std::size_t pixel = picture.at(static_cast<std::int32_t>(column), at.y);
     return Slice::Compare{
         no_polygon, shadow->x_light, shadow->z_light, picture.depth[pixel], picture.polygon[pixel], shadow->lit, false};
+  }
+  if (const auto* neighbour = get_if<ShadowNeighbour>(&event); neighbour && machine.shadow) {
+    if (at.pass != Pass::light) return std::nullopt;
+    const std::size_t pixel = picture.at(neighbour->x_shadow, at.y);
+    return Slice::Compare{no_polygon,
+                          static_cast<double>(neighbour->x_shadow),
+                          machine.shadow->z_light,
+                          picture.depth[pixel],
+                          picture.polygon[pixel],
+                          neighbour->lit,
+                          false};
   }
   const auto pixel = pixel_of(event);
   if (!pixel || pixel->y != at.y || at.pass != machine.pass || !machine.fragment) return std::nullopt;
@@ -263,7 +276,8 @@ std::string slice_sentence(const Moment& now, const Slice& slice) {
   const Slice::Compare& c = *slice.compare;
   const Comparison& comparison = now.header().comparison;
   const auto [z, stored] = tell_apart(c.z, c.stored);
-  const bool shadow = now.event() && holds<ShadowCompare>(now.event()->event);
+  const bool shadow =
+      now.event() && (holds<ShadowCompare>(now.event()->event) || holds<ShadowNeighbour>(now.event()->event));
   const std::string who = shadow                    ? "the point"
                           : c.polygon == no_polygon ? "the new depth"
                                                     : name(c.polygon),

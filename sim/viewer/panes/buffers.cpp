@@ -402,25 +402,56 @@ void paint_shadow_buffer(Canvas& canvas, const RasterMap& map, const Moment& now
   paint_raster(canvas, map, cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
 }
 
+/// A pixel of the shadow buffer that a point was held against.
+struct HeldAgainst {
+  double column, row;
+  bool lit;
+  bool on(const RasterMap& map) const { return column >= 0 && column < map.width && row >= 0 && row < map.height; }
+};
+HeldAgainst held_against(const ShadowCompare& at) { return {std::round(at.x_light), std::round(at.y_light), at.lit}; }
+/// The one that the step at work is about: a neighbour, or where the point lies.
+HeldAgainst held_now(const MethodState& machine, const Moment& now) {
+  const auto* neighbour = now.event() ? get_if<ShadowNeighbour>(&now.event()->event) : nullptr;
+  if (neighbour)
+    return {static_cast<double>(neighbour->x_shadow), static_cast<double>(neighbour->y_shadow), neighbour->lit};
+  return held_against(*machine.shadow);
+}
+
 /// A ring of two colours round the cell: it shows on every depth.
-void mark_point(Ui& ui, const RasterMap& map, ImVec2 origin, const ShadowCompare& at) {
-  const double column = std::round(at.x_light), row = std::round(at.y_light);
-  if (!(column >= 0 && column < map.width && row >= 0 && row < map.height)) return;
+void mark_point(Ui& ui, const RasterMap& map, ImVec2 origin, const HeldAgainst& at) {
+  if (!at.on(map)) return;
   const float half = static_cast<float>(std::max(map.cell / 2, 4.0));
-  const ImVec2 centre = moved_by(origin, map.px(column), map.py(row));
+  const ImVec2 centre = moved_by(origin, map.px(at.column), map.py(at.row));
   frame_box(ui, {centre.x - half - 2, centre.y - half - 2}, {centre.x + half + 2, centre.y + half + 2},
             IM_COL32(255, 255, 255, 255), 2);
   frame_box(ui, {centre.x - half, centre.y - half}, {centre.x + half, centre.y + half}, ui.colors().now, 2);
 }
+/// What a compare said, where several count: a white dot for lit, a black one for dark.
+void mark_outcome(const RasterMap& map, ImVec2 origin, const HeldAgainst& at) {
+  if (!at.on(map)) return;
+  const float size = static_cast<float>(std::max(map.cell / 5, 2.0));
+  const ImVec2 centre = moved_by(origin, map.px(at.column), map.py(at.row));
+  const ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 255);
+  ImGui::GetWindowDrawList()->AddCircleFilled(centre, size + 1.5f, at.lit ? black : white);
+  ImGui::GetWindowDrawList()->AddCircleFilled(centre, size, at.lit ? white : black);
+}
 
-std::string verdict(const ShadowCompare& at, const State& state) {
-  const double column = std::round(at.x_light), row = std::round(at.y_light);
-  if (!(column >= 0 && column < state.light.width && row >= 0 && row < state.light.height))
+std::string verdict(const HeldAgainst& at, const State& state) {
+  if (!(at.column >= 0 && at.column < state.light.width && at.row >= 0 && at.row < state.light.height))
     return "beside the light's window: dark";
   const double stored =
-      state.light.depth[state.light.at(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row))];
-  const auto [z, shadow] = tell_apart(at.z_light, stored);
-  return fmt::format("cell ({}, {}): point {}, stored {}: {}", column, row, z, shadow, at.lit ? "lit" : "dark");
+      state.light.depth[state.light.at(static_cast<std::int32_t>(at.column), static_cast<std::int32_t>(at.row))];
+  const auto [z, shadow] = tell_apart(state.machine.shadow->z_light, stored);
+  return fmt::format("cell ({}, {}): point {}, stored {}: {}", at.column, at.row, z, shadow, at.lit ? "lit" : "dark");
+}
+
+/// The pixels of the shadow buffer that count for the point at work, and which of them the step is about.
+void mark_held(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  const MethodState& machine = ui.session.state().machine;
+  if (!machine.neighbours.empty()) mark_outcome(map, origin, held_against(*machine.shadow));
+  for (const ShadowNeighbour& one : machine.neighbours)
+    mark_outcome(map, origin, {static_cast<double>(one.x_shadow), static_cast<double>(one.y_shadow), one.lit});
+  mark_point(ui, map, origin, held_now(machine, ui.moment()));
 }
 
 void draw_shadow_buffer(Ui& ui) {
@@ -440,11 +471,19 @@ void draw_shadow_buffer(Ui& ui) {
                                        {at.x + to_float(width), at.y + to_float(height)});
   ImGui::Dummy({room.x, to_float(height)});
   if (!state.machine.shadow) return;
-  mark_point(ui, map, at, *state.machine.shadow);
+  mark_held(ui, map, at);
+  const auto& share = state.machine.light_share;
+  const bool shared = share && share->x == state.machine.shadow->x && share->y == state.machine.shadow->y;
   const ImVec2 below = ImGui::GetCursorScreenPos();
-  flow(ui, verdict(*state.machine.shadow, state), {ui.colors().text, 0, ui.fonts.small, 0});
+  flow(ui,
+       shared ? fmt::format("share of light {}", number(share->share))
+              : verdict(held_now(state.machine, ui.moment()), state),
+       {ui.colors().text, 0, ui.fonts.small, 0});
+  const std::int64_t here = ui.session.position();
   number_at(ui, below, {below.x + room.x, ImGui::GetCursorScreenPos().y},
-            answers::made_by<ShadowCompare>(ui.session.position(), "lit"));
+            shared                              ? answers::made_by<LightShare>(here, "share")
+            : !state.machine.neighbours.empty() ? answers::made_by<ShadowNeighbour>(here, "lit")
+                                                : answers::made_by<ShadowCompare>(here, "lit"));
 }
 
 std::string note_of_shadow_buffer(Ui& ui) { return ui.session.state().machine.shadow ? "what the light sees" : ""; }
