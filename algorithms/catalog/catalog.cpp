@@ -18,6 +18,7 @@
 #include "algorithms/hidden_line/hidden_line.hpp"
 #include "algorithms/hidden_line/wireframe.hpp"
 #include "algorithms/interpolation/interpolation.hpp"
+#include "algorithms/fast/half_space.hpp"
 #include "algorithms/fast/ray_casting.hpp"
 #include "algorithms/ray_casting/ray_casting.hpp"
 #include "algorithms/ray_tracing/ray_tracing.hpp"
@@ -147,6 +148,11 @@ Picture draw_z_buffer(const Scene& scene, const Conventions& conventions, NullRe
   return fast ? z_buffer::run_fast(scene, conventions) : interpolation::run(scene, conventions, nothing);
 }
 
+Picture draw_half_space(const Scene& scene, const Conventions& conventions, NullRecorder& nothing) {
+  Picture picture;
+  return half_space::run_fast(scene, conventions, picture) ? picture : half_space::run(scene, conventions, nothing);
+}
+
 Picture draw_ray_casting(const Scene& scene, const Conventions& conventions, NullRecorder&) {
   return ray_casting::cast_fast(scene, conventions);
 }
@@ -208,10 +214,10 @@ constexpr std::array catalog{
     METHOD(transparency, .id = "transparency", .title = "Transparency",
            .paper = "T. Porter and T. Duff, Compositing Digital Images, SIGGRAPH 1984", .gives = Gives::mixtures,
            .options = transparency::options),
-    METHOD(half_space, .id = "half-space", .title = "Half-space",
-           .paper = "J. Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988", .interpolates = true,
-           .in_any_way = true, .options = half_space::options, .check = half_space::check,
-           .page_for = half_space::page_for),
+    METHOD_DRAWN_BY(draw_half_space, half_space, .id = "half-space", .title = "Half-space",
+                    .paper = "J. Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988",
+                    .interpolates = true, .in_any_way = true, .options = half_space::options,
+                    .check = half_space::check, .page_for = half_space::page_for),
 };
 
 #undef METHOD

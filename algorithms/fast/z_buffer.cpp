@@ -1,71 +1,23 @@
-// Work in parts, shared by several threads.
-
 #include "algorithms/fast/z_buffer.hpp"
-
-#include <atomic>
-#include <cstddef>
-#include <exception>
-#include <mutex>
-#include <system_error>
-#include <thread>
-#include <vector>
 
 #include "algorithms/fast/simd.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
-
-namespace zstep::simd {
-
-/// Calls work(part) once for each part from 0 on, on this thread and up to threads - 1 others at the same time; on
-/// fewer where the system gives no more. What a part throws is thrown here, when all threads have ended.
-template <class Work>
-void parallel_for(int threads, std::size_t parts, Work&& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr fault;
-  std::mutex faults;
-  const auto take_parts = [&] {
-    try {
-      for (std::size_t part = next++; part < parts; part = next++) work(part);
-    } catch (...) {
-      const std::lock_guard<std::mutex> lock(faults);
-      if (!fault) fault = std::current_exception();
-      next = parts;
-    }
-  };
-  std::vector<std::thread> others;
-  others.reserve(threads > 1 ? threads - 1 : 0);
-  try {
-    for (int k = 1; k < threads && static_cast<std::size_t>(k) < parts; ++k) others.emplace_back(take_parts);
-  } catch (const std::system_error&) {  // no thread is to be had
-  }
-  take_parts();
-  for (std::thread& other : others) other.join();
-  if (fault) std::rethrow_exception(fault);
-}
-
-}  // namespace zstep::simd
 
 #if ZSTEP_HAS_LANES
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "algorithms/fast/bands.hpp"
 #include "algorithms/scan_conversion/spans.hpp"
-#include "algorithms/fast/z_buffer_outlines.hpp"
 
 namespace zstep::z_buffer {
 
 namespace {
 
 using namespace simd;
-
-// What one thread draws: all outlines, on the rows of its band. It touches no memory of other rows.
-struct Fill {
-  const Outlines& all;
-  Picture& picture;
-  std::int32_t first_row, end_row;
-  bool clear_first;
-};
 
 // An edge, from its end with the smaller y to its end with the larger.
 struct FastEdge {
@@ -229,11 +181,7 @@ void fill_with_tables(Fill& fill, const FastOutline& outline) {
 }
 
 ZSTEP_INLINE void fill_band(Fill& fill) {
-  if (fill.clear_first) {
-    const std::size_t first = fill.picture.at(0, fill.first_row), end = fill.picture.at(0, fill.end_row);
-    std::fill(fill.picture.depth.data() + first, fill.picture.depth.data() + end, no_depth);
-    std::fill(fill.picture.polygon.data() + first, fill.picture.polygon.data() + end, no_polygon);
-  }
+  clear_band(fill);
   for (const std::vector<FastOutline>& part : fill.all.parts) {
     for (const FastOutline& outline : part) {
       if (outline.row >= fill.end_row || outline.end_row <= fill.first_row) continue;
@@ -243,27 +191,9 @@ ZSTEP_INLINE void fill_band(Fill& fill) {
 }
 ZSTEP_FOR_THIS_PROCESSOR(fill_band, Fill)
 
-int threads_for(const Raster& raster, int wanted) {
-  constexpr int most = 16, rows_worth_it = 64;
-  if (wanted > 0) return std::clamp(wanted, 1, std::max(1, raster.height));
-  const int there = static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(std::min(there, raster.height / rows_worth_it), 1, most);
-}
-
-// More than threads, as some have more to draw; and each small enough to stay near the processor while it is drawn.
-std::int32_t bands_for(const Raster& raster, int threads) {
-  constexpr std::int64_t near_by = 1 << 20;  // bytes
-  constexpr std::int64_t of_pixel = sizeof(double) + sizeof(std::int32_t);
-  const std::int64_t bytes = of_pixel * raster.width * raster.height;
-  const std::int64_t shared = threads == 1 ? 1 : 4 * std::int64_t{threads};
-  return static_cast<std::int32_t>(
-      std::min<std::int64_t>(std::max(shared, bytes / near_by), std::max(1, raster.height / 8)));
-}
-
 }  // namespace
 
 void run_fast(const Scene& scene, const Conventions& conventions, Picture& picture, int wanted) {
-  const Raster& raster = scene.raster;
   const bool one_order = conventions.interpolation == Conventions::Interpolation::increments ||
                          conventions.coverage == Conventions::Coverage::inclusive;
   if (one_order) {
@@ -271,26 +201,7 @@ void run_fast(const Scene& scene, const Conventions& conventions, Picture& pictu
     picture = run(scene, conventions, record);
     return;
   }
-  const bool kept = picture.width == raster.width && picture.height == raster.height;
-  if (kept) picture.ink.clear();
-  else picture = Picture(raster.width, raster.height);
-
-  const int threads = threads_for(raster, wanted);
-  const std::int32_t bands = bands_for(raster, threads);
-  const std::size_t parts = threads;
-  Outlines all(scene, conventions, parts);
-  // To begin a thread takes as long as some thousands of these.
-  const int viewing = scene.points.size() < 30'000 ? 1 : threads, finding = scene.facets.size() < 4'000 ? 1 : threads;
-  simd::parallel_for(viewing, parts, [&](std::size_t part) { all.view(part); });
-  simd::parallel_for(finding, parts, [&](std::size_t part) { all.find(part); });
-  all.finish();
-  simd::parallel_for(threads, static_cast<std::size_t>(bands), [&](std::size_t band) {
-    const auto row_of = [&](std::size_t k) {
-      return static_cast<std::int32_t>(std::int64_t{raster.height} * static_cast<std::int64_t>(k) / bands);
-    };
-    Fill fill{all, picture, row_of(band), row_of(band + 1), kept};
-    fill_band_on_this_processor(fill);
-  });
+  draw_in_bands(scene, conventions, picture, wanted, fill_band_on_this_processor);
 }
 
 }  // namespace zstep::z_buffer

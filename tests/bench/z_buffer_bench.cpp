@@ -1,4 +1,5 @@
-// Prints what a frame of 1024x768 costs without a trace: the loop that is taught, run_fast, and Mesa's llvmpipe.
+// Prints what a frame of 1024x768 costs without a trace, by spans and by half-spaces: the loop that is taught,
+// run_fast, and Mesa's llvmpipe.
 //
 // What each does, and does not do:
 // - Every frame begins with a clear and ends with all pixels in memory. Back faces are culled.
@@ -19,10 +20,13 @@
 #include <cstdlib>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "algorithms/scene/load.hpp"
+#include "algorithms/fast/half_space.hpp"
 #include "algorithms/fast/z_buffer.hpp"
+#include "algorithms/half_space/half_space.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/bench/scenes.hpp"
 #if ZSTEP_BENCH_LLVMPIPE
@@ -57,20 +61,33 @@ Scene looked_at(Scene scene) {
   return scene;
 }
 
-void compare(const std::string& name, const Scene& scene, bool cull) {
+/// Of one method: the loop that is taught, and the fast one, by so many threads, 0 for as many as are worth it.
+struct Loops {
+  Picture (*taught)(const Scene&, const Conventions&, NullRecorder&);
+  bool (*fast)(const Scene&, const Conventions&, Picture&, int);
+};
+constexpr Loops z_buffer_loops{z_buffer::run<NullRecorder>,
+                               [](const Scene& scene, const Conventions& conventions, Picture& picture, int threads) {
+                                 z_buffer::run_fast(scene, conventions, picture, threads);
+                                 return true;
+                               }};
+constexpr Loops half_space_loops{half_space::run<NullRecorder>, half_space::run_fast};
+
+void compare(const Loops& loops, const std::string& name, const Scene& scene, bool cull) {
   constexpr int rounds = 31;
   Conventions conventions;
   conventions.cull = cull;
   NullRecorder record;
   Picture picture, kept;
   std::vector<double> taught, one, all, mesa, one_over_taught, all_over_taught, one_over_mesa, all_over_mesa;
-  const auto run = [&] { picture = {}, picture = z_buffer::run(scene, conventions, record); };
-  const auto run_one = [&] { z_buffer::run_fast(scene, conventions, kept, 1); };
-  const auto run_all = [&] { z_buffer::run_fast(scene, conventions, kept); };
+  const auto run = [&] { picture = {}, picture = loops.taught(scene, conventions, record); };
+  bool fast = true;
+  const auto run_one = [&] { fast = loops.fast(scene, conventions, kept, 1) && fast; };
+  const auto run_all = [&] { fast = loops.fast(scene, conventions, kept, 0) && fast; };
   run();
   const Picture expected = picture;
   run_one();
-  if (!(kept == expected)) {
+  if (!fast || !(kept == expected)) {
     fmt::print(stderr, "{}: run_fast draws another picture\n", name);
     std::exit(1);
   }
@@ -109,17 +126,19 @@ void compare(const std::string& name, const Scene& scene, bool cull) {
 
 int main() {
   const unsigned threads = std::thread::hardware_concurrency();
-  fmt::print(
-      "| | facets | pixels | taught loop, ms | fast, 1 thread | fast, {0} threads | llvmpipe, 1 thread | 1 thread, "
-      "times "
-      "taught | {0} threads | 1 thread, times llvmpipe | {0} threads "
-      "|\n|---|---|---|---|---|---|---|---|---|---|---|\n",
-      threads);
-  for (const std::string name : {"teapot:4", "teapot:8", "teapot:16", "teapot:32", "teapot:64"}) {
-    compare(name, teapot(name), true);
+  for (const auto& [title, loops] :
+       {std::pair("Z-buffer", z_buffer_loops), std::pair("half-space", half_space_loops)}) {
+    fmt::print(
+        "{1}\n\n| | facets | pixels | taught loop, ms | fast, 1 thread | fast, {0} threads | llvmpipe, 1 thread | 1 "
+        "thread, times taught | {0} threads | 1 thread, times llvmpipe | {0} threads "
+        "|\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+        threads, title);
+    for (const std::string name : {"teapot:4", "teapot:8", "teapot:16", "teapot:32", "teapot:64"})
+      compare(loops, name, teapot(name), true);
+    compare(loops, "torus, 50 000 triangles", looked_at(bench::torus(250, 100, true)), true);
+    compare(loops, "12 large polygons", looked_at(bench::leaves(12)), false);
+    fmt::print("\n");
   }
-  compare("torus, 50 000 triangles", looked_at(bench::torus(250, 100, true)), true);
-  compare("12 large polygons", looked_at(bench::leaves(12)), false);
 #if ZSTEP_BENCH_LLVMPIPE
   fmt::print("\nllvmpipe is \"{}\" in this thread\n", bench::Llvmpipe(looked_at(bench::leaves(1)), false).name());
 #else
