@@ -154,6 +154,10 @@ std::optional<DrawnFacet> DrawnFacet::from_run(const Scene& scene, const Header&
   if (outline.size() < 3) return std::nullopt;
   DrawnFacet drawn;
   drawn.outline_ = std::move(outline);
+  if (bits_of(header.conventions.number_format) > 0) {
+    if (header.conventions.depth == Conventions::Depth::corrected) return std::nullopt;
+    drawn.unit_ = depth_unit(scene, header.conventions);
+  }
   if (!drawn.find_plane(roundoff)) return std::nullopt;
   drawn.find_intervals(scene, header, roundoff);
   return drawn;
@@ -189,7 +193,8 @@ bool DrawnFacet::find_plane(double roundoff) {
   const double size_z = z + std::abs(dz_dx_) * width + std::abs(dz_dy_) * height;
   const double of_formula = size_z * (roundoff * (8 + steps) + 4 * off_edge_function_ / size);
   // Of corners that do not lie in one plane each way of interpolating finds another depth between them.
-  off_ = of_formula + 2 * off_vertices + bend;
+  constexpr double side_of_block = 8;
+  off_ = of_formula + 2 * off_vertices + bend + unit_ * (steps + 2 * side_of_block + 2);
   has_depth_ = std::isfinite(off_) && std::isfinite(dz_dx_) && std::isfinite(dz_dy_);
   return true;
 }
@@ -205,7 +210,8 @@ DrawnFacet::Crossing DrawnFacet::crossing(std::size_t edge, std::int32_t y, doub
   const double rise = q.y - p.y, slope = (q.x - p.x) / rise;
   if (rise == 0) return {number, std::max(p.x, q.x), std::max(p.off_x, q.off_x)};
   const Rounded at = on_line(Rounded(p.x), Rounded(q.x), Rounded(y), Rounded(p.y), Rounded(q.y));
-  const double of_corners = std::max(p.off_x, q.off_x) + std::abs(slope) * std::max(p.off_y, q.off_y);
+  const double of_fixed = unit_ > 0 ? 0x1p-16 * (std::abs(rise) + 2) : 0;
+  const double of_corners = std::max(p.off_x, q.off_x) + std::abs(slope) * std::max(p.off_y, q.off_y) + of_fixed;
   // Whole multiples of a power of two with few bits, along a slope that is one, too: nothing is rounded, however it is
   // computed.
   if (of_corners == 0) {

@@ -19,6 +19,9 @@
 //   adding, and u (w + h) Z for adding slopes. By the plane's slopes, which are off as an edge function and S are, all
 //   that they gain over the box, p w + q h with slopes p and q, stands beside Z.
 // - And what its vertices are off, moved along the plane.
+// - In fixed point, one unit of depth for each corner's, for the first pixel's and, where slopes are added that are
+//   whole units, for each step from the corner of a block of up to 8 by 8 pixels that the box begins in; and for x of
+//   an edge 2^-16 of a pixel for each line.
 #pragma once
 
 #include <cstdint>
@@ -112,6 +115,7 @@ class DrawnFacet {
   bool faces_away_ = false;
   double dz_dx_ = 0, dz_dy_ = 0, off_ = 0;
   double off_edge_function_ = 0;
+  double unit_ = 0;  ///< of depths in fixed point; else 0
   bool has_depth_ = false;
   Conventions::Coverage coverage_ = Conventions::Coverage::top_left;
   std::int64_t inside_ = 0;

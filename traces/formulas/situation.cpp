@@ -25,7 +25,10 @@ std::optional<DrawnFacet> Situation::draw_facet() const {
     return std::nullopt;
   if (now.keeps_all || now.piece >= 0 || ahead.of_all || camera != &scene.camera) return std::nullopt;
   const NumberFormat format = header.conventions.number_format;
-  if (bits_of(format) > 0 || is_fixed || (!on_screen() && !header.declares(Convention::depth))) return std::nullopt;
+  if (!on_screen() && !header.declares(Convention::depth)) return std::nullopt;
+  // In fixed point what a run computes from is judged, where it has that.
+  const bool has_operands = records<SpanBegin>() || now.slopes;
+  if (bits_of(format) > 0 ? has_operands : is_fixed) return std::nullopt;
   // A run of few steps may begin large facets again and again.
   if (drawn_now.spent > 64 * before.position + 20'000'000) return std::nullopt;
   const double u = roundoff > 0 ? roundoff : format == NumberFormat::float32 ? 0x1p-24 : 0x1p-53;
