@@ -15,6 +15,7 @@
 #include "traces/check/check.hpp"
 #include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
+#include "traces/file/written.hpp"
 #include "traces/formulas/walk.hpp"
 
 using namespace zstep;

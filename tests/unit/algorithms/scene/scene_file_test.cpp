@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/scene/load.hpp"
 #include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/scene_file/read_scene.hpp"
@@ -177,6 +178,31 @@ TEST_SUITE("scene files") {
     CHECK(!file.scene.camera.polar);
     CHECK(file.scene.camera.window == doctest::Approx(3));
     CHECK((file.scene.camera.view * glm::dvec4(0, 1, 0, 1)) == glm::dvec4(1, 0, 5, 1));
+  }
+
+  TEST_CASE("a projection matrix of one's own, and a far plane at infinity") {
+    // gluPerspective(90, 2, ...): half of the window's height is d, half of its width twice that.
+    const std::string projection = "projection = [[0.5, 0, 0, 0], [0, 1, 0, 0], [0, 0, 9, 9], [0, 0, -1, 0]]\n";
+    const SceneFile file = read("raster.width = 60\nraster.height = 30\n" + triangle + "[camera]\neye = [5, 0, 0]\n" +
+                                projection + "near = 0.5\nfar = inf\n");
+    const Scene own = look_at_scene(file.scene, {});
+    const Scene plain = look_at_scene(read("raster.width = 60\nraster.height = 30\n" + triangle +
+                                           "[camera]\neye = [5, 0, 0]\nd = 1\nwindow = 1\nnear = 0.5\nfar = 60\n")
+                                          .scene,
+                                      {});
+    CHECK(own.camera.view == plain.camera.view);
+    CHECK(own.camera.eye == plain.camera.eye);
+    CHECK(own.camera.window == 1);
+    CHECK(is_infinitely_far(own.camera));
+    ViewOptions wider;  // another shape of the raster, the same matrix: squeezed
+    wider.width = 30;
+    CHECK(look_at_scene(file.scene, wider).camera.view[1][0] == doctest::Approx(own.camera.view[1][0] / 2));
+    wider.window = 2;  // a camera of zstep's from there on
+    CHECK(!look_at_scene(file.scene, wider).camera.matrices);
+    CHECK(contains(error_of(triangle + "[camera]\n" + projection), "'projection' stands without 'eye'"));
+    CHECK(contains(error_of(triangle + "[camera]\neye = [5, 0, 0]\nd = 1\n" + projection), "keep one"));
+    CHECK(contains(error_of(triangle + "[camera]\neye = [5, 0, 0]\nprojection = [[1, 0], [0, 1]]\n"),
+                   "does not have four rows"));
   }
 
   TEST_CASE("what is not known is an error that names the line and the nearest word") {
