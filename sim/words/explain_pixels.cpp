@@ -399,7 +399,7 @@ void tell(Telling& t, const LightShare& e) {
                     : e.share == 0 ? "none"
                                    : number(e.share),
                     e.x, e.y));
-  t.gives("share", Shown("lit", static_cast<double>(lit)) / Shown("k·k", across * across), e.share);
+  t.gives("share", Shown("lit", static_cast<double>(lit)) / Shown("k²", across * across), e.share);
 }
 
 void tell(Telling& t, const ColorWrite& e) {
