@@ -380,8 +380,10 @@ void tell(Telling& t, const ShadowNeighbour& e) {
   if (state.light.depth.empty())
     return t.say(fmt::format("A neighbour in the shadow buffer of pixel ({}, {}).", e.x, e.y));
   const std::size_t cell = state.light.at(e.x_shadow, e.y_shadow);
+  const std::string there = t.label(state.light.polygon[cell]),
+                    nearer = there == polygon ? "its own depth there" : there;
   t.say(fmt::format("Held against its neighbour shadow[{}, {}], {} is {}.", e.x_shadow, e.y_shadow, polygon,
-                    e.lit ? "lit" : "dark: " + t.label(state.light.polygon[cell]) + " is nearer to the light"));
+                    e.lit ? "lit" : "dark: " + nearer + " is nearer to the light"));
   t.value("shadow[i,j]", state.light.depth[cell]);
   const bool known = t.machine.shadow && t.machine.shadow->x == e.x && t.machine.shadow->y == e.y;
   if (!known) return;
@@ -399,7 +401,7 @@ void tell(Telling& t, const LightShare& e) {
                     : e.share == 0 ? "none"
                                    : number(e.share),
                     e.x, e.y));
-  t.gives("share", Shown("lit", static_cast<double>(lit)) / Shown("k·k", across * across), e.share);
+  t.gives("share", Shown("lit", static_cast<double>(lit)) / Shown("k²", across * across), e.share);
 }
 
 void tell(Telling& t, const ColorWrite& e) {

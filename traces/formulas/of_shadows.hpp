@@ -147,7 +147,7 @@ inline std::optional<double> bias_at(const Situation& at, std::int32_t x, std::i
   const auto& told = at.method().shadow_bias;
   if (told && told->x == x && told->y == y) return told->bias;
   const ShadowOptions options = shadow_options(at.header.conventions);
-  if (!options.declared) return std::nullopt;
+  if (!options.declared || (options.slope_bias != 0 && point.polygon == no_polygon)) return std::nullopt;
   const double slope = options.slope_bias != 0 ? slopes_at(at, point).greater() : 0;
   return light_bias(point.seen.z.value, options.bias, options.slope_bias, slope);
 }
@@ -214,8 +214,10 @@ void derive(const ShadowBias& e, const Situation& at, Out& out) {
   const auto point = detail::point_at_light(at, e.x, e.y);
   if (!point) return;
   out.reads(at.depth_place(e.x, e.y));
-  const auto slopes = detail::slopes_at(at, *point);
-  out.near(&ShadowBias::dz_dx_light, slopes.dz_dx), out.near(&ShadowBias::dz_dy_light, slopes.dz_dy);
+  if (point->polygon != no_polygon) {  // of a run that never says who is seen no slope is known
+    const auto slopes = detail::slopes_at(at, *point);
+    out.near(&ShadowBias::dz_dx_light, slopes.dz_dx), out.near(&ShadowBias::dz_dy_light, slopes.dz_dy);
+  }
   const ShadowOptions options = shadow_options(at.header.conventions);
   if (!options.declared) return;
   const Rounded steeper = std::max(std::abs(e.dz_dx_light), std::abs(e.dz_dy_light));

@@ -198,8 +198,8 @@ Number bias_of(ThroughSpace& through) {
   if (const Step told = of_pixel<ShadowBias>(work, through.step, through.e)) return work.field(*told, "bias");
   const formulas::ShadowOptions options = formulas::shadow_options(work.conventions);
   Operands of;
-  const Formula thousandths = of("bias_in_1000", options.bias * 1000);
-  return work.part(through.step, "bias", of("z_v", through.seen(Axis3::z)) * (thousandths / Formula(1000)), of);
+  const Formula z_v = of("z_v", through.seen(Axis3::z)), thousandths = of("bias_in_1000", options.bias * 1000);
+  return work.part(through.step, "bias", z_v * (thousandths / Formula(1000)), of);
 }
 
 /// Whether the point of a pixel is lit by what the shadow buffer holds at (column, row). `asked` is what that place
@@ -232,8 +232,8 @@ void tell_lit(Datum& datum, ThroughSpace& through, double column, double row, bo
     return datum.comes_of("by z_v and z_shadow; the trace does not say how large its bias is", besides);
   }
   Operands of;
-  const Formula nearer = of("z_v", z_v) - of("bias", bias),
-                holds = Formula::compared(nearer, "<=", of("z_shadow", behind), as_recorded);
+  const Formula far = of("z_v", z_v), less = of("bias", bias), there = of("z_shadow", behind),
+                holds = Formula::compared(far - less, "<=", there, as_recorded);
   datum.holds_if(holds.text(), of.in(holds));
   datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
 }
@@ -309,8 +309,8 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const LightShare& 
   for (const ShadowNeighbour& neighbour : m.neighbours) lit += neighbour.lit ? 1 : 0;
   if (const Step compare = of_pixel<ShadowCompare>(work, step, {e.x, e.y})) work.later(*compare, "lit");
   Operands of;
-  const Formula across = of("k", formulas::shadow_options(work.conventions).across);
-  datum.is(of("lit", lit) / (across * across), of);
+  const Formula count = of("lit", lit), across = of("k", formulas::shadow_options(work.conventions).across);
+  datum.is(count / (across * across), of);
   datum.note("lit is how many of its k times k compares say lit; beside the light's picture there is none");
 }
 
