@@ -470,7 +470,8 @@ void draw_shadow_buffer(Ui& ui) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + to_float(width), at.y + to_float(height)});
   ImGui::Dummy({room.x, to_float(height)});
-  if (!state.machine.shadow) return;
+  const bool to_come = ui.moment().event() && holds<ShadowBias>(ui.moment().event()->event);
+  if (!state.machine.shadow || to_come) return;
   mark_held(ui, map, at);
   const auto& share = state.machine.light_share;
   const bool shared = share && share->x == state.machine.shadow->x && share->y == state.machine.shadow->y;
