@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/answers/seen_point.hpp"
 #include "sim/cli/diff.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/words/derived.hpp"
@@ -77,6 +78,12 @@ std::vector<std::string> notes_of(const Trace& a, const Trace& b, const DiffRepo
   const Scene &one = a.scene(), &other = b.scene();
   if (one.points != other.points) notes.push_back("the vertices of the two scenes differ");
   else if (!(one.camera == other.camera)) notes.push_back("the cameras of the two scenes differ");
+  if (one.raster.y_up != other.raster.y_up)
+    notes.push_back(fmt::format("row 0 is {} of A, {} of B", one.raster.y_up ? "at the bottom" : "on top",
+                                other.raster.y_up ? "at the bottom" : "on top"));
+  if (one.raster.corners != other.raster.corners)
+    notes.push_back(
+        fmt::format("A sees pixels at their {}s, B at their {}s", seen_point(one.raster), seen_point(other.raster)));
   const Header &h = a.header(), &k = b.header();
   const auto parts = [&](Convention which, bool differ, const std::string& what) {
     if (h.declares(which) && k.declares(which) && differ) notes.push_back(fmt::format("the headers differ: {}", what));

@@ -212,7 +212,7 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
   };
   in("Method", command
                    .add_option_function<std::string>("--seen-at", take_seen,
-                                                     "Where in a pixel what it shows is asked for: at its centre "
+                                                     "Where in a pixel the scene is sampled: at its centre "
                                                      "(default), or at its first corner, as many short rasterisers do")
                    ->type_name("centres|corners"));
   std::vector<std::string> names;
