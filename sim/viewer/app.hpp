@@ -224,6 +224,7 @@ class App {
   bool drawer_is_beside() const { return drawer_at_.size.x < drawer_at_.size.y * 1.5f; }
   void set_dark(bool dark);
   void set_presenter(bool presenter);
+  void turn_laboratory();  ///< from a lesson's layout to every pane, and back
   void set_reduced_motion(bool reduced);
   /// Which pane leads on the stage, by its id; empty: what the method has. The reader chooses it, until a stop of the
   /// lesson speaks that is about something else.
@@ -387,7 +388,10 @@ class App {
   void draw_leading(const std::vector<Pane>& leading, ImVec2 at, ImVec2 size);
   void draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size);
   void draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size);
-  void draw_presented(ImVec2 at, ImVec2 size);
+  void draw_lesson_layout(ImVec2 at, ImVec2 size);
+  void draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size);
+  std::vector<Pane> words_of_step();
+  float frame_height(float width) const;
   void draw_embedded(ImVec2 at, ImVec2 size);
   void draw_way_out(ImVec2 at, ImVec2 size);
   void draw_pane_body(Ui& ui, const Pane& pane, ImVec2 at, ImVec2 size);
@@ -513,6 +517,7 @@ class App {
   bool keys_over_start_ = false;       ///< the sheet of keys lies where the start page was
   const Task* task_before_ = nullptr;  ///< of the lesson whose run this one changes
   std::size_t hints_given_ = 0;
+  bool laboratory_ = false;  ///< a reader has asked for every pane
   bool black_ = false;
   bool clicker_ = false;     ///< what is picked on the start page was picked by a clicker's keys
   bool text_taken_ = false;  ///< the text of the key that went down last is not typed: a command was run by it

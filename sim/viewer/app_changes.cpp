@@ -188,6 +188,7 @@ void App::look_as(const App& before) {
   ui_.chosen_viewing = {viewing_step(before.ui_), session_.stop()};
   ui_.look = before.ui_.look, ui_.from_outside = before.ui_.from_outside;
   ui_.view = before.ui_.view;
+  laboratory_ = before.laboratory_;
   ui_.whole_code = before.ui_.whole_code, ui_.vertices_always = before.ui_.vertices_always;
   ui_.range_mode = before.ui_.range_mode, ui_.hand_range = before.ui_.hand_range, ui_.histogram = before.ui_.histogram;
   ui_.relief = before.ui_.relief, ui_.relief_look = before.ui_.relief_look;

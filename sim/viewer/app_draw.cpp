@@ -58,6 +58,9 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   if (may_change() && !race_shown_ &&
       button_before("Change", drawer_ == Drawer::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
     open_what_if();
+  if (session_.lesson() && !against_ && !race_shown_ &&
+      button_before(ui_.laboratory ? "Lesson" : "Laboratory", false, "Every pane, or the lesson's own layout (Shift+P)."))
+    turn_laboratory();
   right -= std::round(ui_.em * 0.7f);
   if (board_.clock_runs()) {
     const std::string clock = board_.clock(clock_time);
@@ -181,13 +184,14 @@ void App::begin_scrolling() {
   const Layout& l = settings_.layout;
   Fingerprint layout;
   for (const float part : {to_float(renderer_.width()), to_float(renderer_.height()), built_for_, l.left, l.right,
-                           l.code, l.frame, l.table, l.stage, l.both, l.words})
+                           l.code, l.frame, l.table, l.stage, l.both, l.lesson})
     take(layout, part);
   for (const auto& [pane, share] : l.structures) take(layout, share);
   take(layout, l.drawer_width);
   take(layout, l.drawer_height);
   take(layout, drawer_);
   take(layout, ui_.presenter);
+  take(layout, ui_.laboratory);
   take(layout, ui_.vertices_always);
   take(layout, lead());
   take(layout, words_shown());
@@ -211,6 +215,7 @@ void App::draw() {
   follow_overlay();
   follow_selected();
   update_fonts();
+  ui_.laboratory = laboratory_ || against_ || only_ || !(session_.lesson() || lesson_waits || ui_.presenter);
   apply_style(ui_);
   const ImVec2 size{to_float(renderer_.width()), to_float(renderer_.height())};
   ImGui::GetIO().DisplaySize = size;

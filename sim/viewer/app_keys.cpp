@@ -279,11 +279,12 @@ void App::begin_motion() {
   take(window, to_float(renderer_.height()));
   take(window, built_for_);
   take(window, ui_.presenter);
+  take(window, ui_.laboratory);
   take(window, drawer_);
   take(window, drawer_is_beside());
   const Layout& l = settings_.layout;
   for (const float part :
-       {l.left, l.right, l.code, l.frame, l.table, l.stage, l.both, l.words, l.drawer_width, l.drawer_height})
+       {l.left, l.right, l.code, l.frame, l.table, l.stage, l.both, l.lesson, l.drawer_width, l.drawer_height})
     take(window, part);
   for (const auto& [pane, share] : l.structures) take(window, share);
   motion_.begin(clock_time, moves && !settings_.reduced_motion, leads.value(), window.value(), session_.position());

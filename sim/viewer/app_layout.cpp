@@ -8,6 +8,8 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/lists.hpp"
+#include "sim/viewer/panes/legend.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/panes/workspace.hpp"
 #include "sim/words/explain.hpp"
@@ -50,6 +52,7 @@ void App::draw_pane_body(Ui& ui, const Pane& pane, ImVec2 at, ImVec2 size) {
       if (pane.id == lesson_pane.id ? ui_.speaks_now : ui_.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
       const std::size_t tables = ui.tables_seen ? ui.tables_seen->size() : 0;
       pane.draw(ui);
+      ui.text_heights[pane.id] = ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y;
       if (ui.tables_seen)
         for (std::size_t k = tables; k < ui.tables_seen->size(); ++k) (*ui.tables_seen)[k].title = pane.title;
     }
@@ -245,42 +248,87 @@ void App::draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
   }
 }
 
-/// For a class: what leads, as large as it goes, and beside it the lesson where it speaks, and between its stops what
-/// happens. The small panes wait behind Tab; a question takes the room that its answers need.
-void App::draw_presented(ImVec2 at, ImVec2 size) {
-  const float gap = std::round(ui_.em * 0.35f), narrow = std::round(size.x * 0.21f);
-  const bool lesson = session_.lesson() != nullptr, asks = session_.question_open();
-  const Stop* stop = lesson && session_.stop() >= 0 ? &session_.lesson()->stops[session_.stop()] : nullptr;
-  const bool speaks = stop && stop->position == session_.position();
-  const bool wide = asks || (speaks && stop->question);
-  const float words = wide ? std::round(size.x * 0.37f) : narrow, x = at.x + size.x - words;
-  ImVec2 stage{size.x - words - gap, size.y};
-  std::vector<Pane> leading = stage_of(ui_, lead()).leading;
+/// How high a frame as wide as this is, with its title and its numbers along the sides.
+float App::frame_height(float width) const {
+  const Raster& raster = session_.scene().raster;
+  const Rulers rulers = room_for_rulers(ui_, raster);
+  const ImVec2 pad = ImGui::GetStyle().WindowPadding;
+  const float picture = (width - 2 * pad.x - rulers.left) * to_float(raster.height) / to_float(std::max(1, raster.width));
+  return std::round(ui_.em * 1.5f + 2 * pad.y + picture + rulers.below + (ui_.presenter ? 0 : legend_height(ui_)));
+}
+
+/// What a lesson's layout says of the step: its formula, between stops also its sentence, and the lines of code around
+/// it.
+std::vector<Pane> App::words_of_step() {
+  const RecordedEvent* event = session_.event();
+  const bool stop_tells = session_.speaks() && session_.message.empty() && !has_causes();
+  const bool tells = !stop_tells || (event && !explain(session_.trace(), session_.state(), *event).formulas.empty());
+  std::vector<Pane> words;
+  if (tells) words.push_back(happened_pane);
+  if (event && find_step(session_.header().page, event->step)) words.push_back(pseudo_code_pane);
+  return words;
+}
+
+/// Below each other: the first has all the room that those after it leave, each of which is as high as its text. What
+/// there is no room for is left out, the last first, but for what is said nowhere else.
+void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
+  const float gap = std::round(ui_.em * 0.35f), around = ui_.em * 1.5f + 2 * ImGui::GetStyle().WindowPadding.y;
+  const auto height = [&](const Pane& pane) { return std::ceil(around + ui_.text_heights[pane.id]); };
+  float below = 0;
+  for (std::size_t k = 1; k < panes.size(); ++k) below += height(panes[k]) + gap;
+  const std::size_t kept = session_.speaks() && session_.message.empty() ? 1 : 2;
+  while (panes.size() > kept && height(panes[0]) + below > size.y) below -= height(panes.back()) + gap, panes.pop_back();
+  below = std::min(below, std::round(size.y * 0.6f));
+  draw_pane(panes[0], at, {size.x, size.y - below});
+  at.y += size.y - below + gap;
+  for (std::size_t k = 1; k < panes.size(); at.y += height(panes[k]) + gap, ++k)
+    draw_pane(panes[k], at, {size.x, height(panes[k])});
+}
+
+/// A lesson, and whatever is shown to a class: one large picture, or two that belong together, and beside it what the
+/// lesson says, or without one what happens, with the formula and the few lines of code that matter now. Two pictures
+/// are as high as their frame needs, and have the formula and the code below them. The drawer stands where the words
+/// stand, so that the pictures stay where they are.
+void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
+  float& share = settings_.layout.lesson;
+  const float gap = std::round(ui_.em * 0.35f), larger = ui_.presenter ? 0.07f : 0;
+  share = std::clamp(share, 0.15f, 0.45f);
+  const float words = std::round(size.x * (share + larger)), x = at.x + size.x - words;
+  std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
   if (drawer_ != Drawer::none) keep_frame(ui_, leading);
-  // The drawer beside the stage has the place of the words, unless they wait for an answer.
-  const Docked dock = docked(size, asks ? stage : size, stage, leading.size());
-  const bool beside = dock.side == Docked::Side::beside;
-  if (beside) {
-    const float end = asks ? at.x + stage.x : at.x + size.x;
-    drawer_at_ = {{end - dock.room, at.y}, {dock.room, size.y}};
-    stage.x = end - dock.room - gap - at.x;
-  } else if (dock.side == Docked::Side::below) {
-    stage.y -= dock.room + gap;
-    drawer_at_ = {{at.x, at.y + stage.y + gap}, {stage.x, dock.room}};
+  ImVec2 stage{size.x - words - gap, size.y};
+  if (leading.size() > 1) {
+    constexpr float least = 0.46f;  // of the window
+    const float window = to_float(renderer_.width()) * to_float(renderer_.height());
+    const float needed = std::max(frame_height((stage.x - gap) / 2), std::ceil(least * window / stage.x));
+    if (size.y - needed >= 4.5f * ui_.em) stage.y = needed;
   }
   draw_leading(leading, at, stage);
-  if (drawer_ != Drawer::none) pull_drawer(dock, size);
-  if (beside && !asks) return;
-  if (asks || speaks) return draw_pane(lesson_pane, {x, at.y}, {words, size.y});
-  float& share = settings_.layout.words;
-  draw_column({x, at.y}, {words, size.y}, lesson ? happened_pane : pseudo_code_pane,
-              lesson ? lesson_pane : happened_pane, share, "words");
+  if (stage.y < size.y) {
+    const float width = (stage.x - gap * to_float(said.size() - 1)) / to_float(std::max<std::size_t>(1, said.size()));
+    ImVec2 place{at.x, at.y + stage.y + gap};
+    for (const Pane& pane : said) draw_pane(pane, place, {width, size.y - stage.y - gap}), place.x += width + gap;
+    said.clear();
+  }
+  float others = 1 - share - larger;
+  if (splitter("lesson", {x - gap, at.y}, {gap, size.y}, true, others, size.x)) share = 1 - others - larger;
+  if (session_.lesson()) said.insert(said.begin(), lesson_pane);
+  else if (said.empty() || said[0].id != happened_pane.id) said.insert(said.begin(), happened_pane);
+  ImVec2 place{x, at.y}, room{words, size.y};
+  if (drawer_ != Drawer::none) {
+    // Words that wait for an answer stay, above it.
+    const float kept = session_.question_open() ? std::round(size.y * 0.5f) : 0;
+    drawer_at_ = {{x, at.y + kept}, {words, size.y - kept}};
+    if (kept == 0) return;
+    room.y = kept - gap;
+  }
+  draw_words(std::move(said), place, room);
 }
 
 void App::draw_panes(ImVec2 at, ImVec2 size) {
   if (against_) return draw_panes_of_both(at, size);
   if (embedded()) return draw_embedded(at, size);
-  if (ui_.presenter) return draw_presented(at, size);
+  if (!ui_.laboratory) return draw_lesson_layout(at, size);
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);
   const float left = std::round(size.x * l.left), x = at.x + left + gap;

@@ -112,7 +112,7 @@ Settings read_settings(std::istream& from) {
     else if (key == "stage") s.layout.stage = share_or(real, s.layout.stage);
     else if (key == "table") s.layout.table = share_or(real, s.layout.table);
     else if (key == "both") s.layout.both = share_or(real, s.layout.both);
-    else if (key == "words") s.layout.words = share_or(real, s.layout.words);
+    else if (key == "lesson") s.layout.lesson = share_or(real, s.layout.lesson);
     else if (key == "drawer_width") s.layout.drawer_width = share_or(real, s.layout.drawer_width);
     else if (key == "drawer_height") s.layout.drawer_height = share_or(real, s.layout.drawer_height);
     else if (key == "frame") s.layout.frame = share_or(real, s.layout.frame);
@@ -142,9 +142,9 @@ bool save_settings(const std::filesystem::path& path, const Settings& s) {
                   s.reduced_motion, s.text_scale) +
       fmt::format("width = {}\nheight = {}\nspeed = {}\n", s.width, s.height, s.speed) +
       fmt::format("drawer_width = {}\ndrawer_height = {}\n", s.layout.drawer_width, s.layout.drawer_height) +
-      fmt::format("left = {}\nright = {}\ncode = {}\nstage = {}\nframe = {}\ntable = {}\nboth = {}\nwords = {}\n",
+      fmt::format("left = {}\nright = {}\ncode = {}\nstage = {}\nframe = {}\ntable = {}\nboth = {}\nlesson = {}\n",
                   s.layout.left, s.layout.right, s.layout.code, s.layout.stage, s.layout.frame, s.layout.table,
-                  s.layout.both, s.layout.words);
+                  s.layout.both, s.layout.lesson);
   for (const auto& [id, weight] : s.layout.structures) text += fmt::format("structure {} = {}\n", id, weight);
   for (const auto& [key, position] : s.places) text += fmt::format("place {} = {}\n", key, position);
   for (const auto& [id, stops] : s.lessons) text += fmt::format("lesson {} = {}\n", id, stops);

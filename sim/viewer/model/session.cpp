@@ -280,6 +280,8 @@ bool Session::next_stop(int direction) {
   return true;
 }
 
+bool Session::speaks() const { return stop_ >= 0 && lesson_->stops[stop_].position == position(); }
+
 bool Session::question_open() const {
   if (stop_ < 0) return false;
   const auto& question = lesson_->stops[stop_].question;

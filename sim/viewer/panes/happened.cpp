@@ -235,9 +235,11 @@ void draw_happened(Ui& ui) {
   const Explanation told = explain(ui.session.trace(), ui.session.state(), *event);
   const Flow in_doubt{.color = c.bad, .font = ui.fonts.bold};
   const bool doubts = told.doubt && found.lines.empty(), doubts_all = doubts && *told.doubt == told.sentence;
+  // A stop of the lesson tells in its own words what its step did.
+  const bool told_by_lesson = !ui.laboratory && ui.session.speaks();
   if (doubts_all) flow(ui, told.sentence, in_doubt);
-  else tell(ui, told.sentence);
-  ImGui::Dummy({1, ui.em * 0.25f});
+  else if (!told_by_lesson) tell(ui, told.sentence);
+  if (doubts_all || !told_by_lesson) ImGui::Dummy({1, ui.em * 0.25f});
   const ImVec2 top = ImGui::GetCursorScreenPos();
   for (const std::string& formula : told.formulas) tell_formula(ui, formula, told.owned);
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};

@@ -222,7 +222,7 @@ Line line_of(Ui& ui, const StepInfo& step, bool now, float level) {
   const auto count = ui.hits.of(step.id);
   Line line;
   line.indent = gutter(ui) + to_float(step.indent) * level;
-  line.hits = count && *count > 0 && !ui.presenter ? grouped(*count) : "";
+  line.hits = count && *count > 0 && ui.laboratory ? grouped(*count) : "";
   line.hits_width = line.hits.empty() ? 0 : text_size(ui, ui.fonts.small, line.hits).x + ui.em * 0.4f;
   line.how.font = ui.fonts.mono;
   line.how.indent = std::round(std::min(ui.em * 0.9f, width * 0.05f));
@@ -318,9 +318,9 @@ std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   const RecordedEvent* event = ui.session.event();
   const auto at_work =
       std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return event && event->step == step.id; });
-  if (at_work == page.end() || (ui.whole_code && !ui.presenter)) return all;
+  if (at_work == page.end() || (ui.whole_code && ui.laboratory)) return all;
   const std::size_t now = at_work - page.begin();
-  if (ui.presenter) return lines_near(page, now);
+  if (!ui.laboratory) return lines_near(page, now);
   std::vector<float> heights;
   for (const StepInfo& step : page) heights.push_back(line_of(ui, step, false, level).height);
   // With room to spare: counts beside the lines grow, and the page must not fold for that.
@@ -343,7 +343,7 @@ void draw_pseudo_code(Ui& ui) {
     }
     const std::size_t first = i;
     while (i + 1 < page.size() && !shown[i + 1]) ++i;
-    if (!ui.presenter) draw_fold(ui, page[first], i + 1 - first, level);
+    if (ui.laboratory) draw_fold(ui, page[first], i + 1 - first, level);
   }
   ImGui::PopStyleVar();
 }

@@ -235,7 +235,7 @@ void draw_small_timeline(Ui& ui, ImVec2 size, float row) {
 
 float timeline_height(const Ui& ui) {
   const auto [height, gap] = strip_sizes(ui);
-  return std::round((ui.other ? 3 : 2) * (height + gap) + ui.em * 1.75f);
+  return std::round((ui.other ? 3.0f : ui.laboratory ? 2.0f : 1.0f) * (height + gap) + ui.em * 1.75f);
 }
 
 void draw_timeline(Ui& ui, ImVec2 size) {
@@ -270,9 +270,11 @@ void draw_timeline(Ui& ui, ImVec2 size) {
     if (!b->mouse_help.empty()) ui.mouse_help = b->mouse_help;
     draw_whole(*b, of_b, sections_of(*b));
   }
-  const Strip polygon = next_strip("A", interval.first, interval.last);
-  scrub(ui, "polygon", polygon, false);
-  draw_polygon(ui, polygon, interval, sections);
+  if (ui.laboratory) {
+    const Strip polygon = next_strip("A", interval.first, interval.last);
+    scrub(ui, "polygon", polygon, false);
+    draw_polygon(ui, polygon, interval, sections);
+  }
   ImGui::SetCursorScreenPos({origin.x, y});
   const Session& s = ui.session;
   float widest = 0;

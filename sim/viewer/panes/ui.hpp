@@ -136,6 +136,8 @@ struct Ui {
   float em = 16;   ///< body text in pixels
   float thin = 1;  ///< pixels of a thin line: more than one on a large screen
   bool presenter = false;
+  bool laboratory = true;  ///< all panes; else a lesson's layout: what leads, and few words
+  std::map<std::string, float> text_heights;  ///< of wrapped panes, as they were drawn last
   bool whole_code = false;           ///< no line of the pseudo-code is folded
   bool vertices_always = false;      ///< the way of the vertices is shown even where room is scarce
   std::optional<Cell> pointed;       ///< cell under the mouse, in either buffer

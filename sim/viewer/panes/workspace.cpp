@@ -86,6 +86,15 @@ Workspace workspace(const Header& header, const std::string& lead) {
   return stage;
 }
 
+std::vector<Pane> lesson_pictures(const Header& header, const std::string& lead) {
+  std::vector<Pane> leading = workspace(header, lead).leading;
+  const Pane* asked = lead.empty() ? nullptr : find(leading, lead);
+  if (!asked || asked->scrolls) return leading;
+  if (asked->id == slice_pane.id) return {frame_pane, *asked};
+  std::erase_if(leading, [&](const Pane& pane) { return pane.id != lead && !lead_together(pane, lead); });
+  return leading;
+}
+
 bool lead_together(const Pane& pane, const std::string& lead) { return pane.with && pane.with->id == lead; }
 
 std::vector<std::string> leads_to_choose(const Header& header) {

@@ -1,0 +1,117 @@
+// A lesson's own layout: what it shows and leaves out, how much of the window its pictures have, and the way to the
+// laboratory and back.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "sim/classroom/lesson.hpp"
+#include "sim/viewer/commands.hpp"
+#include "sim/viewer/panes/workspace.hpp"
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/letters.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+namespace {
+
+struct Shown {
+  int width, height;
+  bool presenter;
+  double ground;  ///< at most so much of the window is empty, on average
+};
+constexpr Shown looks[] = {
+    {1280, 720, false, 0.25}, {1920, 1080, true, 0.25}, {1024, 768, false, 0.25}, {3840, 2160, false, 0.25}};
+
+double stage_share(App& app, const Shown& look) {
+  return static_cast<double>(app.stage_place().size.x * app.stage_place().size.y) / (look.width * look.height);
+}
+
+/// The part of the window that is empty: of its squares of two lines' height those that are wholly of the ground.
+double ground_share(App& app) {
+  const auto of = [](ImU32 color) { return std::array{color & 255u, color >> 8 & 255u, color >> 16 & 255u}; };
+  const auto pane = of(app.ui().colors().pane), window = of(app.ui().colors().window);
+  const test::Bytes& rgb = app.renderer().rgb();
+  const int width = app.renderer().width(), side = static_cast<int>(2 * app.ui().em);
+  const auto is_ground = [&](int x, int y) {
+    const std::uint8_t* at = &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                       static_cast<std::size_t>(x))];
+    return std::equal(pane.begin(), pane.end(), at) || std::equal(window.begin(), window.end(), at);
+  };
+  int empty = 0, all = 0;
+  for (int y = 0; y + side <= app.renderer().height(); y += side)
+    for (int x = 0; x + side <= width; x += side, ++all) {
+      bool ground = true;
+      for (int k = 0; k < side * side && ground; ++k) ground = is_ground(x + k % side, y + k / side);
+      empty += ground;
+    }
+  return static_cast<double>(empty) / all;
+}
+
+}  // namespace
+
+TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place, and nothing is said twice") {
+  std::map<int, std::pair<double, int>> ground;
+  int turn = 0;
+  for (Lesson& lesson : all_lessons()) {
+    const Trace trace = run_lesson(lesson);
+    CAPTURE(lesson.id);
+    for (const Shown& look : looks) {
+      CAPTURE(look.width);
+      Settings settings;
+      settings.presenter = look.presenter;
+      App app(trace, &lesson, settings, look.width, look.height);
+      std::optional<Motion::Place> place;  // where the stop asks for nothing else
+      for (int stop = turn++ % 3; stop < static_cast<int>(lesson.stops.size()); stop += look.width > 2000 ? 9 : 3) {
+        CAPTURE(stop);
+        app.session().to_stop(stop);
+        app.settle();
+        CHECK(stage_share(app, look) >= 0.45);
+        ground[look.width].first += ground_share(app), ++ground[look.width].second;
+        if (lesson.stops[stop].focus.empty()) {
+          const Motion::Place now = app.stage_place();
+          if (place) CHECK((place->at.x == now.at.x && place->at.y == now.at.y && place->size.x == now.size.x &&
+                            place->size.y == now.size.y));
+          place = now;
+        }
+        const test::Letters drawn = test::letters_of(app.ui().fonts);
+        for (std::size_t k = 0; k < drawn.words.size(); ++k) {
+          if (drawn.words[k].size() < 28) continue;
+          CAPTURE(drawn.words[k]);
+          CHECK(std::count(drawn.words.begin(), drawn.words.end(), drawn.words[k]) == 1);
+        }
+      }
+    }
+  }
+  for (const Shown& look : looks) {
+    const auto& [sum, count] = ground[look.width];
+    CAPTURE(look.width);
+    MESSAGE("ground ", sum / count);
+    CHECK(sum / count <= look.ground);
+  }
+}
+
+TEST_CASE("Shift+P leads from a lesson's layout to every pane and back, and the bytes are those of before") {
+  Lesson lesson = find_lesson("z-buffer");
+  const Trace trace = run_lesson(lesson);
+  App app(trace, &lesson, {}, 1280, 720);
+  app.session().to_stop(4);
+  const test::Bytes before = test::picture(app);
+  CHECK_FALSE(app.ui().laboratory);
+  test::press(app, SDLK_p, KMOD_LSHIFT);
+  CHECK(test::picture(app) != before);
+  CHECK(app.ui().laboratory);
+  test::press(app, SDLK_p, KMOD_LSHIFT);
+  CHECK(test::picture(app) == before);
+  App alone(trace, nullptr, {}, 1280, 720);
+  test::press(alone, SDLK_p, KMOD_LSHIFT);
+  alone.settle();
+  CHECK(alone.ui().laboratory);
+  CHECK(alone.session().message.find("no lesson") != std::string::npos);
+}
