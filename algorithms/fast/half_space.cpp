@@ -75,16 +75,21 @@ ZSTEP_INLINE void narrow_columns(const FastTriangle& triangle, const std::array<
   }
 }
 
-/// Four pixels from column x on; by lane whether E is on the triangle's side of an edge.
-ZSTEP_INLINE Mask covers(const FastEdge& edge, const Doubles& e) { return edge.owns ? e >= 0 : e > 0; }
+/// Takes out the pixels where E is not on the triangle's side of an edge.
+ZSTEP_INLINE void keep_covered(const FastEdge& edge, const Doubles& e, Mask& inside) {
+  if (edge.owns) inside &= e >= 0;
+  else inside &= e > 0;
+}
 
+/// Four pixels from column x on.
 ZSTEP_INLINE void fill_pixels(const FastTriangle& t, const std::array<double, 3>& of_row, double x, double end,
                               double* depth, std::int32_t* frame) {
   const Doubles x_s = x + each_lane;
   const Doubles e_0 = t.edges[0].a * (x_s - t.edges[0].end_x) + of_row[0],
                 e_1 = t.edges[1].a * (x_s - t.edges[1].end_x) + of_row[1],
                 e_2 = t.edges[2].a * (x_s - t.edges[2].end_x) + of_row[2];
-  const Mask inside = covers(t.edges[0], e_0) & covers(t.edges[1], e_1) & covers(t.edges[2], e_2) & (x_s < end);
+  Mask inside = x_s < end;
+  keep_covered(t.edges[0], e_0, inside), keep_covered(t.edges[1], e_1, inside), keep_covered(t.edges[2], e_2, inside);
   const Doubles z = t.z_0 + (e_1 / t.twice_area * t.dz_1 + e_2 / t.twice_area * t.dz_2);
   Doubles old_z;
   Ints old_polygon;

@@ -261,7 +261,7 @@ bool InStep::pass_equal_block() {
   const std::size_t block_a = a_.trace.impl().block_of(at_a + 1), block_b = b_.trace.impl().block_of(at_b + 1);
   const auto &one = a_.trace.impl().blocks[block_a].info, &other = b_.trace.impl().blocks[block_b].info;
   if (one.first_position != at_a || other.first_position != at_b || one.count != other.count) return false;
-  const Bytes *mine = a_.trace.impl().packed(block_a), *its = b_.trace.impl().packed(block_b);
+  const auto mine = a_.trace.impl().packed(block_a), its = b_.trace.impl().packed(block_b);
   if (!mine || !its || *mine != *its) return false;
   const std::int64_t count = one.count;
   EqualBlock equal{*this, at_a - at_b};

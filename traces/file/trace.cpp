@@ -181,12 +181,12 @@ void Trace::Impl::lose(std::size_t block, const std::string& what) const {
                       info.first_position + info.count, what));
 }
 
-const Bytes* Trace::Impl::packed(std::size_t block) const {
+Trace::Impl::Packed Trace::Impl::packed(std::size_t block) const {
   if (blocks[block].lost && on_loss) return nullptr;
   for (auto it = packed_at_hand.begin(); it != packed_at_hand.end(); ++it) {
     if (it->first != block) continue;
     packed_at_hand.splice(packed_at_hand.begin(), packed_at_hand, it);
-    return &it->second;
+    return it->second;
   }
   const Block& place = blocks[block];
   try {
@@ -199,12 +199,12 @@ const Bytes* Trace::Impl::packed(std::size_t block) const {
       place.checked = true;
     }
     if (packed_at_hand.size() >= packed_kept) packed_at_hand.pop_back();
-    packed_at_hand.emplace_front(block, std::move(unpacked));
+    packed_at_hand.emplace_front(block, std::make_shared<const Bytes>(std::move(unpacked)));
   } catch (const MalformedBytes& error) {
     lose(block, error.what());
     return nullptr;
   }
-  return &packed_at_hand.front().second;
+  return packed_at_hand.front().second;
 }
 
 const Trace::Impl::Events& Trace::Impl::events(std::size_t block) const {
@@ -215,7 +215,7 @@ const Trace::Impl::Events& Trace::Impl::events(std::size_t block) const {
   }
   auto unpacked = std::make_shared<std::vector<RecordedEvent>>();
   unpacked->reserve(blocks[block].info.count);
-  const Bytes* bytes = packed(block);
+  const Packed bytes = packed(block);
   if (bytes == nullptr)
     throw Incomplete(name,
                      fmt::format("steps {} to {} are lost", blocks[block].info.first_position + 1,

@@ -66,9 +66,10 @@ struct Trace::Impl {
   /// The last position of a block that may touch a pixel; 0 if none may.
   std::int64_t last_touch(std::size_t block, Trace::Pixel pixel) const;
 
+  using Packed = std::shared_ptr<const Bytes>;
   /// A block's packed columns, from the file or from the few kept at hand. Of one that is damaged null, where losses
   /// are told, else it throws InputError.
-  const Bytes* packed(std::size_t block) const;
+  Packed packed(std::size_t block) const;
   /// Whether the step that leads to this position can be read, or is lost with its block.
   bool readable(std::int64_t position) const {
     const std::size_t block = block_of(position);
@@ -110,7 +111,7 @@ struct Trace::Impl {
   mutable std::optional<std::vector<RejectMark>> rejects;
   mutable std::optional<std::vector<std::int64_t>> clears;
 
-  mutable std::list<std::pair<std::size_t, Bytes>> packed_at_hand;
+  mutable std::list<std::pair<std::size_t, Packed>> packed_at_hand;
   mutable std::list<std::pair<std::size_t, Events>> events_at_hand;
   mutable RecordedEvent one_event;                   ///< that of a block which was asked for no other
   mutable std::size_t asked_once = ~std::size_t{0};  ///< that block
@@ -171,7 +172,7 @@ void Trace::visit(std::int64_t first, std::int64_t last, Visit&& visit) const {
     const std::size_t index = impl_->block_of(first + 1);
     const Impl::Block& block = impl_->blocks[index];
     detail::VisitRange<Visit> range{visit, first, last, block.info.first_position};
-    const Bytes* packed = impl_->packed(index);
+    const Impl::Packed packed = impl_->packed(index);  // held while others are asked for, which may take its place
     if (packed == nullptr) {
       first = block.info.first_position + block.info.count;
       continue;
