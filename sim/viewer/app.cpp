@@ -67,7 +67,8 @@ void App::set_dark(bool dark) {
 void App::set_presenter(bool presenter) { settings_.presenter = ui_.presenter = presenter; }
 
 void App::turn_laboratory() {
-  if (!session_.lesson() && !lesson_waits && !ui_.presenter) return say("There is no lesson here: every pane is shown.");
+  if (!session_.lesson() && !lesson_waits && !ui_.presenter)
+    return say("There is no lesson here: every pane is shown.");
   laboratory_ = !laboratory_;
 }
 

@@ -59,7 +59,8 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
       button_before("Change", drawer_ == Drawer::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
     open_what_if();
   if (session_.lesson() && !against_ && !race_shown_ &&
-      button_before(ui_.laboratory ? "Lesson" : "Laboratory", false, "Every pane, or the lesson's own layout (Shift+P)."))
+      button_before(ui_.laboratory ? "Lesson" : "Laboratory", false,
+                    "Every pane, or the lesson's own layout (Shift+P)."))
     turn_laboratory();
   right -= std::round(ui_.em * 0.7f);
   if (board_.clock_runs()) {

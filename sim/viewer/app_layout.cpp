@@ -52,7 +52,8 @@ void App::draw_pane_body(Ui& ui, const Pane& pane, ImVec2 at, ImVec2 size) {
       if (pane.id == lesson_pane.id ? ui_.speaks_now : ui_.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
       const std::size_t tables = ui.tables_seen ? ui.tables_seen->size() : 0;
       pane.draw(ui);
-      ui.text_heights[pane.id] = ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y;
+      if (pane.id != pseudo_code_pane.id)  // whose lines depend on its room
+        ui.text_heights[pane.id] = ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y;
       if (ui.tables_seen)
         for (std::size_t k = tables; k < ui.tables_seen->size(); ++k) (*ui.tables_seen)[k].title = pane.title;
     }
@@ -253,7 +254,8 @@ float App::frame_height(float width) const {
   const Raster& raster = session_.scene().raster;
   const Rulers rulers = room_for_rulers(ui_, raster);
   const ImVec2 pad = ImGui::GetStyle().WindowPadding;
-  const float picture = (width - 2 * pad.x - rulers.left) * to_float(raster.height) / to_float(std::max(1, raster.width));
+  const float picture =
+      (width - 2 * pad.x - rulers.left) * to_float(raster.height) / to_float(std::max(1, raster.width));
   return std::round(ui_.em * 1.5f + 2 * pad.y + picture + rulers.below + (ui_.presenter ? 0 : legend_height(ui_)));
 }
 
@@ -270,19 +272,32 @@ std::vector<Pane> App::words_of_step() {
 }
 
 /// Below each other: the first has all the room that those after it leave, each of which is as high as its text. What
-/// there is no room for is left out, the last first, but for what is said nowhere else.
+/// there is no room for is left out, but for what is said nowhere else; code has fewer lines first.
 void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f), around = ui_.em * 1.5f + 2 * ImGui::GetStyle().WindowPadding.y;
-  const auto height = [&](const Pane& pane) { return std::ceil(around + ui_.text_heights[pane.id]); };
-  float below = 0;
-  for (std::size_t k = 1; k < panes.size(); ++k) below += height(panes[k]) + gap;
+  const auto height = [&](const Pane& pane) {
+    return std::ceil(around + ui_.text_heights.try_emplace(pane.id, 4 * ui_.line()).first->second);
+  };
   const std::size_t kept = session_.speaks() && session_.message.empty() ? 1 : 2;
-  while (panes.size() > kept && height(panes[0]) + below > size.y) below -= height(panes.back()) + gap, panes.pop_back();
-  below = std::min(below, std::round(size.y * 0.6f));
+  float left = size.y - height(panes[0]);
+  std::vector<float> heights;
+  for (std::size_t k = 1; k < panes.size(); ++k) {
+    const bool code = panes[k].id == pseudo_code_pane.id, must = k < kept;
+    float its = height(panes[k]);
+    if (must) its = std::min(its, std::round(size.y * 0.55f));
+    else if (code) its = std::min(its, std::floor(left - gap));  // fewer lines
+    if (!must && (its + gap > left || (code && its < std::min(height(panes[k]), around + 3 * ui_.line())))) {
+      panes.erase(panes.begin() + static_cast<std::ptrdiff_t>(k--));
+      continue;
+    }
+    heights.push_back(its), left -= its + gap;
+  }
+  float below = 0;
+  for (const float its : heights) below += its + gap;
   draw_pane(panes[0], at, {size.x, size.y - below});
   at.y += size.y - below + gap;
-  for (std::size_t k = 1; k < panes.size(); at.y += height(panes[k]) + gap, ++k)
-    draw_pane(panes[k], at, {size.x, height(panes[k])});
+  for (std::size_t k = 1; k < panes.size(); at.y += heights[k - 1] + gap, ++k)
+    draw_pane(panes[k], at, {size.x, heights[k - 1]});
 }
 
 /// A lesson, and whatever is shown to a class: one large picture, or two that belong together, and beside it what the

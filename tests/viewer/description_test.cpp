@@ -110,6 +110,7 @@ TEST_CASE(
   Lesson lesson = find_lesson("z-buffer");
   const Trace trace = run_lesson(lesson);
   App app(trace, &lesson, {}, 1600, 900);
+  app.turn_laboratory();
   app.session().go_to(867);
   app.settle();
   std::vector<TableSeen> tables;

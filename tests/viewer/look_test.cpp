@@ -258,7 +258,8 @@ TEST_CASE("a diamond leads to its stop, the transport says what it does, and a h
   CHECK_FALSE(app.session().looking_back);
 }
 
-TEST_CASE("presenter mode draws the framebuffer at least as large, and a question with all its answers") {
+TEST_CASE(
+    "presenter mode draws the framebuffer at least as large as the laboratory, and a question with all its answers") {
   const auto cell = [](App& app) {
     (void)test::picture(app);
     const Canvas& canvas = app.ui().canvases["frame"].made;
@@ -269,13 +270,14 @@ TEST_CASE("presenter mode draws the framebuffer at least as large, and a questio
     Settings large;
     large.presenter = true;
     App usual(trace, &lesson, {}, 1280, 720), presented(trace, &lesson, large, 1280, 720);
+    usual.turn_laboratory();
     CAPTURE(lesson.id);
     for (int stop = 0; stop < static_cast<int>(lesson.stops.size()); ++stop) {
       const bool asks = lesson.stops[static_cast<std::size_t>(stop)].question.has_value();
       if (stop > 0 && !(asks && stop % 2 == 0)) continue;
       usual.session().to_stop(stop), presented.session().to_stop(stop);
       CAPTURE(stop);
-      const auto leads = workspace(trace.header(), "").leading;
+      const auto leads = lesson_pictures(trace.header(), presented.lead());
       if (std::any_of(leads.begin(), leads.end(), [](const Pane& pane) { return pane.id == frame_pane.id; }))
         CHECK(cell(presented) >= cell(usual));
       if (!asks) continue;

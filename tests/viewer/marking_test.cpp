@@ -76,7 +76,7 @@ TEST_CASE("pixels are marked by clicks, and how they were marked does not change
   const std::vector<std::int32_t> right = at.app.session().marking()->right;
   const int width = at.app.session().scene().raster.width;
   for (int y = 60; y < 500; y += 9)
-    for (int x = 320; x < 620; x += 9) {
+    for (int x = 20; x < 440; x += 9) {
       test::move_mouse(at.app, x, y);
       const auto cell = at.app.ui().pointed;
       if (!cell) continue;

@@ -312,6 +312,18 @@ std::vector<bool> lines_that_fit(const Page& page, std::size_t now, const std::v
   return shown;
 }
 
+/// In a lesson's layout: what is near the line at work, and where there is no room for all of that the lines around it.
+std::vector<bool> few_lines(Ui& ui, const Page& page, std::size_t now, const std::vector<float>& heights) {
+  std::vector<bool> shown = lines_near(page, now);
+  const float wanted = std::min(height_of(shown, heights, 0), 10 * ui.line());
+  ui.text_heights[pseudo_code_pane.id] = wanted;
+  const float room = std::min(ImGui::GetContentRegionAvail().y, wanted);
+  for (std::size_t away = page.size(); away > 0 && height_of(shown, heights, 0) > room; --away)
+    for (const std::size_t i : {now - away, now + away})  // before the first is beyond the last
+      if (i < page.size() && height_of(shown, heights, 0) > room) shown[i] = false;
+  return shown;
+}
+
 /// All of the page where it fits or is asked for, else what is near the line at work.
 std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   std::vector<bool> all(page.size(), true);
@@ -320,9 +332,9 @@ std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
       std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return event && event->step == step.id; });
   if (at_work == page.end() || (ui.whole_code && ui.laboratory)) return all;
   const std::size_t now = at_work - page.begin();
-  if (!ui.laboratory) return lines_near(page, now);
   std::vector<float> heights;
   for (const StepInfo& step : page) heights.push_back(line_of(ui, step, false, level).height);
+  if (!ui.laboratory) return few_lines(ui, page, now, heights);
   // With room to spare: counts beside the lines grow, and the page must not fold for that.
   const float room = ImGui::GetContentRegionAvail().y - ui.line();
   if (std::accumulate(heights.begin(), heights.end(), 0.0f) <= room) return all;

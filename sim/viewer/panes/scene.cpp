@@ -144,11 +144,13 @@ void draw_scene(Ui& ui) {
   if (draw_viewing_steps(ui)) return draw_outside(ui, ImGui::GetContentRegionAvail());
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   // The picture has all the room while no vertex is at work, and where room is scarce, but for the steps that move one.
-  const bool scarce = avail.y < ui.em * 15 && !ui.vertices_always && vertex_at_work(ui.session.event()) < 0;
+  const bool scarce =
+      (avail.y < ui.em * 15 || !ui.laboratory) && !ui.vertices_always && vertex_at_work(ui.session.event()) < 0;
   const bool alone = scarce || vertices_shown(ui.session).empty();
   const float way_height = alone ? 0 : std::min(avail.y * 0.6f, std::round(ui.fonts.mono->FontSize * 1.3f) * 5 + 4);
   // Side by side when there is more width than height, else the way below the picture.
-  const bool beside = avail.x > avail.y * 1.9f && avail.x > ui.em * 30 && !vertices_shown(ui.session).empty();
+  const bool beside =
+      avail.x > avail.y * 1.9f && avail.x > ui.em * 30 && !(ui.laboratory ? vertices_shown(ui.session).empty() : alone);
   const int width = static_cast<int>(beside ? avail.x - ui.em * 18 : avail.x),
             height = static_cast<int>(beside ? avail.y : avail.y - way_height);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "algorithms/fast/z_buffer.hpp"
@@ -194,6 +195,48 @@ void draw_outline(RoomPen& pen, const Moment& now, const std::vector<std::int32_
   if (corners.size() == outline.size()) pen.around(corners, color, 2.6);
 }
 
+/// A dot on a vertex, and its letter or number beside it.
+void name_vertex(RoomPen& pen, const Moment& now, std::int32_t vertex, glm::dvec3 at, ImU32 color) {
+  pen.dot(at, 3, 0, color);
+  pen.word(at, vertex_label(now.scene(), vertex), color);
+}
+
+/// The plane that a polygon is clipped by, and the vertices that clipping made so far.
+void draw_clipping(RoomPen& pen, const Moment& now) {
+  const Room& room = pen.room;
+  const Scene& scene = now.scene();
+  const MethodState& m = now.state().machine;
+  if (scene.camera.kind == Camera::Kind::screen || room.by_lamp() || m.facet < 0) return;
+  std::optional<ClipPlane> plane;
+  if (now.event()) {
+    if (const auto* vertex = get_if<ClipVertex>(&now.event()->event)) plane = vertex->plane;
+    if (const auto* cross = get_if<ClipCross>(&now.event()->event)) plane = cross->plane;
+  }
+  if (plane) {
+    // Of a rectangle of the raster: left top, right top, right bottom, left bottom.
+    const auto front = room.window(room.near()), back = room.window(room.end());
+    const auto side = [&](std::size_t a, std::size_t b) { return std::array{front[a], front[b], back[b], back[a]}; };
+    const std::array<std::array<glm::dvec3, 4>, 6> planes{front, back, side(0, 3), side(1, 2), side(2, 3), side(0, 1)};
+    const auto& its = planes.at(static_cast<std::size_t>(*plane));
+    pen.veil(its, pen.colors.now, 55);
+    pen.around(its, pen.colors.now, 1.6);
+  }
+  const glm::dmat4 to_world = glm::inverse(scene.camera.view);
+  const auto& vertices = now.state().vertices;
+  std::vector<glm::dvec3> outline;
+  const auto place = [&](std::int32_t vertex) {
+    const std::size_t at = static_cast<std::size_t>(vertex);
+    return room.place(glm::dvec3(to_world * glm::dvec4(vertices[at].view, 1)));
+  };
+  for (std::size_t v = scene.points.size(); v < vertices.size(); ++v)
+    if (vertices[v].stage != VertexStages::untouched)
+      name_vertex(pen, now, index32(v), place(index32(v)), pen.colors.now);
+  for (const std::int32_t vertex : m.outline)
+    if (static_cast<std::size_t>(vertex) < vertices.size()) outline.push_back(place(vertex));
+  const auto made = [&](std::int32_t vertex) { return vertex >= std::ssize(scene.points); };
+  if (std::any_of(m.outline.begin(), m.outline.end(), made)) pen.around(outline, pen.colors.now, 3.4);
+}
+
 /// The polygon or piece at work, and the pair under test.
 void draw_at_work(RoomPen& pen, const Moment& now) {
   const MethodState& m = now.state().machine;
@@ -205,6 +248,8 @@ void draw_at_work(RoomPen& pen, const Moment& now) {
     for (std::int32_t k = 0; k < facet.corner_count; ++k)
       corners.push_back(polygons.points[polygons.corners[facet.first_corner + k]]);
     pen.around(corners, c.now, 2.6);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      name_vertex(pen, now, polygons.corners[static_cast<std::size_t>(facet.first_corner) + k], corners[k], c.text);
   }
   const auto piece = [&](std::int32_t number, ImU32 color) {
     if (number >= 0 && number < std::ssize(m.pieces)) draw_outline(pen, now, m.pieces[number].outline, color);
@@ -221,6 +266,7 @@ void draw_vertex(RoomPen& pen, const Moment& now) {
   const Theme& c = pen.colors;
   const glm::dvec3 point = pen.room.polygons().points[at];
   pen.dot(point, 5, 0, c.now);
+  pen.word(point, vertex_label(now.scene(), vertex), c.now);
   const auto seen = on_raster(now.scene(), now.state(), vertex);
   if (!pen.room.has_eye() || !seen) return;
   const glm::dvec3 on_window = pen.room.behind(seen->x, seen->y, pen.room.camera().d);
@@ -342,6 +388,7 @@ void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& c
   draw_dividing_plane(pen, now);
   draw_scan_plane(pen, now);
   draw_area(pen, now);
+  draw_clipping(pen, now);
   draw_at_work(pen, now);
   draw_vertex(pen, now);
   draw_line_of_sight(pen, now, cell);

@@ -191,15 +191,18 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
   const Outside outside(room, look, seen.width, seen.height);
   picture.words.clear();
   const std::int32_t at_work = now.state().machine.polygon;
+  const bool wires = records<LineBegin>(now.header());  // of methods that draw lines: every edge, and no polygon
   const Pixel32 paper = to_pixel(c.pane);
   std::vector<Pixel32> colors;
   for (const Polygon& polygon : room.polygons().polygons) {
     const Pixel32 own = opaque(polygon.color);
     const bool pale = at_work != no_polygon && at_work != size32(colors);
-    colors.push_back(pale ? mixed(paper, own, 190) : own);
+    colors.push_back(wires ? paper : pale ? mixed(paper, own, 190) : own);
   }
   paint_polygons(picture.canvas, seen, colors, paper);
-  RoomPen pen(picture, seen, room, outside, c, thin);
+  Picture nothing_hides;
+  if (wires) nothing_hides = seen, std::fill(nothing_hides.depth.begin(), nothing_hides.depth.end(), HUGE_VAL);
+  RoomPen pen(picture, wires ? nothing_hides : seen, room, outside, c, thin);
   draw_in_space(pen, now, cell, viewing);
 }
 

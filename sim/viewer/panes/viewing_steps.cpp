@@ -302,6 +302,7 @@ bool draw_viewing_steps(Ui& ui) {
   const auto factors = viewing::view_factors(s.scene().camera);
   if (!factors || s.state().machine.pass == Pass::light) return false;
   const int step = viewing_step(ui);
+  if (!ui.laboratory && step == 0) return false;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const char* names[] = {"T\u2081", "T\u2082", "T\u2083", "T\u2084"};
   for (int k = 1; k <= 4; ++k) {
