@@ -171,6 +171,21 @@ TEST_CASE("codec: runs of pixels come back to the bit, whatever breaks them") {
   }
 }
 
+TEST_CASE("a block is gone through to its end while more others are asked for than are kept at hand") {
+  const auto events = random_events(200'000, 29);
+  const Trace trace = record_events(events);
+  REQUIRE(trace.impl().blocks.size() > 12);
+  std::size_t different = 0;
+  trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t step, const auto& event) {
+    const RecordedEvent& expected = events[static_cast<std::size_t>(position - 1)];
+    different += step != expected.step || !same_bits(Event(event), expected.event) ? 1u : 0u;
+    if (position % 5000 == 0)
+      for (const auto& block : trace.impl().blocks) trace.event(block.info.first_position + 1);
+    return true;
+  });
+  CHECK(different == 0);
+}
+
 TEST_CASE("jsonl: out and in again loses nothing") {
   const auto events = random_events(3000, 23);
   const Trace trace = record_events(events);
