@@ -323,7 +323,8 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   if (leading.size() > 1) {
     constexpr float least = 0.46f;  // of the window
     const float window = to_float(renderer_.width()) * to_float(renderer_.height());
-    const float needed = std::max(frame_height((stage.x - gap) / 2), std::ceil(least * window / stage.x));
+    const float needed =
+        std::max(frame_height((stage.x - gap) / 2) - std::round(0.8f * ui_.em), std::ceil(least * window / stage.x));
     if (size.y - needed >= 7.5f * ui_.em) stage.y = needed;
   }
   draw_leading(leading, at, stage);
