@@ -321,7 +321,7 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   ImVec2 stage{size.x - words - gap, size.y};
   if (leading.size() > 1) {
-    constexpr float least = 0.46f;  // of the window
+    constexpr float least = 0.451f;  // of the window
     const float window = to_float(renderer_.width()) * to_float(renderer_.height());
     const float needed =
         std::max(frame_height((stage.x - gap) / 2) - std::round(0.8f * ui_.em), std::ceil(least * window / stage.x));
