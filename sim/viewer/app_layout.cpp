@@ -53,7 +53,7 @@ void App::draw_pane_body(Ui& ui, const Pane& pane, ImVec2 at, ImVec2 size) {
       const std::size_t tables = ui.tables_seen ? ui.tables_seen->size() : 0;
       pane.draw(ui);
       if (pane.id != pseudo_code_pane.id)  // whose lines depend on its room
-        ui.text_heights[pane.id] = ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y;
+        ui.text_heights[pane.id] = {ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y, ui.read_now()};
       if (ui.tables_seen)
         for (std::size_t k = tables; k < ui.tables_seen->size(); ++k) (*ui.tables_seen)[k].title = pane.title;
     }
@@ -275,21 +275,26 @@ std::vector<Pane> App::words_of_step() {
 /// there is no room for is left out, but for what is said nowhere else; code has fewer lines first.
 void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f), around = ui_.em * 1.5f + 2 * ImGui::GetStyle().WindowPadding.y;
+  const float guess = 4 * ui_.line();
   const auto height = [&](const Pane& pane) {
-    return std::ceil(around + ui_.text_heights.try_emplace(pane.id, 4 * ui_.line()).first->second);
+    return std::ceil(around + ui_.text_heights.try_emplace(pane.id, Ui::TextHeight{guess, 0}).first->second.height);
+  };
+  // What was not measured here gets the chance to be: whether it is shown must not depend on what was shown before.
+  const auto least = [&](const Pane& pane) {
+    const bool measured = ui_.text_heights[pane.id].moment == ui_.read_now();
+    return measured ? height(pane) : std::min(height(pane), around + guess);
   };
   const std::size_t kept = session_.speaks() && session_.message.empty() ? 1 : 2;
   float left = size.y - height(panes[0]);
   std::vector<float> heights;
   for (std::size_t k = 1; k < panes.size(); ++k) {
     const bool code = panes[k].id == pseudo_code_pane.id, must = k < kept;
-    float its = height(panes[k]);
-    if (must) its = std::min(its, std::round(size.y * 0.55f));
-    else if (code) its = std::min(its, std::floor(left - gap));  // fewer lines
-    if (!must && (its + gap > left || (code && its < std::min(height(panes[k]), around + 3 * ui_.line())))) {
+    const float room = must ? std::round(size.y * 0.55f) : std::floor(left - gap);
+    if (!must && room < (code ? around + 3 * ui_.line() : least(panes[k]))) {
       panes.erase(panes.begin() + static_cast<std::ptrdiff_t>(k--));
       continue;
     }
+    const float its = std::min(height(panes[k]), room);
     heights.push_back(its), left -= its + gap;
   }
   float below = 0;
@@ -308,15 +313,19 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   float& share = settings_.layout.lesson;
   const float gap = std::round(ui_.em * 0.35f), larger = ui_.presenter ? 0.07f : 0;
   share = std::clamp(share, 0.15f, 0.45f);
-  const float words = std::round(size.x * (share + larger)), x = at.x + size.x - words;
+  float words = std::round(size.x * (share + larger));
+  if (drawer_ != Drawer::none)
+    words = std::max(words, std::min(std::round(page_of(drawer_)->least.x * ui_.em), std::round(size.x * 0.5f)));
+  const float x = at.x + size.x - words;
   std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
   if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   ImVec2 stage{size.x - words - gap, size.y};
   if (leading.size() > 1) {
-    constexpr float least = 0.46f;  // of the window
+    constexpr float least = 0.451f;  // of the window
     const float window = to_float(renderer_.width()) * to_float(renderer_.height());
-    const float needed = std::max(frame_height((stage.x - gap) / 2), std::ceil(least * window / stage.x));
-    if (size.y - needed >= 4.5f * ui_.em) stage.y = needed;
+    const float needed =
+        std::max(frame_height((stage.x - gap) / 2) - std::round(0.8f * ui_.em), std::ceil(least * window / stage.x));
+    if (size.y - needed >= 7.5f * ui_.em) stage.y = needed;
   }
   draw_leading(leading, at, stage);
   if (stage.y < size.y) {

@@ -316,7 +316,7 @@ std::vector<bool> lines_that_fit(const Page& page, std::size_t now, const std::v
 std::vector<bool> few_lines(Ui& ui, const Page& page, std::size_t now, const std::vector<float>& heights) {
   std::vector<bool> shown = lines_near(page, now);
   const float wanted = std::min(height_of(shown, heights, 0), 10 * ui.line());
-  ui.text_heights[pseudo_code_pane.id] = wanted;
+  ui.text_heights[pseudo_code_pane.id] = {wanted, ui.read_now()};
   const float room = std::min(ImGui::GetContentRegionAvail().y, wanted);
   for (std::size_t away = page.size(); away > 0 && height_of(shown, heights, 0) > room; --away)
     for (const std::size_t i : {now - away, now + away})  // before the first is beyond the last

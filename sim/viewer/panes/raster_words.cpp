@@ -196,8 +196,8 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
     // Smaller type is better than fewer decimals; fewer decimals are better than nothing.
     const auto decimals =
         font == ui.fonts.mono
-            ? widest_with(font, cells.decimals) <= map.cell - 4 ? std::optional(cells.decimals) : std::nullopt
-            : decimals_that_fit(cells.decimals, map.cell - 4, [&](int fewer) { return widest_with(font, fewer); });
+            ? widest_with(font, cells.decimals) <= map.cell - 6 ? std::optional(cells.decimals) : std::nullopt
+            : decimals_that_fit(cells.decimals, map.cell - 6, [&](int fewer) { return widest_with(font, fewer); });
     if (!decimals) continue;
     for (int r = r0; r <= r1; ++r)
       for (int x = x0; x <= x1; ++x) {

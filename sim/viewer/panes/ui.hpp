@@ -137,11 +137,15 @@ struct Ui {
   float thin = 1;  ///< pixels of a thin line: more than one on a large screen
   bool presenter = false;
   bool laboratory = true;  ///< all panes; else a lesson's layout: what leads, and few words
-  std::map<std::string, float> text_heights;  ///< of wrapped panes, as they were drawn last
-  bool whole_code = false;           ///< no line of the pseudo-code is folded
-  bool vertices_always = false;      ///< the way of the vertices is shown even where room is scarce
-  std::optional<Cell> pointed;       ///< cell under the mouse, in either buffer
-  std::optional<Cell> pointed_next;  ///< collected while this frame is drawn
+  struct TextHeight {
+    float height = 0;
+    std::uint64_t moment = 0;  ///< and layout, at which it was measured
+  };
+  std::map<std::string, TextHeight> text_heights;  ///< of wrapped panes, as they were drawn last
+  bool whole_code = false;                         ///< no line of the pseudo-code is folded
+  bool vertices_always = false;                    ///< the way of the vertices is shown even where room is scarce
+  std::optional<Cell> pointed;                     ///< cell under the mouse, in either buffer
+  std::optional<Cell> pointed_next;                ///< collected while this frame is drawn
   std::optional<std::int32_t> hovered_edge_next;
   ScenePart hovered_part_next;
   std::map<std::string, bool> overflows;  ///< by wrapped child: its text is longer than it is high
@@ -165,6 +169,7 @@ struct Ui {
   Targets* targets = nullptr;                     ///< what a finger can hit is told there while a frame is drawn
   float least_target = 0;  ///< how wide and high what is hit should be: for fingers and in small windows, else 0
 
+  std::uint64_t read_now() const { return scroll_follows ^ speaks_follows; }  ///< for text_heights
   const Theme& colors() const { return *theme; }
   Moment moment() const { return Moment(session); }
   float line() const { return em * 1.3f; }
