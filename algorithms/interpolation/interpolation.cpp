@@ -307,8 +307,7 @@ Comparison comparison_of(const Conventions& conventions) {
     return given == conventions.options.end() ? std::string_view() : std::string_view(given->second);
   };
   Comparison comparison;
-  const std::string_view nearer = chosen(nearer_option);
-  if (nearer == "greater" || (nearer != "smaller" && greater_is_nearer(conventions.depth)))
+  if (greater_is_nearer(conventions.depth) != (chosen(nearer_option) == "turned"))
     comparison.nearer = Comparison::Nearer::greater;
   if (chosen(ties_option) == "last") comparison.ties = Comparison::Ties::last;
   return comparison;

@@ -25,8 +25,9 @@
 namespace zstep::interpolation {
 
 /// Which of two depths wins a pixel; as the depth says, the first of equals, where nothing else is asked for.
-inline constexpr Option nearer_option{"nearer", "by-depth|smaller|greater", "by-depth",
-                                      "which depth wins a pixel: what is nearer in this depth, or always so", false};
+inline constexpr Option nearer_option{"nearer", "by-depth|turned", "by-depth",
+                                      "which depth wins a pixel: the nearer one, or turned round the farther one",
+                                      false};
 inline constexpr Option ties_option{"ties", "first|last", "first",
                                     "which of two equal depths stays: the one drawn first, or the one drawn last",
                                     false};

@@ -134,7 +134,8 @@ void choose_depths(Scene& scene, const ViewOptions& options) {
   }
   if (!near_given) {
     camera.near = low - pad;
-    if (perspective) camera.near = std::max(camera.near, std::min(camera.far, high + pad) / 1000);
+    const double reach = !std::isinf(camera.far) ? camera.far : high + pad > 0 ? high + pad : 1;
+    if (perspective) camera.near = std::max(camera.near, reach / 1000);
     if (far_given && !(camera.far > camera.near)) camera.near = perspective ? camera.far / 1000 : camera.far - pad;
   }
   if (perspective && std::isinf(camera.far)) camera.far = infinitely_far * camera.near;

@@ -69,7 +69,7 @@ class Session {
 
   // --- Lesson
   int stop() const { return stop_; }  ///< index of the stop that speaks, −1 before the first
-  bool speaks() const;  ///< the run stands at that stop, and not beyond it
+  bool speaks() const;                ///< the run stands at that stop, and not beyond it
   void to_stop(int index);
   /// False where it is asked for a stop beyond the last again, after that was said.
   bool next_stop(int direction);

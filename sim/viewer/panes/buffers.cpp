@@ -432,8 +432,8 @@ void mark_outcome(const RasterMap& map, ImVec2 origin, const HeldAgainst& at) {
   const float size = static_cast<float>(std::max(map.cell / 5, 2.0));
   const ImVec2 centre = moved_by(origin, map.px(at.column), map.py(at.row));
   const ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 255);
-  ImGui::GetWindowDrawList()->AddCircleFilled(centre, size + 1.5f, at.lit ? black : white);
-  ImGui::GetWindowDrawList()->AddCircleFilled(centre, size, at.lit ? white : black);
+  fill_circle(ImGui::GetWindowDrawList(), centre, size + 1.5f, at.lit ? black : white);
+  fill_circle(ImGui::GetWindowDrawList(), centre, size, at.lit ? white : black);
 }
 
 std::string verdict(const HeldAgainst& at, const State& state) {

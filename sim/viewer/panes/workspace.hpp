@@ -22,8 +22,8 @@ struct Workspace {
 /// it.
 Workspace workspace(const Header& header, const std::string& lead);
 
-/// The same in a lesson's layout, where nothing else stands: a picture that is asked for has the stage alone, a table or
-/// a slice stands beside the frame.
+/// The same in a lesson's layout, where nothing else stands: a picture that is asked for has the stage alone, a table
+/// or a slice stands beside the frame.
 std::vector<Pane> lesson_pictures(const Header& header, const std::string& lead);
 
 /// This pane leads because that one is asked to.

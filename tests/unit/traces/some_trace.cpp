@@ -81,8 +81,8 @@ std::vector<RecordedEvent> random_events(std::size_t count, unsigned seed) {
         if constexpr (std::is_same_v<Value, double>) value = real();
         else if constexpr (std::is_same_v<Value, bool>) value = random() % 2 == 0;
         else if constexpr (std::is_enum_v<Value>) value = static_cast<Value>(random() % words_of<Value>.size());
-        else if constexpr (name == "x") value = static_cast<std::int32_t>(random() % 16);
-        else if constexpr (name == "y") value = static_cast<std::int32_t>(random() % 12);
+        else if constexpr (name == "x" || name == "x_shadow") value = static_cast<std::int32_t>(random() % 16);
+        else if constexpr (name == "y" || name == "y_shadow") value = static_cast<std::int32_t>(random() % 12);
         else if constexpr (name == "polygon" || name == "facet" || name == "nearest_facet" || name == "left_facet" ||
                            name == "right_facet" || name == "owner")
           value = static_cast<std::int32_t>(random() % 2);

@@ -69,7 +69,9 @@ TEST_SUITE("fast/half_space") {
       }
   }
 
-  TEST_CASE("triangles, parallelograms and needles, clipped by all planes; concave stars are left to the taught way") {
+  TEST_CASE(
+      "triangles, parallelograms and needles, clipped by all planes, and concave stars that are left to the taught "
+      "way") {
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
       CAPTURE(seed);
       test::Numbers random(seed);

@@ -149,7 +149,7 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
         const double z = compare->z;
         const Stored stored = stored_before(trace, verdict.step, pixel);
         CHECK(stored.polygon == verdict.other);
-        CHECK(*verdict.gap == z - stored.z);
+        CHECK(*verdict.gap == trace.header().comparison.behind(z, stored.z));
       } else if (const auto* hit = at<RayHit>(trace, verdict.step)) {
         CHECK(hit->inside);
         const bool mine = polygon_of(trace.scene(), hit->facet) == polygon;
