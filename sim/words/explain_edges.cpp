@@ -225,8 +225,8 @@ void tell(Telling& t, const PlaneSlopes& e) {
 void tell(Telling& t, const SpanBegin& e) {
   const std::int32_t count = std::max(0, e.last - e.first + 1);
   const std::string left = brief(t, e.left_edge), right = brief(t, e.right_edge);
-  t.say(count == 0 ? fmt::format("Between {} and {} no pixel's {} lies on scan line {}: nothing to draw.", left, right,
-                                 seen_point(t.scene.raster), e.y)
+  t.say(count == 0   ? fmt::format("Between {} and {} no pixel {} lies on scan line {}: nothing to draw.", left, right,
+                                   seen_point(t.scene.raster), e.y)
         : count == 1 ? fmt::format("Between {} and {} lies 1 pixel of scan line {}: x = {}.", left, right, e.y, e.first)
                      : fmt::format("Between {} and {} lie {} pixels of scan line {}: x = {} to {}.", left, right, count,
                                    e.y, e.first, e.last));

@@ -361,8 +361,8 @@ void tell(Telling& t, const ShadowBias& e) {
       fmt::format("At pixel ({}, {}) {} may lie {} behind the shadow buffer and still be lit: its distance from the "
                   "light changes by {} from pixel to pixel of the light's picture.",
                   e.x, e.y, polygon, number(e.bias), number(slope)));
-  t.formula(fmt::format("m = max(|dz/dx|, |dz/dy|) = max(|{}|, |{}|) = {}", number(e.dz_dx_light),
-                        number(e.dz_dy_light), number(slope)));
+  t.formula(fmt::format("m = {} without its sign = {}",
+                        std::abs(e.dz_dx_light) >= std::abs(e.dz_dy_light) ? "dz/dx" : "dz/dy", number(slope)));
   t.value("dz/dx", e.dz_dx_light);
   t.value("dz/dy", e.dz_dy_light);
   t.value("bias", e.bias);
@@ -413,7 +413,7 @@ void tell(Telling& t, const ColorWrite& e) {
   const bool striped = attribute && attribute->x == e.x && attribute->y == e.y;
   const bool dark = striped && formulas::stripe_shade(attribute->attribute) < 1;
   t.say(fmt::format("Pixel ({}, {}) takes the colour {}, {}, {}{}.", e.x, e.y, e.r8, e.g8, e.b8,
-                    partly    ? fmt::format(": {} of the light reaches its polygon", number(share->share))
+                    partly ? fmt::format(": {} of the light reaches its polygon", share->share == 1 ? "all" : "a part")
                     : shaded  ? ": its polygon is in shadow"
                     : dark    ? ": its polygon is in a dark stripe of a"
                     : striped ? ": its polygon is in a bright stripe of a"
