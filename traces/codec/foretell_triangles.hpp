@@ -83,11 +83,22 @@ inline void Foreteller::note(const EdgeFunction& event) {
   if (event.edge_function < 0 || event.edge_function > 2) return;
   const auto i = static_cast<std::size_t>(event.edge_function);
   triangle_.edges[i] = triangle_.edge(i);
+  triangle_.told = true;
   triangle_.edges[i].a = event.edge_a, triangle_.edges[i].b = event.edge_b, triangle_.edges[i].owns = event.owns;
 }
 
+/// What is linear along a scan line, at the pixel right of `last`, which is right of `before`.
+inline double Foreteller::carried_on(double last, double before) { return last + (last - before); }
+
 inline double Foreteller::edge_value(std::size_t i, std::int32_t x, std::int32_t y) const {
   const KnownTriangle::Edge& edge = triangle_.edges[i];
+  if (!triangle_.told) {
+    const InsideTest &last = triangle_.test, &before = triangle_.test_before;
+    const auto value = [&](const InsideTest& test) { return i == 0 ? test.e_0 : i == 1 ? test.e_1 : test.e_2; };
+    const bool follows =
+        last.y == y && before.y == y && last.x + std::int64_t{1} == x && before.x + std::int64_t{2} == x;
+    return follows ? carried_on(value(last), value(before)) : value(last);
+  }
   if (!facts_->steps_edges()) return formulas::edge_value<double>(edge.a, edge.b, x, edge.x, y, edge.y);
   const InsideTest& last = triangle_.test;
   if (last.y == y && last.x + std::int64_t{1} == x && x != formulas::tile_start(x))
@@ -150,6 +161,7 @@ inline void Foreteller::evaluate(InsideTest& event) {
 
 template <>
 inline void Foreteller::note(const InsideTest& event) {
+  triangle_.test_before = triangle_.test;
   triangle_.test = event;
 }
 
@@ -177,13 +189,23 @@ template <>
 inline void Foreteller::note(const BarycentricWeights& event) {
   triangle_.test = tested_at(event.x, event.y);
   triangle_.weights = event;
+  if (!triangle_.told && event.w_0 != 0) triangle_.twice_area = triangle_.test.e_0 / event.w_0;
+}
+
+template <>
+inline void Foreteller::note(const DepthInterpolate& event) {
+  triangle_.depth_before = triangle_.depth;
+  triangle_.depth = event;
 }
 
 inline double Foreteller::depth_by_weights(std::int32_t x, std::int32_t y) const {
   const auto& [p, q, r] = triangle_.corners;
   const BarycentricWeights& w = triangle_.weights;
-  return triangle_.known && w.x == x && w.y == y ? formulas::by_weights(p.z, w.w_1, q.z, w.w_2, r.z)
-                                                 : real_[slot_of("z")];
+  if (triangle_.known && w.x == x && w.y == y) return formulas::by_weights(p.z, w.w_1, q.z, w.w_2, r.z);
+  const DepthInterpolate &last = triangle_.depth, &before = triangle_.depth_before;
+  const bool follows = w.x == x && w.y == y && last.y == y && before.y == y && last.x + std::int64_t{1} == x &&
+                       before.x + std::int64_t{2} == x;
+  return follows ? carried_on(last.z, before.z) : real_[slot_of("z")];
 }
 
 }  // namespace zstep::codec

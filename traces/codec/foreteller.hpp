@@ -247,11 +247,13 @@ struct KnownTriangle {
   std::array<std::int32_t, 3> vertices{};
   std::array<glm::dvec3, 3> corners{};  ///< (x_s, y_s, depth) of these
   bool known = false;                   ///< all of them
+  bool told = false;                    ///< the block has told of its edges; else it began within the triangle
   double twice_area = 0;
   TileTest box{}, walked{};  ///< its bounding box; the part of it in which pixels come one after another
   bool in_tiles = false;     ///< the block has told of one of its tiles
   std::array<Edge, 3> edges{};
-  InsideTest test{-1, -1, 0, 0, 0, false};
+  InsideTest test{-1, -1, 0, 0, 0, false}, test_before{-1, -1, 0, 0, 0, false};  ///< the last one, and the one before
+  DepthInterpolate depth{-1, -1, 0}, depth_before{-1, -1, 0};
   BarycentricWeights weights{-1, -1, 0, 0, 0};
 
   /// The edge opposite the i-th corner, as the corners say.
@@ -356,6 +358,7 @@ class Foreteller {
 
   void walk_from(const TileTest& box);
   std::pair<std::int32_t, std::int32_t> next_pixel() const;
+  static double carried_on(double last, double before);
   double edge_value(std::size_t i, std::int32_t x, std::int32_t y) const;
   InsideTest tested_at(std::int32_t x, std::int32_t y) const;
   double depth_by_weights(std::int32_t x, std::int32_t y) const;
