@@ -258,6 +258,18 @@ TEST_CASE("law: check doubts no run on meshes from files, in any numbers, howeve
   CHECK(runs > static_cast<int>(scenes.size()) * 10);
 }
 
+TEST_CASE("check: a pixel that is missing in a tile rejected by its depths is not missed") {
+  ViewOptions view;
+  view.width = 320, view.height = 240;
+  const Scene scene = look_at_scene(load_scene("teapot:8").scene, view);
+  Conventions conventions;
+  conventions.cull = false;
+  for (const char* tiles : {"off", "8"}) {
+    conventions.options = {{"hierarchical-z", "on"}, {"tiles", tiles}};
+    CHECK(is_right(method("half-space"), scene, conventions));
+  }
+}
+
 TEST_CASE("check: of corrected depths in fixed point, what edges have is cut to units of 1/z_v") {
   ViewOptions view;
   view.width = 24, view.height = 20;

@@ -40,10 +40,12 @@ class ScenePixels {
     if (!judges_) return;
     if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear> || std::is_same_v<E, PassBegin>) {
       if (out.is_clean()) end_facet(at, out);
-      ++turn_, inside_ = 0, open_ = std::is_same_v<E, PolygonBegin>, last_ = {-1, -1};
+      ++turn_, inside_ = 0, open_ = std::is_same_v<E, PolygonBegin>, last_ = {-1, -1}, hidden_.clear();
       if constexpr (std::is_same_v<E, BuffersClear>) seen_.clear();
       if constexpr (std::is_same_v<E, PolygonBegin>)
         if (e.facet >= 0 && e.facet < std::ssize(begun_)) begun_[e.facet] = true;
+    } else if constexpr (std::is_same_v<E, TileDepthTest>) {
+      if (!e.nearer) hidden_.push_back(e);
     } else if constexpr (at_pixel<E> != AtPixel::nothing) {
       pixel(e, at, out);
     } else if (!out.is_clean()) {
@@ -184,6 +186,10 @@ class ScenePixels {
     const Told& told = told_[at.pixel(x, y)];
     if (told.turn == (turn_ & most_turns) && told.had_turn != 0) return;
     if (is_over_ && !was_due(x, y)) return void(whole_ = false);
+    const auto is_in = [&](const TileDepthTest& tile) {
+      return x >= tile.first_column && x < tile.end_column && y >= tile.first_row && y < tile.end_row;
+    };
+    if (std::any_of(hidden_.begin(), hidden_.end(), is_in)) return;
     if (!fault.pixel) fault.pixel = Trace::Pixel{x, y};
     else ++fault.more_pixels;
   }
@@ -237,8 +243,9 @@ class ScenePixels {
   std::int64_t pixels_seen_ = 0;  ///< that were gone through where they are not in the run
   std::int64_t inside_ = 0;       ///< pixels of the facet at work that had their turn and are its own for certain
   std::vector<Told> told_;
-  std::vector<bool> begun_;             ///< by facet
-  std::vector<bool> begin_again_ = {};  ///< likewise, once it is asked for
+  std::vector<TileDepthTest> hidden_ = {};  ///< tiles of the facet at work that were rejected by their depths
+  std::vector<bool> begun_;                 ///< by facet
+  std::vector<bool> begin_again_ = {};      ///< likewise, once it is asked for
   const Trace& trace_;
   std::vector<Depth> seen_ = {};
 };
