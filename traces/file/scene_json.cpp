@@ -47,10 +47,6 @@ ordered_json vector_to(const glm::dvec3& v) {
   return ordered_json::array({real_to_json(v.x), real_to_json(v.y), real_to_json(v.z)});
 }
 
-}  // namespace
-
-namespace {
-
 ordered_json matrix_to(const glm::dmat4& matrix) {
   ordered_json rows = ordered_json::array();
   for (int row = 0; row < 4; ++row) {

@@ -64,16 +64,13 @@ void take_either_sign(Event& event) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// The fields of a vector in view coordinates.
 bool has_view_coordinates(std::size_t kind) { return kind == kind_of<ViewTransform> || kind == kind_of<ClipCross>; }
 
 /// View coordinates, places on the projection plane and determinants of a program with matrices of its own.
 void take_matrices_over(Event& event, const Camera& camera, const Raster& raster, Turned to) {
   const std::size_t kind = event.index();
+  if (!has_view_coordinates(kind) && kind != kind_of<Projection> && kind != kind_of<FacingTest>) return;
   const double aspect = static_cast<double>(raster.width) / raster.height;
   glm::dmat4 turned = view_of_matrices(camera.matrices->projection, raster);
   if (to == Turned::as_written) turned = glm::inverse(turned);
