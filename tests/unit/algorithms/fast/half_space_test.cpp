@@ -1,24 +1,18 @@
-// Half-space in a hurry against the loop that is taught: every bit of both buffers.
+// Vectorised half-space against half_space.cpp: every bit of both buffers.
 #include <doctest/doctest.h>
 
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "algorithms/fast/half_space.hpp"
 #include "algorithms/half_space/half_space.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/unit/algorithms/fast/same_bits.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 
 using namespace zstep;
 
 namespace {
-
-bool same_bits(const Picture& one, const Picture& other) {
-  return one.width == other.width && one.height == other.height && one.polygon == other.polygon &&
-         one.depth.size() == other.depth.size() &&
-         std::memcmp(one.depth.data(), other.depth.data(), one.depth.size() * sizeof(double)) == 0;
-}
 
 /// How many pictures the fast way drew.
 int check_same(const Scene& scene) {
@@ -34,7 +28,7 @@ int check_same(const Scene& scene) {
       for (const int threads : {1, 3}) {  // into what the run before has left
         if (!half_space::run_fast(scene, conventions, kept, threads)) continue;
         ++fast;
-        CHECK(same_bits(kept, taught));
+        CHECK(test::same_bits(kept, taught));
       }
     }
   return fast;

@@ -3,24 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "algorithms/scene/load.hpp"
 #include "algorithms/fast/z_buffer.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
+#include "tests/unit/algorithms/fast/same_bits.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 
 using namespace zstep;
 
 namespace {
-
-bool same_bits(const Picture& one, const Picture& other) {
-  return one.width == other.width && one.height == other.height && one.polygon == other.polygon &&
-         one.depth.size() == other.depth.size() &&
-         std::memcmp(one.depth.data(), other.depth.data(), one.depth.size() * sizeof(double)) == 0;
-}
 
 int drawn(const Picture& picture) {
   int count = 0;
@@ -48,10 +42,10 @@ int check_same(const Scene& scene, const std::vector<Conventions>& all) {
   int count = 0;
   for (const Conventions& conventions : all) {
     const Picture taught = z_buffer::run(scene, conventions, record);
-    CHECK(same_bits(z_buffer::run_fast(scene, conventions), taught));
+    CHECK(test::same_bits(z_buffer::run_fast(scene, conventions), taught));
     for (const int threads : {1, 2, 3, 7}) {  // into what the run before has left
       z_buffer::run_fast(scene, conventions, kept, threads);
-      CHECK(same_bits(kept, taught));
+      CHECK(test::same_bits(kept, taught));
     }
     count = std::max(count, drawn(taught));
   }
