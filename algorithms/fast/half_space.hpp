@@ -1,17 +1,17 @@
-// Half-space in a hurry: the picture of half_space.cpp, bit for bit, for whoever wants the picture and no trace.
+// Vectorised half-space, bit-identical to half_space.cpp, for when only the picture is needed.
 //
 // half_space.cpp is the method, and the place to read it. Here the same formulas are evaluated in the same order, for
-// four pixels at once, and on each scan line only from where an edge's line is met, less two pixels, to where the next
-// one is. What is asked of a run beside that (steps in E, float32, other depths), and scenes with an outline that is
-// not convex on the raster, take the way of half_space.cpp.
+// four pixels at once, and on each scan line only between the edges, with two pixels to spare at both ends. Runs with
+// stepped edge functions, float32 or other depths, and scenes with an outline that is not convex on the raster, are
+// left to half_space.cpp.
 #pragma once
 
 #include "traces/scene.hpp"
 
 namespace zstep::half_space {
 
-/// Draws what run() draws with a NullRecorder where it can, into a picture whose buffers are kept from the frame before
-/// if they have the raster's size; false where it cannot. `threads`: 0 for as many as are worth it.
+/// The bits of run() with a NullRecorder, into a picture whose buffers are reused if they have the raster's size; false
+/// where this run is left to run(). `threads`: 0 for as many as are worth it.
 [[nodiscard]] bool run_fast(const Scene& scene, const Conventions& conventions, Picture& picture, int threads = 0);
 
 }  // namespace zstep::half_space

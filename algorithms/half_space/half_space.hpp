@@ -43,8 +43,8 @@ inline constexpr std::array<Option, 5> options{
      interpolation::nearer_option,
      interpolation::ties_option}};
 
-/// Draws the scene's facets in their order, each as triangles. Strictly nearer wins, or strictly greater where the
-/// depth grows towards the eye; of equal depths the one drawn first stays.
+/// Draws the scene's facets in their order, each as triangles; which of two depths wins is as
+/// interpolation::comparison_of() says.
 template <Recorder R>
 Picture run(const Scene& scene, const Conventions& conventions, R& record);
 
