@@ -279,7 +279,7 @@ void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
   const auto height = [&](const Pane& pane) {
     return std::ceil(around + ui_.text_heights.try_emplace(pane.id, Ui::TextHeight{guess, 0}).first->second.height);
   };
-  // What was not measured here gets the chance to be: whether it is shown must not depend on what was shown before.
+  // A pane not yet measured at this moment is tried: whether it is shown must not depend on what was shown before.
   const auto least = [&](const Pane& pane) {
     const bool measured = ui_.text_heights[pane.id].moment == ui_.read_now();
     return measured ? height(pane) : std::min(height(pane), around + guess);
