@@ -187,11 +187,8 @@ Side side_of(const Pieces& polygons, std::int32_t piece, std::int32_t plane_of, 
     size = std::max(size, at_corner + std::abs(plane.d));
   }
   const double rounding = 100 * relative_rounding * size;
-  const bool positive = least > rounding, negative = greatest < -rounding;
-  const bool on = least >= -rounding && greatest <= rounding;
-  const Side side = positive || negative ? (positive == (plane.c > 0) ? Side::behind : Side::front)
-                    : on                 ? Side::on
-                                         : Side::crossing;
+  const bool towards_eye = !(plane.c > 0);
+  const Side side = formulas::side_of(towards_eye ? least : -greatest, towards_eye ? greatest : -least, rounding);
   record(step::penetrate, SideTest{piece, plane_of, least, greatest, side});
   return side;
 }

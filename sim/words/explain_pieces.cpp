@@ -306,7 +306,7 @@ void tell(Telling& t, const SideTest& e) {
       break;
     case Side::crossing:
       t.say(fmt::format("{} lies on both sides of the plane of {}{}", piece, plane,
-                        !sorted || step == "split" ? ": it is cut there." : "."));
+                        step == "split" || (!sorted && step != "penetrate") ? ": it is cut there." : "."));
       break;
   }
   const bool wants_behind = step == "test_3" || step == "test_3_swapped",

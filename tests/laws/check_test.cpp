@@ -55,6 +55,8 @@ bool is_right(const Method& method, const Scene& scene, const Conventions& conve
   for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
     words += fmt::format("{}={} ", key, word_of(conventions.*member));
   });
+  for (const auto& [name, word] : conventions.options) words += fmt::format("{}={} ", name, word);
+  words += fmt::format("cull={}", conventions.cull);
   CAPTURE(words);
   for (const Cause& cause : report.causes) {
     const StepInfo* step = find_step(trace.header().page, cause.first.line);
@@ -121,6 +123,15 @@ Conventions any_way(const Method& method, std::mt19937_64& random) {
                              : words[one_of(words.size())];
   }
   return conventions;
+}
+
+TEST_CASE("check: a scan line's pair of polygons that touch along an edge, or in a vertex, lie apart") {
+  ViewOptions view;
+  view.width = 24, view.height = 20;
+  Conventions conventions;
+  conventions.cull = false, conventions.options["coherence"] = "on";
+  const Scene scene = look_at_scene(load_scene("pyramid").scene, view);
+  CHECK(is_right(method("scan-line"), scene, conventions));
 }
 
 TEST_CASE("law: check doubts no run with any options, on random meshes and all that are built in") {
