@@ -14,6 +14,7 @@
 #include "algorithms/fast/bands.hpp"
 #include "algorithms/half_space/triangles.hpp"
 #include "traces/formulas/edge_functions.hpp"
+#include "traces/formulas/samples.hpp"
 
 namespace zstep::half_space {
 
@@ -164,7 +165,8 @@ bool are_convex(const Fill& fill) {
 bool run_fast(const Scene& scene, const Conventions& conventions, Picture& picture, int threads) {
   const bool as_taught = interpolation::is_taught(conventions) &&
                          conventions.interpolation == Conventions::Interpolation::direct &&
-                         choice_of<Stepping>(options, conventions, "stepping") == Stepping::products;
+                         choice_of<Stepping>(options, conventions, "stepping") == Stepping::products &&
+                         formulas::reach_of(conventions) == 0;
   if (!as_taught) return false;
   std::atomic<bool> convex = true;
   z_buffer::draw_in_bands(scene, conventions, picture, threads, [&](Fill& fill) {

@@ -11,6 +11,7 @@
 #include "traces/error.hpp"
 #include "traces/formulas/attributes.hpp"
 #include "traces/formulas/edge_functions.hpp"
+#include "traces/formulas/samples.hpp"
 #include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
 
@@ -36,6 +37,9 @@ struct Edge {
   T stepped(std::int32_t column, std::int32_t row) const {
     return formulas::edge_value_stepped(a, b, column, x, row, y);
   }
+  T beside(const T& value, double dx, double dy) const {
+    return formulas::edge_value_beside(value, a, static_cast<T>(dx), b, static_cast<T>(dy));
+  }
   bool covers(const T& value) const { return formulas::is_on_side(value, owns); }
 };
 
@@ -53,6 +57,9 @@ struct Triangle {
 
   bool covers(const Values<T>& e) const {
     return edges[0].covers(e[0]) && edges[1].covers(e[1]) && edges[2].covers(e[2]);
+  }
+  Values<T> beside(const Values<T>& e, double dx, double dy) const {
+    return {edges[0].beside(e[0], dx, dy), edges[1].beside(e[1], dx, dy), edges[2].beside(e[2], dx, dy)};
   }
   T by_weights(const Values<T>& w, const Values<T>& p) const {
     return formulas::by_weights(p[0], w[1], p[1], w[2], p[2]);
@@ -99,10 +106,16 @@ class Drawing {
         corrected_(conventions.depth == Conventions::Depth::corrected),
         shades_(conventions.attribute != Conventions::Attribute::none),
         divides_(formulas::attribute_over_depth(scene, conventions)),
-        comparison_(interpolation::comparison_of(conventions)) {}
+        comparison_(interpolation::comparison_of(conventions)),
+        offsets_(formulas::samples_of(conventions)),
+        masks_(formulas::keeps_masks(conventions)),
+        reach_(formulas::reach_of(conventions)) {
+    samples_.resize(picture.depth.size() * offsets_.size(), {no_polygon, comparison_.farthest()});
+    if (masks_) lists_.resize(picture.depth.size());
+  }
 
-  void draw(std::int32_t polygon, const clipping::Outline& outline) {
-    polygon_ = polygon;
+  void draw(const Facet& facet, std::int32_t number, const clipping::Outline& outline) {
+    polygon_ = facet.polygon, facet_ = number;
     const std::vector<Corners>& triangles = triangulation_.cut(outline, vertices_);
     if (triangulation_.may_overlap()) count_covers(triangles);
     for (const Corners& corners : triangles) {
@@ -119,7 +132,24 @@ class Drawing {
     }
   }
 
+  /// The colour of each pixel of which not all samples show what its centre does.
+  void mix_samples() {
+    for (std::int32_t y = 0; y < picture_.height; ++y)
+      for (std::int32_t x = 0; x < picture_.width; ++x) {
+        const std::size_t pixel = picture_.at(x, y);
+        const std::vector<formulas::PixelShare> shares = shares_at(pixel);
+        if (shares.size() == 1 && shares[0].polygon == picture_.polygon[pixel]) continue;
+        for (const formulas::PixelShare& share : shares)
+          record_(step::share, CoverageAdd{x, y, share.polygon, share.share});
+        const Color color = formulas::mixed(scene_, shares);
+        picture_.ink[pixel] = ink_of(color);
+        record_(step::mix, ColorWrite{x, y, color.red, color.green, color.blue});
+      }
+  }
+
  private:
+  using SampleOffset = formulas::SampleOffset;
+
   glm::dvec3 raster(std::int32_t vertex) const { return vertices_[vertex].raster; }
   T position(double x) const { return NumbersOf<T>{}.position(x); }
   bool nearer(double z, double other) const { return comparison_.wins(z, other); }
@@ -146,8 +176,8 @@ class Drawing {
       top = std::min<double>(top, position(own.y)), bottom = std::max<double>(bottom, position(own.y));
     }
     const std::int32_t width = scene_.raster.width, height = scene_.raster.height;
-    triangle.box = {formulas::box_first(left, width), formulas::box_first(top, height), formulas::box_end(right, width),
-                    formulas::box_end(bottom, height)};
+    triangle.box = {formulas::box_first(left - reach_, width), formulas::box_first(top - reach_, height),
+                    formulas::box_end(right + reach_, width), formulas::box_end(bottom + reach_, height)};
     return triangle;
   }
 
@@ -160,21 +190,26 @@ class Drawing {
     }
   }
 
-  /// How many triangles cover each pixel.
+  /// How many triangles cover each pixel's centre, and after that each of its samples.
   void count_covers(const std::vector<Corners>& triangles) {
-    covers_.assign(picture_.depth.size(), 0);
+    covers_.assign(picture_.depth.size() * (1 + offsets_.size()), 0);
     for (const Corners& corners : triangles) {
       const Triangle<T> triangle = set_up(corners);
       if (triangle.twice_area == 0) continue;
       EdgeWalk<T> walk(triangle, stepping_);
       for (std::int32_t y = triangle.box.first_row; y < triangle.box.end_row; ++y)
-        for (std::int32_t x = triangle.box.first_column; x < triangle.box.end_column; ++x)
-          covers_[picture_.at(x, y)] += triangle.covers(walk.next(x, y, x == triangle.box.first_column));
+        for (std::int32_t x = triangle.box.first_column; x < triangle.box.end_column; ++x) {
+          const Values<T>& e = walk.next(x, y, x == triangle.box.first_column);
+          std::int32_t* covers = &covers_[picture_.at(x, y) * (1 + offsets_.size())];
+          *covers++ += triangle.covers(e);
+          for (const SampleOffset& at : offsets_) *covers++ += triangle.covers(triangle.beside(e, at.dx(), at.dy()));
+        }
     }
   }
-  /// The first of the triangles that cover a pixel draws it, where their number is odd.
-  bool is_drawn(std::size_t pixel) {
-    return !triangulation_.may_overlap() || std::exchange(covers_[pixel], 0) % 2 != 0;
+  /// The first of the triangles that cover a pixel's centre, number 0, or a sample, draws it, where their number is
+  /// odd.
+  bool is_drawn(std::size_t pixel, std::size_t number) {
+    return !triangulation_.may_overlap() || std::exchange(covers_[pixel * (1 + offsets_.size()) + number], 0) % 2 != 0;
   }
 
   // Early accept and early reject.
@@ -253,14 +288,46 @@ class Drawing {
     for (std::int32_t y = box.first_row; y < box.end_row; ++y) {
       for (std::int32_t x = box.first_column; x < box.end_column; ++x) {
         const Values<T>& e = walk.next(x, y, x == box.first_column);
-        if (tests) {
-          const bool inside = triangle.covers(e);
-          record_(step::test, InsideTest{x, y, e[0], e[1], e[2], inside});
-          if (!inside) continue;
-        }
-        if (is_drawn(picture_.at(x, y))) draw_pixel(triangle, x, y, weights(triangle, e));
+        const bool inside = !tests || triangle.covers(e);
+        if (tests) record_(step::test, InsideTest{x, y, e[0], e[1], e[2], inside});
+        if (inside && is_drawn(picture_.at(x, y), 0)) draw_pixel(triangle, x, y, weights(triangle, e));
+        if (!offsets_.empty()) draw_samples(triangle, x, y, e);
+        if (masks_) keep_mask(triangle, x, y, e);
       }
     }
+  }
+
+  // Several samples a pixel.
+
+  void draw_samples(const Triangle<T>& triangle, std::int32_t x, std::int32_t y, const Values<T>& centre) {
+    const std::size_t pixel = picture_.at(x, y);
+    for (std::size_t i = 0; i < offsets_.size(); ++i) {
+      const std::int32_t number = index32(i);
+      const Values<T> e = triangle.beside(centre, offsets_[i].dx(), offsets_[i].dy());
+      const bool inside = triangle.covers(e);
+      record_(step::sample, SampleTest{x, y, number, e[0], e[1], e[2], inside});
+      if (!inside || !is_drawn(pixel, 1 + i)) continue;
+
+      formulas::SampleRow& stored = samples_[pixel * offsets_.size() + i];
+      const double z = depth_of(triangle.by_weights(weights(triangle, e), triangle.z));
+      const bool wins = nearer(z, stored.z);
+      record_(step::sample_depth, SampleDepth{x, y, number, z, wins});
+      if (wins) stored = {polygon_, z};
+    }
+  }
+
+  void keep_mask(const Triangle<T>& triangle, std::int32_t x, std::int32_t y, const Values<T>& centre) {
+    std::uint32_t samples = 0;
+    for (std::int32_t bit = 0; bit < formulas::mask_rows * formulas::mask_columns; ++bit) {
+      const SampleOffset offset = formulas::mask_offset(bit);
+      if (triangle.covers(triangle.beside(centre, offset.dx(), offset.dy()))) samples |= std::uint32_t{1} << bit;
+    }
+    if (samples == 0) return;
+    const auto [dx, dy] = formulas::middle_of(samples);
+    const double z = depth_of(triangle.by_weights(weights(triangle, triangle.beside(centre, dx, dy)), triangle.z));
+    record_(step::mask, SampleMask{x, y, formulas::row_of(samples, 0), formulas::row_of(samples, 1),
+                                   formulas::row_of(samples, 2), formulas::row_of(samples, 3), z});
+    formulas::add_mask(lists_[picture_.at(x, y)], {polygon_, facet_, samples, z});
   }
 
   static Values<T> weights(const Triangle<T>& triangle, const Values<T>& e) {
@@ -304,6 +371,13 @@ class Drawing {
     record_(interpolation::step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});
   }
 
+  std::vector<formulas::PixelShare> shares_at(std::size_t pixel) const {
+    if (masks_)
+      return formulas::shares_of_masks(lists_[pixel], [&](double z, double other) { return nearer(z, other); });
+    return formulas::shares_of_samples(offsets_.size(),
+                                       [&](std::size_t i) { return samples_[pixel * offsets_.size() + i].polygon; });
+  }
+
   const Scene& scene_;
   const viewing::Vertices& vertices_;
   Picture& picture_;
@@ -311,9 +385,14 @@ class Drawing {
   Stepping stepping_;
   bool tiles_, hierarchical_, corrected_, shades_, divides_;
   Comparison comparison_;
-  std::int32_t polygon_ = no_polygon;
+  std::span<const SampleOffset> offsets_;
+  bool masks_;
+  double reach_;
+  std::int32_t polygon_ = no_polygon, facet_ = -1;
   Triangulation triangulation_;
-  std::vector<std::int32_t> covers_;  ///< by pixel, where triangles may overlap
+  std::vector<std::int32_t> covers_;                     ///< by pixel and in it by sample, where triangles may overlap
+  std::vector<formulas::SampleRow> samples_;             ///< likewise
+  std::vector<std::vector<formulas::PixelMask>> lists_;  ///< of the A-buffer, by pixel
 };
 
 template <class T, Recorder R>
@@ -323,7 +402,7 @@ Picture draw(const Scene& scene, const Conventions& conventions, R& record) {
 
   Picture picture(raster.width, raster.height);
   for (double& depth : picture.depth) depth = farthest;
-  if (conventions.attribute != Conventions::Attribute::none) picture.use_ink();
+  if (conventions.attribute != Conventions::Attribute::none || formulas::reach_of(conventions) > 0) picture.use_ink();
   record(z_buffer::step::clear, BuffersClear{farthest});
 
   viewing::Lens lens(scene.camera, raster, conventions.depth);
@@ -339,8 +418,9 @@ Picture draw(const Scene& scene, const Conventions& conventions, R& record) {
 
     vertices.resize(scene.points.size());  // without those that clipping made for the facet before
     const bool visible = clipping::find_outline(scene, facet, conventions.cull, lens, vertices, outline, record);
-    if (visible) drawing.draw(facet.polygon, outline);
+    if (visible) drawing.draw(facet, number - 1, outline);
   }
+  if (formulas::reach_of(conventions) > 0) drawing.mix_samples();
   return picture;
 }
 
@@ -352,7 +432,16 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
   return draw<double>(scene, conventions, record);
 }
 
-Page page_for(const Conventions& conventions) { return interpolation::page_with(page(), conventions); }
+Page page_for(const Conventions& conventions) {
+  Page lines = page();
+  const bool samples = !formulas::samples_of(conventions).empty(), masks = formulas::keeps_masks(conventions);
+  std::erase_if(lines, [&](const StepInfo& line) {
+    if (line.id == step::sample.id || line.id == step::sample_depth.id) return !samples;
+    if (line.id == step::mask.id) return !masks;
+    return (line.id == step::share.id || line.id == step::mix.id) && !samples && !masks;
+  });
+  return interpolation::page_with(lines, conventions);
+}
 
 void check(const Conventions& c, const std::string&) {
   const auto refuse = [](const std::string& what, const char* why, const char* instead) {
@@ -367,6 +456,15 @@ void check(const Conventions& c, const std::string&) {
   if (bits_of(c.number_format) > 0)
     refuse("--number-format " + std::string(word_of(c.number_format)), "half-space computes in floating point",
            "give --number-format float64 or float32, or use z-buffer");
+  if (formulas::reach_of(c) == 0) return;
+  const std::string samples = "--option samples=" + c.options.at("samples");
+  for (const char* tiles : {"tiles", "hierarchical-z"})
+    if (is_on(options, c, tiles))
+      refuse(samples + " with " + tiles, "tiles are tested by the centres of their pixels",
+             "give one of the two options");
+  if (c.attribute != Conventions::Attribute::none)
+    refuse(samples + " with --attribute " + std::string(word_of(c.attribute)),
+           "samples take their polygon's one colour", "give one of the two");
 }
 
 #define INSTANTIATE(R) template Picture run<R>(const Scene&, const Conventions&, R&);

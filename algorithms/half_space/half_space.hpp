@@ -6,12 +6,18 @@
 // a left or a top edge (Foley et al., section 3.6), so of two that share it to exactly one. Tiles and their farthest
 // depths: N. Greene, M. Kass and G. Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, with one level.
 //
-// Departures: E is evaluated as A (x - X) + B (y - Y), (X, Y) being the edge's end with the smaller y, so that it is
-// exactly 0 at a vertex and two triangles have opposite values to the last bit; where it is stepped, it is computed
-// afresh at each tile of the raster for the same reason. Depths are computed as z_0 + w_1 (z_1 - z_0) + w_2 (z_2 -
-// z_0), so that a plane of constant depth has one number. Polygons that are convex on the raster are cut into a fan
-// from their first vertex, others into ears; of an outline that crosses itself triangles overlap, and a pixel is drawn
-// where the number of those that cover it is odd, as the even-odd rule has it.
+// With several samples a pixel each has coverage and a depth of its own, and the polygon its one colour; in the end the
+// colours of a pixel's samples are mixed. The A-buffer keeps instead which of 32 samples each facet covers, as bits,
+// and one depth: L. Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", SIGGRAPH 1984.
+//
+// Departures: beside the samples the pixel's centre is drawn as it is without them, so that frame and depth buffer can
+// be held against other methods. Carpenter keeps two depths and estimates where facets cross; here it is the depth in
+// the middle of the samples covered. E is evaluated as A (x - X) + B (y - Y), (X, Y) being the edge's end with the
+// smaller y, so that it is exactly 0 at a vertex and two triangles have opposite values to the last bit; where it is
+// stepped, it is computed afresh at each tile of the raster for the same reason. Depths are computed as z_0 + w_1 (z_1
+// - z_0) + w_2 (z_2 - z_0), so that a plane of constant depth has one number. Polygons that are convex on the raster
+// are cut into a fan from their first vertex, others into ears; of an outline that crosses itself triangles overlap,
+// and a pixel is drawn where the number of those that cover it is odd, as the even-odd rule has it.
 #pragma once
 
 #include <array>
@@ -34,12 +40,16 @@ namespace zstep::half_space {
 
 enum class Stepping { products, increments };
 
-inline constexpr std::array<Option, 5> options{
+inline constexpr std::array<Option, 6> options{
     {{"stepping", "products|increments", "products",
       "edge functions evaluated at each pixel, or stepped by A from pixel to pixel and by B from line to line"},
      {"tiles", "off|8", "off", "8x8 tiles, accepted or rejected as a whole where an edge function's corners allow it"},
      {"hierarchical-z", "off|on", "off",
       "a tile is rejected where the nearest depth of the triangle in it is not nearer than its farthest stored one"},
+     {"samples", "1|2|4|8|16|a-buffer", "1",
+      "samples a pixel, each with its own coverage and depth, whose colours are mixed in the end; a-buffer: a mask of "
+      "32 "
+      "and one depth for each facet"},
      interpolation::nearer_option,
      interpolation::ties_option}};
 

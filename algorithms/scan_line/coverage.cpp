@@ -5,6 +5,8 @@
 
 namespace zstep::scan_line {
 
+using formulas::PixelShare;
+
 namespace {
 
 // A row spans y - 0.5 … y + 0.5; its lines lie in the middle of its quarters.
@@ -29,16 +31,17 @@ void Coverage::add(std::int32_t polygon, double x_left, double x_right) {
   const auto first = floor_int(x_left + 0.5);
   for (std::int32_t x = std::max(0, first); x < width_ && x - 0.5 < x_right; ++x) {
     const double area = (std::min(x_right, x + 0.5) - std::max(x_left, x - 0.5)) / lines_in_a_row;
-    std::vector<Share>& shares = shares_[x];
-    const auto known = std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.polygon == polygon; });
-    if (known != shares.end()) known->area += area;
+    std::vector<PixelShare>& shares = shares_[x];
+    const auto known =
+        std::find_if(shares.begin(), shares.end(), [&](const PixelShare& s) { return s.polygon == polygon; });
+    if (known != shares.end()) known->share += area;
     else shares.push_back({polygon, area});
   }
 }
 
 template <Recorder R>
 void Coverage::mix_row(const Scene& scene, std::int32_t y, Picture& picture, R& record) {
-  for (std::vector<Share>& shares : shares_) shares.clear();
+  for (std::vector<PixelShare>& shares : shares_) shares.clear();
   NullRecorder nothing_recorded;
   for (std::int32_t line = y * lines_in_a_row; line < (y + 1) * lines_in_a_row; ++line) {
     begin_scan_line(active_, tables_.edges, line, true, nothing_recorded);
@@ -48,22 +51,16 @@ void Coverage::mix_row(const Scene& scene, std::int32_t y, Picture& picture, R& 
   }
 
   for (std::int32_t x = 0; x < width_; ++x) {
-    std::vector<Share>& shares = shares_[x];
+    std::vector<PixelShare>& shares = shares_[x];
     const std::size_t pixel = picture.at(x, y);
-    std::erase_if(shares, [](const Share& share) { return share.area < nothing; });
+    std::erase_if(shares, [](const PixelShare& share) { return share.share < nothing; });
     double uncovered = 1;
-    for (const Share& share : shares) uncovered -= share.area;
+    for (const PixelShare& share : shares) uncovered -= share.share;
     if (uncovered > nothing) shares.push_back({no_polygon, uncovered});
     if (shares.size() == 1 && shares[0].polygon == picture.polygon[pixel]) continue;
 
-    glm::dvec3 mixture(0);
-    for (const Share& share : shares) {
-      record(step::cover, CoverageAdd{x, y, share.polygon, share.area});
-      const bool covered = share.polygon != no_polygon;
-      const Color color = covered ? scene.polygons[share.polygon].color : scene.background;
-      mixture += share.area * glm::dvec3(color.red, color.green, color.blue);
-    }
-    const Color color{nearest_byte(mixture.x), nearest_byte(mixture.y), nearest_byte(mixture.z)};
+    for (const PixelShare& share : shares) record(step::cover, CoverageAdd{x, y, share.polygon, share.share});
+    const Color color = formulas::mixed(scene, shares);
     record(step::mix, ColorWrite{x, y, color.red, color.green, color.blue});
     picture.ink[pixel] = ink_of(color);
   }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "algorithms/scan_line/front.hpp"
+#include "traces/formulas/samples.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::scan_line {
@@ -28,16 +29,12 @@ class Coverage {
   void mix_row(const Scene& scene, std::int32_t y, Picture& picture, R& record);
 
  private:
-  struct Share {
-    std::int32_t polygon;
-    double area;
-  };
   void add(std::int32_t polygon, double x_left, double x_right);
 
   Tables tables_;  // with edges on lines four times as dense
   scan_conversion::ActiveEdges active_;
   std::int32_t width_;
-  std::vector<std::vector<Share>> shares_;  // by column
+  std::vector<std::vector<formulas::PixelShare>> shares_;  // by column
 };
 
 }  // namespace zstep::scan_line

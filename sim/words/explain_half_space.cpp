@@ -1,5 +1,6 @@
 // A triangle as three half-planes: setup, edge functions, the tests of tiles and pixels, weights.
 #include <array>
+#include <bit>
 #include <utility>
 
 #include "sim/words/explain_parts.hpp"
@@ -177,6 +178,61 @@ void tell(Telling& t, const BarycentricWeights& e) {
   t.value("w_0", e.w_0);
   t.value("w_1", e.w_1);
   t.value("w_2", e.w_2);
+}
+
+void tell(Telling& t, const SampleTest& e) {
+  const std::array<double, 3> values{e.s_0, e.s_1, e.s_2};
+  const auto& edges = t.machine.triangle.edges;
+  const bool known = formulas::detail::has_edges(t.at);
+  bool inside = true;
+  for (std::size_t i = 0; i < 3; ++i) inside = inside && formulas::is_on_side(values[i], !known || edges[i].owns);
+  const std::string who = fmt::format("ample {} of pixel ({}, {})", e.sample, e.x, e.y);
+  if (inside != e.inside)
+    t.contradict(fmt::format("The trace says {} of s{}, although by its edge functions it is {}.",
+                             e.inside ? "inside" : "outside", who, inside ? "inside" : "outside"));
+  else t.say(fmt::format("S{} lies {} the triangle.", who, e.inside ? "in" : "outside"));
+  t.derive(e);
+  for (std::size_t i = 0; i < 3; ++i) {
+    t.follows(fmt::format("S_{}", i), fmt::format("s_{}", i), values[i]);
+    t.value(fmt::format("S_{}", i), values[i]);
+  }
+}
+
+void tell(Telling& t, const SampleDepth& e) {
+  const auto& before = t.machine.triangle.before;
+  const double stored = before.polygon == no_polygon ? t.trace.header().empty_depth() : before.z;
+  const auto [z, kept] = tell_apart(e.z, stored);
+  const Comparison& comparison = t.trace.header().comparison;
+  const bool numbers_say = comparison.wins(e.z, stored);
+  const std::string at = fmt::format("sample {} of pixel ({}, {})", e.sample, e.x, e.y);
+  if (numbers_say != e.nearer)
+    t.contradict(fmt::format("The trace says {} at {}, although {} {} {} is {}.", e.nearer ? "nearer" : "not nearer",
+                             at, z, comparison.sign(), kept, numbers_say ? "true" : "false"));
+  else if (e.nearer) t.say(fmt::format("At {} {} is nearer than what is there, and takes the sample.", at, t.here()));
+  else t.say(fmt::format("At {} {} is not nearer than what is there: the sample keeps what it has.", at, t.here()));
+  t.derive(e);
+  t.follows(t.z, "z", e.z);
+  t.formula(fmt::format("{} {} stored:  {} {} {}  is {}", t.z, comparison.sign(), z, comparison.sign(), kept,
+                        numbers_say ? "true" : "false"));
+  t.value(t.z, e.z);
+  t.value("stored", stored);
+}
+
+void tell(Telling& t, const SampleMask& e) {
+  const std::uint32_t samples = formulas::samples_of(e);
+  t.say(
+      fmt::format("Of the 32 samples of pixel ({}, {}), {} lie in the triangle. They are kept with the depth in their "
+                  "middle, {}.",
+                  e.x, e.y, std::popcount(samples), number(e.z)));
+  t.derive(e);
+  t.follows(t.z, "z", e.z);
+  for (std::int32_t row = 0; row < formulas::mask_rows; ++row) {
+    std::string bits;
+    for (std::int32_t column = 0; column < formulas::mask_columns; ++column)
+      bits += samples >> (row * formulas::mask_columns + column) & 1 ? "1 " : "0 ";
+    t.formula(fmt::format("row {}: {}", row, bits));
+  }
+  t.value(t.z, e.z);
 }
 
 }  // namespace zstep::words

@@ -112,6 +112,10 @@ std::int32_t owner_of(const formulas::Situation& at, const formulas::Place& plac
       const std::size_t pixel = place.number;
       return pixel < polygons.size() ? polygons[pixel] : no_polygon;
     }
+    case In::samples: {
+      const std::size_t sample = place.number;
+      return sample < method.samples.size() ? method.samples[sample].polygon : no_polygon;
+    }
     case In::span:
       if (const auto& spans = at.ahead.spans(); at.ahead.of_all && static_cast<std::size_t>(number) < spans.size())
         return spans[number].polygon;

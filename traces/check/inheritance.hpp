@@ -68,6 +68,9 @@ void for_each_place_written(const E& e, const formulas::Situation& at, Set&& set
   if constexpr (std::is_same_v<E, EdgeFunction>) set(Place{In::triangle, e.edge_function});
   if constexpr (std::is_same_v<E, InsideTest>) set(Place{In::triangle, formulas::detail::test_place});
   if constexpr (std::is_same_v<E, BarycentricWeights>) set(Place{In::triangle, formulas::detail::weights_place});
+  if constexpr (std::is_same_v<E, SampleTest>) set(Place{In::triangle, formulas::detail::sample_place});
+  if constexpr (std::is_same_v<E, SampleDepth>)
+    if (e.nearer) set(at.sample_place(e.x, e.y, e.sample));
   if constexpr (is_of_fragment(at_pixel<E>)) set(Place{In::fragment, 0});
   if constexpr (std::is_same_v<E, AttributeInterpolate>) set(Place{In::attribute, 0});
   if constexpr (has(at_pixel<E>, AtPixel::keeps)) set(at.depth_place(e.x, e.y));

@@ -182,6 +182,9 @@ constexpr ByEnum<Rule, NamedRule> named_rules{{{
     {Rule::weights_inside,
      {"weights_inside", "Weights are found only of a pixel that is inside its triangle.",
       "Weights are found of a pixel that was not found inside its triangle."}},
+    {Rule::sample_inside,
+     {"sample_inside", "A depth is found only of a sample that is inside its triangle.",
+      "A depth is found of a sample that was not found inside its triangle."}},
 }}};
 
 }  // namespace

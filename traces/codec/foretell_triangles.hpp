@@ -2,11 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "traces/codec/foreteller.hpp"
 #include "traces/formulas/edge_functions.hpp"
+#include "traces/formulas/samples.hpp"
 
 namespace zstep::codec {
 
@@ -29,10 +32,11 @@ inline void Foreteller::evaluate(TriangleSetup& event) {
   if (!find_raster(event.vertex_0, p) || !find_raster(event.vertex_1, q) || !find_raster(event.vertex_2, r)) return;
   const Raster& raster = facts_->scene().raster;
   event.twice_area = formulas::twice_area(p.x, p.y, q.x, q.y, r.x, r.y);
-  event.first_column = formulas::box_first(std::min({p.x, q.x, r.x}), raster.width);
-  event.first_row = formulas::box_first(std::min({p.y, q.y, r.y}), raster.height);
-  event.end_column = formulas::box_end(std::max({p.x, q.x, r.x}), raster.width);
-  event.end_row = formulas::box_end(std::max({p.y, q.y, r.y}), raster.height);
+  const double reach = facts_->reach();
+  event.first_column = formulas::box_first(std::min({p.x, q.x, r.x}) - reach, raster.width);
+  event.first_row = formulas::box_first(std::min({p.y, q.y, r.y}) - reach, raster.height);
+  event.end_column = formulas::box_end(std::max({p.x, q.x, r.x}) + reach, raster.width);
+  event.end_row = formulas::box_end(std::max({p.y, q.y, r.y}) + reach, raster.height);
 }
 
 template <>
@@ -206,6 +210,67 @@ inline double Foreteller::depth_by_weights(std::int32_t x, std::int32_t y) const
   const bool follows = w.x == x && w.y == y && last.y == y && before.y == y && last.x + std::int64_t{1} == x &&
                        before.x + std::int64_t{2} == x;
   return follows ? carried_on(last.z, before.z) : real_[slot_of("z")];
+}
+
+// --- Samples
+
+inline void Foreteller::tell(SampleTest& event) const {
+  event.x = whole_[slot_of("x")], event.y = whole_[slot_of("y")];
+  const SampleTest& last = triangle_.sample;
+  const bool follows = last.x == event.x && last.y == event.y;
+  event.sample = follows ? static_cast<std::int32_t>(static_cast<std::uint32_t>(last.sample) + 1u) : 0;
+}
+
+/// The edge functions beside the centre of the pixel that was tested last.
+inline std::array<double, 3> Foreteller::edge_values_beside(std::int32_t x, std::int32_t y, double dx,
+                                                            double dy) const {
+  const InsideTest centre = tested_at(x, y);
+  const auto beside = [&](std::size_t i, double e) {
+    return formulas::edge_value_beside(e, triangle_.edges[i].a, dx, triangle_.edges[i].b, dy);
+  };
+  return {beside(0, centre.e_0), beside(1, centre.e_1), beside(2, centre.e_2)};
+}
+inline bool Foreteller::is_within(const std::array<double, 3>& e) const {
+  bool inside = true;
+  for (std::size_t i = 0; i < 3; ++i) inside = inside && formulas::is_on_side(e[i], triangle_.edges[i].owns);
+  return inside;
+}
+/// The depth where the edge functions are these.
+inline double Foreteller::depth_by_edges(double e_1, double e_2) const {
+  const auto& [p, q, r] = triangle_.corners;
+  return formulas::by_weights(p.z, e_1 / triangle_.twice_area, q.z, e_2 / triangle_.twice_area, r.z);
+}
+
+inline void Foreteller::evaluate(SampleTest& event) {
+  const std::span<const formulas::SampleOffset> offsets = facts_->samples();
+  const bool known = event.sample >= 0 && event.sample < std::ssize(offsets);
+  const formulas::SampleOffset offset =
+      known ? offsets[static_cast<std::size_t>(event.sample)] : formulas::SampleOffset{};
+  const std::array<double, 3> e = edge_values_beside(event.x, event.y, offset.dx(), offset.dy());
+  event.s_0 = e[0], event.s_1 = e[1], event.s_2 = e[2];
+  event.inside = is_within(e);
+}
+template <>
+inline void Foreteller::note(const SampleTest& event) {
+  triangle_.sample = event;
+}
+
+inline void Foreteller::evaluate(SampleDepth& event) {
+  event.z = depth_by_edges(triangle_.sample.s_1, triangle_.sample.s_2);
+  event.nearer = whole_[slot_of("nearer")] != 0;
+}
+
+inline void Foreteller::evaluate(SampleMask& event) {
+  std::uint32_t samples = 0;
+  for (std::int32_t bit = 0; bit < formulas::mask_rows * formulas::mask_columns; ++bit) {
+    const formulas::SampleOffset offset = formulas::mask_offset(bit);
+    if (is_within(edge_values_beside(event.x, event.y, offset.dx(), offset.dy()))) samples |= std::uint32_t{1} << bit;
+  }
+  event.row_0 = formulas::row_of(samples, 0), event.row_1 = formulas::row_of(samples, 1);
+  event.row_2 = formulas::row_of(samples, 2), event.row_3 = formulas::row_of(samples, 3);
+  const auto [dx, dy] = formulas::middle_of(samples);
+  const std::array<double, 3> e = edge_values_beside(event.x, event.y, dx, dy);
+  event.z = depth_by_edges(e[1], e[2]);
 }
 
 }  // namespace zstep::codec

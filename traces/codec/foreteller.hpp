@@ -255,6 +255,7 @@ struct KnownTriangle {
   InsideTest test{-1, -1, 0, 0, 0, false}, test_before{-1, -1, 0, 0, 0, false};  ///< the last one, and the one before
   DepthInterpolate depth{-1, -1, 0}, depth_before{-1, -1, 0};
   BarycentricWeights weights{-1, -1, 0, 0, 0};
+  SampleTest sample{-1, -1, 0, 0, 0, 0, false};
 
   /// The edge opposite the i-th corner, as the corners say.
   Edge edge(std::size_t i) const {
@@ -361,6 +362,9 @@ class Foreteller {
   static double carried_on(double last, double before);
   double edge_value(std::size_t i, std::int32_t x, std::int32_t y) const;
   InsideTest tested_at(std::int32_t x, std::int32_t y) const;
+  std::array<double, 3> edge_values_beside(std::int32_t x, std::int32_t y, double dx, double dy) const;
+  bool is_within(const std::array<double, 3>& e) const;
+  double depth_by_edges(double e_1, double e_2) const;
   double depth_by_weights(std::int32_t x, std::int32_t y) const;
   /// All of a span that follows from where its ends are.
   void fill_span(SpanBegin& event, double x_left, double z_left, double x_right, double z_right) const;

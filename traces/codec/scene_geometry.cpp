@@ -19,6 +19,8 @@ namespace zstep::codec {
 
 SceneGeometry::SceneGeometry(const Scene& scene, const Header& header)
     : scene_(&scene),
+      samples_(formulas::samples_of(header.conventions)),
+      reach_(formulas::reach_of(header.conventions)),
       increments_(header.conventions.interpolation == Conventions::Interpolation::increments),
       inclusive_(header.conventions.coverage == Conventions::Coverage::inclusive),
       steps_edges_(formulas::steps_edges(header.conventions)),

@@ -18,6 +18,7 @@
 #include "traces/file/header.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/outlines.hpp"
+#include "traces/formulas/samples.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::codec {
@@ -83,6 +84,9 @@ class SceneGeometry {
   bool inclusive() const { return inclusive_; }
   /// Are edge functions added to from pixel to pixel?
   bool steps_edges() const { return steps_edges_; }
+  /// Of the pixels, and how far from their centres they are looked at.
+  std::span<const formulas::SampleOffset> samples() const { return samples_; }
+  double reach() const { return reach_; }
   /// False for scenes whose points stand on the raster already.
   bool viewed() const { return viewed_; }
 
@@ -158,6 +162,8 @@ class SceneGeometry {
   void for_each_edge(std::int32_t piece, Each&& each) const;
 
   const Scene* scene_;
+  std::span<const formulas::SampleOffset> samples_;
+  double reach_;
   bool increments_, inclusive_, steps_edges_, cull_, viewed_, orthographic_, view_depth_, one_table_;
   double d_, window_x_, window_y_, near_, far_, a_, b_, width_, height_;
   void find_out(std::int32_t vertex, VertexGeometry& facts) const;

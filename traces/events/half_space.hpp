@@ -30,6 +30,9 @@ struct TileDepthTest {
 };
 struct InsideTest { std::int32_t x, y; double e_0, e_1, e_2; bool inside; };
 struct BarycentricWeights { std::int32_t x, y; double w_0, w_1, w_2; };
+struct SampleTest { std::int32_t x, y, sample; double s_0, s_1, s_2; bool inside; };
+struct SampleDepth { std::int32_t x, y, sample; double z; bool nearer; };
+struct SampleMask { std::int32_t x, y, row_0, row_1, row_2, row_3; double z; };
 
 // clang-format on
 
@@ -156,5 +159,60 @@ inline constexpr auto fields_of<BarycentricWeights> =
            Field{"w_0", &BarycentricWeights::w_0, "1", "the weight of vertex 0", As::formula, Guess::formula},
            Field{"w_1", &BarycentricWeights::w_1, "1", "of vertex 1", As::formula, Guess::formula},
            Field{"w_2", &BarycentricWeights::w_2, "1", "of vertex 2", As::formula, Guess::formula}};
+
+template <>
+inline constexpr Description description_of<SampleTest>{
+    .name = "sample_test",
+    .meaning = "one of a pixel's samples is held against the three edges",
+    .work = WorkKind::tests,
+    .called = "inside test of sample {sample} of pixel ({x}, {y})",
+    .within = Within::polygon | Within::triangle};
+template <>
+inline constexpr auto fields_of<SampleTest> =
+    Fields{Field{"x", &SampleTest::x, Measure::column, "column", As::subject, Guess::told},
+           Field{"y", &SampleTest::y, Measure::pixel_row, "row", As::subject, Guess::told},
+           Field{"sample", &SampleTest::sample, "index", "which of the pixel's samples, from 0",
+                 As::formula | As::subject, Guess::told},
+           Field{"s_0", &SampleTest::s_0, "px^2", "E_0 at the sample: that at the centre, and A_0 dx + B_0 dy",
+                 As::formula, Guess::formula},
+           Field{"s_1", &SampleTest::s_1, "px^2", "E_1 there", As::formula, Guess::formula},
+           Field{"s_2", &SampleTest::s_2, "px^2", "E_2 there", As::formula, Guess::formula},
+           Field{"inside", &SampleTest::inside, "1", "each is positive, or 0 on an edge that owns its line",
+                 As::formula, Guess::formula}};
+
+template <>
+inline constexpr Description description_of<SampleDepth>{
+    .name = "sample_depth",
+    .meaning = "the depth at a sample is held against the sample's own; a nearer one is kept, and with it the polygon",
+    .work = WorkKind::compares,
+    .called = "compare at sample {sample} of pixel ({x}, {y})",
+    .within = Within::polygon | Within::triangle};
+template <>
+inline constexpr auto fields_of<SampleDepth> = Fields{
+    Field{"x", &SampleDepth::x, Measure::column, "column", As::subject, Guess::same},
+    Field{"y", &SampleDepth::y, Measure::pixel_row, "row", As::subject, Guess::same},
+    Field{"sample", &SampleDepth::sample, "index", "which of the pixel's samples, from 0", As::subject, Guess::same},
+    Field{"z", &SampleDepth::z, "depth", "depth of the polygon at the sample", As::formula, Guess::formula},
+    Field{"nearer", &SampleDepth::nearer, "1", "the polygon's depth is nearer, so it is kept", As::formula,
+          Guess::formula}};
+
+template <>
+inline constexpr Description description_of<SampleMask>{
+    .name = "sample_mask",
+    .meaning = "which of a pixel's 32 samples lie in the triangle: a row of the pixel's list, with its depth",
+    .work = WorkKind::writes,
+    .called = "mask of pixel ({x}, {y})",
+    .within = Within::polygon | Within::triangle};
+template <>
+inline constexpr auto fields_of<SampleMask> =
+    Fields{Field{"x", &SampleMask::x, Measure::column, "column", As::subject, Guess::same},
+           Field{"y", &SampleMask::y, Measure::pixel_row, "row", As::subject, Guess::same},
+           Field{"row_0", &SampleMask::row_0, "bits",
+                 "the eight samples of the first row, the first one in the lowest bit", As::formula, Guess::formula},
+           Field{"row_1", &SampleMask::row_1, "bits", "of the second row", As::formula, Guess::formula},
+           Field{"row_2", &SampleMask::row_2, "bits", "of the third", As::formula, Guess::formula},
+           Field{"row_3", &SampleMask::row_3, "bits", "of the last", As::formula, Guess::formula},
+           Field{"z", &SampleMask::z, "depth", "depth of the polygon in the middle of these samples", As::formula,
+                 Guess::formula}};
 
 }  // namespace zstep

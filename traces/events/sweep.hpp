@@ -81,6 +81,6 @@ inline constexpr auto fields_of<CoverageAdd> = Fields{
     Field{"x", &CoverageAdd::x, Measure::column, "column", As::subject},
     Field{"y", &CoverageAdd::y, Measure::pixel_row, "row", As::subject},
     Field{"owner", &CoverageAdd::owner, Measure::polygon_or_none, "the polygon; -1 is the background", As::subject},
-    Field{"coverage", &CoverageAdd::coverage, "1", "share of the pixel, 0 to 1", As::recorded}};
+    Field{"coverage", &CoverageAdd::coverage, "1", "share of the pixel, 0 to 1", As::formula}};
 
 }  // namespace zstep

@@ -47,7 +47,7 @@ namespace zstep {
   X(BoxHold) X(GridMake) X(CellHold) X(RayBegin) X(CellVisit) X(BoxTest) X(RayPlane) X(RayHit) X(RayEnd) \
   X(CurveBegin) X(CurveSegment) X(HorizonTest) X(HorizonMove) X(HorizonCross) X(LineBegin) X(LineAgainst) \
   X(LineCross) X(LineHide) X(LinePiece) X(TriangleSetup) X(EdgeFunction) X(TileTest) X(TileDepthTest) X(InsideTest) \
-  X(BarycentricWeights) X(ShadowBias) X(ShadowNeighbour) X(LightShare)
+  X(BarycentricWeights) X(ShadowBias) X(ShadowNeighbour) X(LightShare) X(SampleTest) X(SampleDepth) X(SampleMask)
 // clang-format on
 
 namespace detail {

@@ -22,7 +22,7 @@ inline bool has_option(const Situation& at, const char* name, const char* value)
 }
 
 /// The places of what belongs to the triangle at work, by number; its edge functions have 0 to 2.
-inline constexpr std::int64_t setup_place = 3, test_place = 4, weights_place = 5;
+inline constexpr std::int64_t setup_place = 3, test_place = 4, weights_place = 5, sample_place = 6, mask_place = 7;
 inline Place triangle_place(std::int64_t number, std::string_view field = {}) {
   return {Place::In::triangle, number, field};
 }

@@ -387,14 +387,6 @@ void derive(const SpanWinner& e, const Situation& at, Out& out) {
   out.rule(Rule::pixel_in_span, e.first > e.last || within);
 }
 
-template <class Out>
-void derive(const CoverageAdd& e, const Situation& at, Out& out) {
-  double all = e.coverage;
-  for (const CoverageAdd& share : at.method().sweep.covered)
-    if (share.x == e.x && share.y == e.y) all += share.coverage;
-  out.rule(Rule::share_of_pixel, e.coverage >= 0 && all <= 1 + rounding_of_float32);
-}
-
 /// x where the depths of two planes are equal on a scan line.
 template <class T>
 T where_planes_meet(const T& a_1, const T& b_1, const T& c_1, const T& d_1, const T& a_2, const T& b_2, const T& c_2,

@@ -1,4 +1,5 @@
-// What a triangle's edge functions, the tests of its tiles and pixels, and its weights follow from (half_space.hpp).
+// What a triangle's edge functions, the tests of its tiles and pixels, its weights and its samples follow from
+// (half_space.hpp).
 #pragma once
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "traces/formulas/half_space.hpp"
 #include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/formulas/samples.hpp"
 
 namespace zstep::formulas {
 
@@ -148,8 +150,12 @@ void derive(const TriangleSetup& e, const Situation& at, Out& out) {
     };
     using std::ceil, std::floor;
     const std::int32_t size = of_x ? at.scene.raster.width : at.scene.raster.height;
-    return Side{ceil(coordinate(least, of_x)), floor(coordinate(greatest, of_x)) + typename Out::Number(1.0),
-                box_first(value(least), size), box_end(value(greatest), size)};
+    // Where samples are looked at beside the centre, the box has all pixels that have some of its area.
+    const double reach = reach_of(at.header.conventions);
+    const auto from = coordinate(least, of_x), to = coordinate(greatest, of_x);
+    using T = typename Out::Number;
+    return Side{ceil(reach > 0 ? from - T(reach) : from), floor(reach > 0 ? to + T(reach) : to) + T(1.0),
+                box_first(value(least) - reach, size), box_end(value(greatest) + reach, size)};
   };
   const auto columns = side(true), rows = side(false);
   out.whole(&TriangleSetup::first_column, columns.first, columns.first_pixel);
@@ -246,6 +252,152 @@ void derive(const BarycentricWeights& e, const Situation& at, Out& out) {
   if (const auto e_0 = value(0, test ? test->e_0 : 0, "e_0")) out.gives(&BarycentricWeights::w_0, *e_0 / area);
   if (const auto e_1 = value(1, test ? test->e_1 : 0, "e_1")) out.gives(&BarycentricWeights::w_1, *e_1 / area);
   if (const auto e_2 = value(2, test ? test->e_2 : 0, "e_2")) out.gives(&BarycentricWeights::w_2, *e_2 / area);
+}
+
+namespace detail {
+
+/// E_i at the centre of the pixel at work: as it was tested, or computed here where the run does not test centres.
+template <class Out>
+auto edge_value_at_centre(Out& out, const Situation& at, std::size_t i, std::int32_t x, std::int32_t y)
+    -> std::optional<typename Out::Number> {
+  const auto& test = at.method().triangle.test;
+  if (!test || test->x != x || test->y != y) return edge_value_at(out, at, i, x, y);
+  const double tested = i == 0 ? test->e_0 : i == 1 ? test->e_1 : test->e_2;
+  return out.number(numbered("E_0 E_1 E_2", i), tested, triangle_place(test_place, numbered("e_0 e_1 e_2", i)));
+}
+/// E_i beside the centre.
+template <class Out>
+auto edge_value_beside_centre(Out& out, const Situation& at, std::size_t i, std::int32_t x, std::int32_t y, double dx,
+                              double dy) -> std::optional<typename Out::Number> {
+  const auto centre = edge_value_at_centre(out, at, i, x, y);
+  if (!centre) return std::nullopt;
+  const EdgeFunction& edge = at.method().triangle.edges[i];
+  const auto index = static_cast<std::int64_t>(i);
+  return edge_value_beside(*centre,
+                           out.number(numbered("A_0 A_1 A_2", i), edge.edge_a, triangle_place(index, "edge_a")),
+                           out.number("dx", dx, Place{}),
+                           out.number(numbered("B_0 B_1 B_2", i), edge.edge_b, triangle_place(index, "edge_b")),
+                           out.number("dy", dy, Place{}));
+}
+
+/// What is interpolated to depths, by the values of two edge functions.
+template <class Out>
+auto depth_by_edges(Out& out, const Situation& at, const typename Out::Number& e_1, const typename Out::Number& e_2)
+    -> std::optional<typename Out::Number> {
+  const auto z = depths_of_triangle(out, at);
+  if (!z) return std::nullopt;
+  const auto area =
+      out.number("area2", at.method().triangle.setup->twice_area, triangle_place(setup_place, "twice_area"));
+  return interpolated(at, by_weights((*z)[0], e_1 / area, (*z)[1], e_2 / area, (*z)[2]));
+}
+
+/// Which of the 32 samples are inside. What rounding leaves open is taken as `told` has it.
+inline std::optional<std::uint32_t> mask_of(const Situation& at, std::int32_t x, std::int32_t y, std::uint32_t told) {
+  Plainly plainly;
+  std::uint32_t samples = 0;
+  for (std::int32_t bit = 0; bit < mask_rows * mask_columns; ++bit) {
+    const SampleOffset offset = mask_offset(bit);
+    bool inside = true, open = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto e = edge_value_beside_centre(plainly, at, i, x, y, offset.dx(), offset.dy());
+      if (!e) return std::nullopt;
+      inside = inside && is_on_side(e->value, at.method().triangle.edges[i].owns);
+      open = open || std::abs(e->value) <= rounding_of(at.header) * e->spread;
+    }
+    const std::uint32_t here = std::uint32_t{1} << bit;
+    if (open ? (told & here) != 0 : inside) samples |= here;
+  }
+  return samples;
+}
+
+/// What share of a pixel each polygon has by its samples, where the run takes such.
+inline std::vector<PixelShare> shares_at(const Situation& at, std::int32_t x, std::int32_t y) {
+  const MethodState& method = at.method();
+  if (method.samples_a_pixel > 0)
+    return shares_of_samples(static_cast<std::size_t>(method.samples_a_pixel),
+                             [&](std::size_t i) { return method.sample(x, y, static_cast<std::int32_t>(i)).polygon; });
+  const std::size_t pixel = method.pixel(x, y);
+  return shares_of_masks(pixel < method.masks.size() ? method.masks[pixel] : std::vector<PixelMask>{},
+                         [&](double z, double other) { return at.header.comparison.wins(z, other); });
+}
+
+}  // namespace detail
+
+/// The samples of a pixel have their turn one by one.
+template <class Out>
+void derive(const SampleTest& e, const Situation& at, Out& out) {
+  detail::derive_last_win(at, out);
+  const std::span<const SampleOffset> offsets = samples_of(at.header.conventions);
+  const auto& last = at.method().triangle.sample;
+  const bool follows = last && last->x == e.x && last->y == e.y;
+  if (!offsets.empty()) out.is(&SampleTest::sample, follows ? last->sample + 1 : 0);
+  const std::size_t number = e.sample;
+  if (number >= offsets.size() || !detail::has_edges(at)) return;
+  const std::array<double SampleTest::*, 3> values{&SampleTest::s_0, &SampleTest::s_1, &SampleTest::s_2};
+  bool inside = true, open = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    inside = inside && is_on_side(e.*values[i], at.method().triangle.edges[i].owns);
+    open = open || (e.*values[i] != 0 && out.equal(e.*values[i], 0.0));
+  }
+  const double dx = offsets[number].dx(), dy = offsets[number].dy();
+  if (const auto value = detail::edge_value_beside_centre(out, at, 0, e.x, e.y, dx, dy))
+    out.gives(&SampleTest::s_0, *value);
+  if (const auto value = detail::edge_value_beside_centre(out, at, 1, e.x, e.y, dx, dy))
+    out.gives(&SampleTest::s_1, *value);
+  if (const auto value = detail::edge_value_beside_centre(out, at, 2, e.x, e.y, dx, dy))
+    out.gives(&SampleTest::s_2, *value);
+  if (!open) out.is(&SampleTest::inside, inside);
+}
+
+template <class Out>
+void derive(const SampleDepth& e, const Situation& at, Out& out) {
+  const auto& test = at.method().triangle.sample;
+  const bool tested = test && test->x == e.x && test->y == e.y && test->sample == e.sample;
+  if (at.records<SampleTest>()) out.rule(Rule::sample_inside, tested && test->inside);
+  if (tested && detail::has_edges(at) && at.method().triangle.setup) {
+    const auto value = [&](std::size_t i, double recorded, std::string_view field) {
+      return out.number(detail::numbered("S_0 S_1 S_2", i), recorded,
+                        detail::triangle_place(detail::sample_place, field));
+    };
+    if (const auto z = detail::depth_by_edges(out, at, value(1, test->s_1, "s_1"), value(2, test->s_2, "s_2")))
+      out.gives(&SampleDepth::z, *z);
+  }
+  if (at.method().samples_a_pixel == 0) return;
+  out.verdict(&SampleDepth::nearer, out.number("z", e.z, Place{}),
+              out.number("stored", at.stored_at_sample(e.x, e.y, e.sample), at.sample_place(e.x, e.y, e.sample)["z"]));
+}
+
+template <class Out>
+void derive(const SampleMask& e, const Situation& at, Out& out) {
+  detail::derive_last_win(at, out);
+  if (!detail::has_edges(at) || !keeps_masks(at.header.conventions)) return;
+  const std::uint32_t told = samples_of(e);
+  const auto samples = detail::mask_of(at, e.x, e.y, told);
+  if (!samples) return;
+  for (std::int64_t i = 0; i < 3; ++i) out.reads(detail::triangle_place(i));
+  out.is(&SampleMask::row_0, row_of(*samples, 0)), out.is(&SampleMask::row_1, row_of(*samples, 1));
+  out.is(&SampleMask::row_2, row_of(*samples, 2)), out.is(&SampleMask::row_3, row_of(*samples, 3));
+  const auto [dx, dy] = middle_of(told);
+  const auto e_1 = detail::edge_value_beside_centre(out, at, 1, e.x, e.y, dx, dy),
+             e_2 = detail::edge_value_beside_centre(out, at, 2, e.x, e.y, dx, dy);
+  if (!e_1 || !e_2 || !at.method().triangle.setup) return;
+  if (const auto z = detail::depth_by_edges(out, at, *e_1, *e_2)) out.gives(&SampleMask::z, *z);
+}
+
+/// By samples the share is known; of areas only that they are no more than the pixel.
+template <class Out>
+void derive(const CoverageAdd& e, const Situation& at, Out& out) {
+  const auto& covered = at.method().sweep.covered;
+  double all = e.coverage;
+  for (const CoverageAdd& share : covered)
+    if (share.x == e.x && share.y == e.y) all += share.coverage;
+  out.rule(Rule::share_of_pixel, e.coverage >= 0 && all <= 1 + rounding_of_float32);
+  if (reach_of(at.header.conventions) == 0) return;
+  if (!at.records<SampleDepth>() && !at.records<SampleMask>()) return;
+  double right = 0;
+  for (const PixelShare& share : detail::shares_at(at, e.x, e.y))
+    if (share.polygon == e.owner) right = share.share;
+  out.is(&CoverageAdd::coverage, right);
 }
 
 }  // namespace zstep::formulas

@@ -81,8 +81,9 @@ struct Place {
     ray,           ///< the ray at work
     horizon,       ///< by column, the upper and the lower one
     point,         ///< a point of the scene, by its number
-    triangle,      ///< the triangle at work: its edge functions 0 to 2, itself, the inside test and the weights of the
-                   ///< pixel
+    triangle,      ///< the triangle at work: its edge functions 0 to 2, itself, the inside test, the weights, the last
+                   ///< sample's test and the mask of the pixel
+    samples,       ///< by sample, as Situation::sample_place counts
   };
   In in = In::event;
   std::int64_t number = 0;
@@ -151,6 +152,7 @@ enum class Rule : std::uint8_t {
   nearest_is_kept,    ///< a pixel is not painted with what lies behind what it has
   nearer_is_painted,  ///< and is painted with what lies before it
   weights_inside,     ///< only a pixel that was found inside its triangle has weights
+  sample_inside,      ///< and only such a sample has a depth
   count
 };
 
@@ -305,6 +307,14 @@ struct Situation {
   }
   std::int64_t pixel(std::int32_t x, std::int32_t y) const { return before.picture_of_pass().at(x, y); }
   double stored(std::int32_t x, std::int32_t y) const { return before.picture_of_pass().depth[pixel(x, y)]; }
+  /// The depth that a sample has: its polygon's, or the one that all began with.
+  double stored_at_sample(std::int32_t x, std::int32_t y, std::int32_t sample) const {
+    const SampleRow row = method().sample(x, y, sample);
+    return row.polygon == no_polygon ? header.empty_depth() : row.z;
+  }
+  Place sample_place(std::int32_t x, std::int32_t y, std::int32_t sample) const {
+    return {Place::In::samples, pixel(x, y) * method().samples_a_pixel + sample};
+  }
   Place depth_place(std::int32_t x, std::int32_t y) const {
     return {method().pass == Pass::light ? Place::In::light_buffer : Place::In::depth_buffer, pixel(x, y)};
   }

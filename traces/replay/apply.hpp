@@ -182,18 +182,36 @@ inline void apply_method_state(const EdgeFunction& event, MethodState& machine) 
 }
 inline void apply_method_state(const TileTest& event, MethodState& machine) {
   machine.triangle.tile = event;
-  machine.triangle.tile_depth.reset(), machine.triangle.test.reset(), machine.triangle.weights.reset();
+  machine.triangle.tile_depth.reset();
+  machine.triangle.leave_pixel();
 }
 inline void apply_method_state(const TileDepthTest& event, MethodState& machine) {
   machine.triangle.tile_depth = event;
-  machine.triangle.test.reset(), machine.triangle.weights.reset();
+  machine.triangle.leave_pixel();
 }
 inline void apply_method_state(const InsideTest& event, MethodState& machine) {
+  machine.triangle.leave_pixel();
   machine.triangle.test = event;
-  machine.triangle.weights.reset();
 }
 inline void apply_method_state(const BarycentricWeights& event, MethodState& machine) {
   machine.triangle.weights = event;
+}
+inline void apply_method_state(const SampleTest& event, MethodState& machine) { machine.triangle.sample = event; }
+inline void apply_method_state(const SampleDepth& event, MethodState& machine) {
+  if (event.sample < 0 || event.sample >= machine.samples_a_pixel)
+    throw Impossible(fmt::format("there is no sample {} of a pixel", event.sample));
+  machine.triangle.before = machine.sample(event.x, event.y, event.sample);
+  if (!event.nearer) return;
+  const auto in_pixel = static_cast<std::size_t>(machine.samples_a_pixel);
+  const std::size_t at = machine.pixel(event.x, event.y) * in_pixel + static_cast<std::size_t>(event.sample);
+  if (at >= machine.samples.size()) machine.samples.resize(at + 1);
+  machine.samples.edit(at) = {machine.polygon, event.z};
+}
+inline void apply_method_state(const SampleMask& event, MethodState& machine) {
+  machine.triangle.mask = event;
+  const std::size_t at = machine.pixel(event.x, event.y);
+  if (at >= machine.masks.size()) machine.masks.resize(at + 1);
+  formulas::add_mask(machine.masks.edit(at), {machine.polygon, machine.facet, formulas::samples_of(event), event.z});
 }
 
 // What each kind of event does to the structures that a method keeps of all polygons: pieces, lists, trees, flags,
@@ -570,7 +588,8 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
   } else if constexpr (std::is_same_v<E, ScanLineBegin> || std::is_same_v<E, SpanBegin> ||
                        std::is_same_v<E, AreaBegin> || std::is_same_v<E, RayBegin> ||
                        std::is_same_v<E, TriangleSetup> || std::is_same_v<E, TileTest> ||
-                       std::is_same_v<E, TileDepthTest> || std::is_same_v<E, InsideTest>) {
+                       std::is_same_v<E, TileDepthTest> || std::is_same_v<E, InsideTest> ||
+                       std::is_same_v<E, SampleTest> || std::is_same_v<E, SampleMask>) {
     set_fragment(std::nullopt);
   } else if constexpr (std::is_same_v<E, DepthInterpolate>) {
     set_fragment(fragment_at(event.x, event.y, event.z));

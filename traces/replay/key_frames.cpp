@@ -157,6 +157,7 @@ Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()), empty_depth_(
   const Header& header = trace.header();
   colors_ = records<ColorWrite>(header) || records<ColorBlend>(header);
   light_ = records<PassBegin>(header);
+  samples_a_pixel_ = size32(formulas::samples_of(header.conventions));
   compares_write_ = trace.has(AtPixel::verdict) && !trace.has(kind_of<DepthWrite>) && !records<ColorBlend>(header) &&
                     !forgets_depths(trace);
   edges_told_ = trace.has(kind_of<EdgeTableInsert>);
@@ -185,6 +186,8 @@ MethodState Beginning::machine() const {
   machine.enters_told = enters_told_;
   machine.polygons_told = polygons_told_;
   machine.rays_told = rays_told_;
+  machine.width = scene_->raster.width;
+  machine.samples_a_pixel = samples_a_pixel_;
   return machine;
 }
 

@@ -54,6 +54,7 @@ class Beginning {
   double empty_depth_;   ///< what depth buffers hold where nothing was drawn
   bool colors_ = false;  ///< pixels have colours of their own
   bool light_ = false;   ///< there is a pass for the light
+  std::int32_t samples_a_pixel_ = 0;
   bool compares_write_ = false, edges_told_ = false, enters_told_ = false, polygons_told_ = false, rays_told_ = false,
        tables_not_told_ = false;
 };

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "traces/events/vocabulary.hpp"
+#include "traces/formulas/samples.hpp"
 #include "traces/replay/shared_chunks.hpp"
 #include "traces/scene.hpp"
 
@@ -122,7 +123,12 @@ struct TriangleWork {
   std::optional<TileDepthTest> tile_depth;
   std::optional<InsideTest> test;             ///< of the pixel at work
   std::optional<BarycentricWeights> weights;  ///< likewise
-  auto members() const { return std::tie(setup, edges, tile, tile_depth, test, weights); }
+  std::optional<SampleTest> sample;           ///< the last one of that pixel
+  formulas::SampleRow before;                 ///< what a sample showed before it was compared last
+  std::optional<SampleMask> mask;             ///< of that pixel
+  auto members() const { return std::tie(setup, edges, tile, tile_depth, test, weights, sample, before, mask); }
+  /// Another pixel, or a tile of them, is at work.
+  void leave_pixel() { test.reset(), weights.reset(), sample.reset(), before = {}, mask.reset(); }
 };
 
 /// How far a vertex has come on its way to the raster. The world coordinates of the scene's points are the scene's.
@@ -201,6 +207,9 @@ struct MethodState {
   std::optional<PlaneSlopes> slopes;  ///< of the polygon's plane, where depths go by it
   std::optional<SpanBegin> span;
   TriangleWork triangle;
+  std::int32_t width = 0, samples_a_pixel = 0;           ///< of the raster: no part of the state
+  SharedChunks<formulas::SampleRow> samples;             ///< by pixel, and in it by number; it grows as they are kept
+  SharedChunks<std::vector<formulas::PixelMask>> masks;  ///< by pixel, likewise
   std::optional<Fragment> fragment;
   std::optional<AttributeInterpolate> attribute;  ///< the last one of the polygon at work
 
@@ -236,12 +245,19 @@ struct MethodState {
   std::optional<LightShare> light_share;     ///< the last one
   ByEnum<Coherence, std::int64_t> saved{};   ///< tests, by coherence
 
+  std::size_t pixel(std::int32_t x, std::int32_t y) const { return pixel_at(x, y, width); }
+  /// What a sample shows; where it lies nowhere it shows nothing.
+  formulas::SampleRow sample(std::int32_t x, std::int32_t y, std::int32_t number) const {
+    const std::size_t at = pixel(x, y) * static_cast<std::size_t>(samples_a_pixel) + static_cast<std::size_t>(number);
+    return number >= 0 && number < samples_a_pixel && at < samples.size() ? samples[at] : formulas::SampleRow{};
+  }
+
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,
-                    scan_line, slopes, span, triangle, fragment, attribute, keeps_all, compares_write, edges_told,
-                    enters_told, polygons_told, rays_told, pass, pieces, drawn, list, pair, tree, node, sweep, areas,
-                    area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow, shadow_bias,
-                    neighbours, light_share, saved);
+                    scan_line, slopes, span, triangle, samples, masks, fragment, attribute, keeps_all, compares_write,
+                    edges_told, enters_told, polygons_told, rays_told, pass, pieces, drawn, list, pair, tree, node,
+                    sweep, areas, area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow,
+                    shadow_bias, neighbours, light_share, saved);
   }
 };
 

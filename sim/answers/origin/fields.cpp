@@ -59,14 +59,14 @@ std::string field_word(const Event& event, std::string_view name) {
 }
 
 std::string shown_name(const Event& event, std::string_view name, const std::string& depth) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 31> names{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 34> names{
       {{"x_left", "x_L"},      {"x_right", "x_R"}, {"z_left", "z_L"}, {"z_right", "z_R"}, {"dx_dy", "1/m"},
        {"dz_dy", "dz/dy"},     {"dz_dx", "dz/dx"}, {"x_edge", "x"},   {"plane_a", "A"},   {"plane_b", "B"},
        {"plane_c", "C"},       {"plane_d", "D"},   {"y_curve", "y"},  {"x_at", "x"},      {"y_at", "y"},
        {"x_cut", "x"},         {"y_cut", "y"},     {"z_cut", "z"},    {"dir_x", "dX_x"},  {"dir_y", "dX_y"},
        {"dir_z", "dX_z"},      {"r8", "red"},      {"g8", "green"},   {"b8", "blue"},     {"edge_a", "A"},
        {"edge_b", "B"},        {"edge_c", "C"},    {"e_0", "E_0"},    {"e_1", "E_1"},     {"e_2", "E_2"},
-       {"twice_area", "area2"}}};
+       {"s_0", "S_0"},         {"s_1", "S_1"},     {"s_2", "S_2"},    {"twice_area", "area2"}}};
   if (name == "z" || name == "z_edge") return depth;
   if (name == "z_cut" && holds<SplitVertex>(event) && get<SplitVertex>(event).space == Space::raster) return depth;
   for (const auto& [field, shown] : names)
@@ -259,6 +259,7 @@ struct Source {
     if (number == formulas::detail::setup_place) return work.last<TriangleSetup>(step);
     if (number == formulas::detail::test_place) return work.last<InsideTest>(step);
     if (number == formulas::detail::weights_place) return work.last<BarycentricWeights>(step);
+    if (number == formulas::detail::sample_place) return work.last<SampleTest>(step);
     return find_last<EdgeFunction>(work.trace, step, [&](const EdgeFunction& e) { return e.edge_function == number; });
   }
 
@@ -278,6 +279,24 @@ struct Source {
         of == no_polygon ? "nothing was drawn there yet" : "its depth was never written there");
   }
 
+  /// The depth that a sample has, from the last compare there that was won.
+  Number of_sample() const {
+    const std::int64_t in_pixel = work.machine().samples_a_pixel, width = work.scene.raster.width,
+                       pixel = operand.place.number / in_pixel;
+    const auto x = static_cast<std::int32_t>(pixel % width), y = static_cast<std::int32_t>(pixel / width),
+               sample = static_cast<std::int32_t>(operand.place.number % in_pixel);
+    const std::int32_t of = work.machine().sample(x, y, sample).polygon;
+    const std::string what = fmt::format("stored depth of sample {} of pixel ({}, {})", sample, x, y);
+    return work.kept(
+        step, "stored", of == no_polygon ? what : what + ", of " + work.label(of), "stored", operand.value, "z",
+        [&] {
+          return find_last<SampleDepth>(work.trace, step - 1, [&](const SampleDepth& e) {
+            return e.nearer && e.x == x && e.y == y && e.sample == sample;
+          });
+        },
+        of == no_polygon ? "nothing was drawn there yet" : "its depth was never written there");
+  }
+
   Number number() const {
     const auto number = static_cast<std::int32_t>(operand.place.number);
     const std::string_view field = operand.place.field;
@@ -294,6 +313,7 @@ struct Source {
     if (in == In::fragment) return of_fragment();
     if (in == In::attribute) return written_by(work.last<AttributeInterpolate>(step));
     if (in == In::depth_buffer || in == In::light_buffer) return of_buffer();
+    if (in == In::samples) return of_sample();
     if (in == In::piece) return written_by(step_of_plane(work.machine(), number));
     if (in == In::ray) return written_by(field == "t" ? work.last<RayPlane>(step) : work.last<RayBegin>(step));
     return operand.value;

@@ -5,15 +5,17 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "traces/formulas/half_space.hpp"
+#include "traces/formulas/samples.hpp"
 
 namespace zstep::viewer {
 namespace {
 
-constexpr double smallest_cell = 5;
+constexpr double smallest_cell = 5, smallest_cell_of_samples = 14;
 
 /// The triangle at work, where its parts can be told apart.
 const TriangleWork* at_work(const State& state, const RasterMap& map) {
@@ -58,7 +60,8 @@ class Painter {
       const TileTest& tile = *triangle.tile;
       frame(tile.first_column, tile.first_row, tile.end_column, tile.end_row, 3, to_pixel(c_.now));
     }
-    if (triangle.weights) areas(box, *triangle.weights);
+    if (triangle.weights && !triangle.sample) areas(box, *triangle.weights);
+    if (const auto place = pixel_of_samples(triangle)) samples(triangle, place->first, place->second);
   }
 
  private:
@@ -101,6 +104,33 @@ class Painter {
       const glm::dvec2 foot = a + (b - a) * (at / length), tip = foot + stroke;
       canvas_.line(foot.x, foot.y, tip.x, tip.y, (is_new ? 2.5 : 1.5) * thin_, color);
     }
+  }
+  /// The pixel of which samples are at work.
+  std::optional<std::pair<std::int32_t, std::int32_t>> pixel_of_samples(const TriangleWork& triangle) const {
+    if (map_.cell < smallest_cell_of_samples) return std::nullopt;
+    if (triangle.sample) return std::pair(triangle.sample->x, triangle.sample->y);
+    if (triangle.mask) return std::pair(triangle.mask->x, triangle.mask->y);
+    return std::nullopt;
+  }
+  /// Dots in the colours of the polygons that the samples show, hollow where they show none; the one at work is larger.
+  void samples(const TriangleWork& triangle, std::int32_t x, std::int32_t y) {
+    const double size = std::max(1.5 * thin_, 0.055 * map_.cell);
+    const auto dot = [&](const formulas::SampleOffset& offset, std::int32_t polygon, bool at_work) {
+      const double px = map_.px(x + offset.dx()), py = map_.py(y + offset.dy()), radius = at_work ? 1.6 * size : size;
+      canvas_.mark(px, py, radius + 1.5 * thin_, 0, to_pixel(at_work ? c_.now : c_.text));
+      const Color color = polygon == no_polygon ? now_.scene().background : now_.scene().polygons[polygon].color;
+      canvas_.mark(px, py, radius, 0, opaque(color));
+    };
+    const MethodState& machine = now_.state().machine;
+    if (triangle.mask) {
+      const std::uint32_t inside = formulas::samples_of(*triangle.mask);
+      for (std::int32_t bit = 0; bit < formulas::mask_rows * formulas::mask_columns; ++bit)
+        dot(formulas::mask_offset(bit), inside >> bit & 1 ? machine.polygon : no_polygon, false);
+      return;
+    }
+    const auto offsets = formulas::samples_of(now_.header().conventions);
+    for (std::int32_t i = 0; i < size32(offsets); ++i)
+      dot(offsets[static_cast<std::size_t>(i)], machine.sample(x, y, i).polygon, i == triangle.sample->sample);
   }
   /// From the pixel's centre to the vertices: the three triangles whose areas are the weights.
   void areas(const TriangleSetup& box, const BarycentricWeights& at) {

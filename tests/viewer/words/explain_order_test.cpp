@@ -32,7 +32,7 @@ Explanation told_of(const Trace& trace, const std::string& step, int nth = 1) {
   return explain(trace, replay.state(), *replay.current());
 }
 
-std::string formulas(const Explanation& told) {
+std::string formulas_of(const Explanation& told) {
   std::string all;
   for (const std::string& formula : told.formulas) all += formula + "\n";
   return all;
@@ -67,7 +67,7 @@ TEST_CASE("depth sort: every event has a sentence, and its formula gives the rec
 TEST_CASE("depth sort: extents that are apart, with their numbers") {
   const Explanation x = told_of(five_tests(), "test_1");
   CHECK(says(x.sentence, "The x extents of A and B do not overlap"));
-  CHECK(says(formulas(x), "15.5 \u2264 18.5"));
+  CHECK(says(formulas_of(x), "15.5 \u2264 18.5"));
   const Explanation y = told_of(five_tests(), "test_2");
   CHECK(says(y.sentence, "The y extents of A and C do not overlap"));
   CHECK(says(told_of(five_tests(), "z_extents").sentence, "cannot hide it"));
@@ -76,7 +76,7 @@ TEST_CASE("depth sort: extents that are apart, with their numbers") {
 TEST_CASE("depth sort: sides of a plane, turned so that the eye's side is negative") {
   const Explanation both = told_of(five_tests(), "test_3");
   CHECK(says(both.sentence, "A lies on both sides of the plane of F. This test cannot decide."));
-  CHECK(says(formulas(both), "f(x, y, z) = \u22120.4472\u00b7y + 0.8944\u00b7z + (\u22124.6957)"));
+  CHECK(says(formulas_of(both), "f(x, y, z) = \u22120.4472\u00b7y + 0.8944\u00b7z + (\u22124.6957)"));
   CHECK(says(told_of(five_tests(), "test_3", 2).sentence,
              "All of A lies behind the plane of D. So A may be drawn first."));
   CHECK(says(told_of(five_tests(), "test_4", 2).sentence,
@@ -90,12 +90,12 @@ TEST_CASE("depth sort: projections, with the depths at the point that both cover
   CHECK(says(told_of(five_tests(), "test_5").sentence, "A and F do not overlap"));
   const Explanation overlap = told_of(five_tests(), "test_5", 2);
   CHECK(says(overlap.sentence, "B and G overlap, for one at (27, 6.5)"));
-  CHECK(says(formulas(overlap), "z of B = 4.5, of G = 9"));
+  CHECK(says(formulas_of(overlap), "z of B = 4.5, of G = 9"));
 }
 
 TEST_CASE("depth sort: the list") {
   CHECK(says(told_of(five_tests(), "insert").sentence, "A goes to the first place of the list"));
-  CHECK(says(formulas(told_of(five_tests(), "insert", 2)), "farthest z = 13"));
+  CHECK(says(formulas_of(told_of(five_tests(), "insert", 2)), "farthest z = 13"));
   CHECK(says(told_of(five_tests(), "move").sentence, "G becomes the first of the list"));
   CHECK(says(told_of(five_tests(), "mark").sentence, "G is marked"));
   CHECK(says(told_of(five_tests(), "take_out").sentence, "G leaves its place"));
@@ -107,7 +107,7 @@ TEST_CASE("depth sort: the list") {
 
 TEST_CASE("depth sort: a corner of a part, and a pixel painted over another") {
   CHECK(says(told_of(five_tests(), "cutting.outline").sentence, "of the part"));
-  CHECK(says(formulas(told_of(five_tests(), "cut")), "t = d_0/(d_0 \u2212 d_1) = 0.5667"));
+  CHECK(says(formulas_of(told_of(five_tests(), "cut")), "t = d_0/(d_0 \u2212 d_1) = 0.5667"));
   CHECK(says(told_of(five_tests(), "paint").sentence, "It showed background"));
 }
 

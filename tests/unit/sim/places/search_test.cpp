@@ -47,7 +47,8 @@ const std::vector<Case>& cases() {
       {"not nearer",
        [](const Event& e, std::int64_t, std::int32_t) {
          return (as<DepthCompare>(e) && !as<DepthCompare>(e)->nearer) ||
-                (as<TileDepthTest>(e) && !as<TileDepthTest>(e)->nearer);
+                (as<TileDepthTest>(e) && !as<TileDepthTest>(e)->nearer) ||
+                (as<SampleDepth>(e) && !as<SampleDepth>(e)->nearer);
        }},
       {"depth_compare where nearer",
        [](const Event& e, std::int64_t, std::int32_t) { return as<DepthCompare>(e) && as<DepthCompare>(e)->nearer; }},
