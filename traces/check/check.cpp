@@ -465,6 +465,12 @@ namespace {
 
 using Others = std::vector<const Otherwise*>;
 
+/// Its sign is taken as zstep has it where a right-handed run is read, whichever it was (traces/file/written.hpp).
+bool takes_either_sign(const Header& header, const Event& event) {
+  return header.written.axes == WrittenAs::Axes::right_handed &&
+         (event.index() == kind_of<ClipCross> || event.index() == kind_of<FacingTest>);
+}
+
 /// A run as its file would be read with these in its first line.
 Trace read_with(const Trace& trace, const Header& header, const Others& others) {
   Header as_own = header;
@@ -476,8 +482,12 @@ Trace read_with(const Trace& trace, const Header& header, const Others& others) 
   TraceRecorder recorder(as_own, scene);
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     Event event = recorded.event;
-    turn(event, trace.header(), trace.scene().camera, trace.scene().raster, Turned::as_written);
-    turn(event, header, scene.camera, scene.raster, Turned::as_own);
+    // A left-handed program writes such a sign as zstep has it.
+    const bool has_own_signs = takes_either_sign(trace.header(), event) && !takes_either_sign(header, event);
+    if (!has_own_signs) {
+      turn(event, trace.header(), trace.scene().camera, trace.scene().raster, Turned::as_written);
+      turn(event, header, scene.camera, scene.raster, Turned::as_own);
+    }
     record_any(recorder, recorded.step, event);
     return true;
   });
@@ -491,7 +501,15 @@ std::optional<std::int64_t> wrong_steps_under(const Others& others, const Trace&
   Header header = trace.header();
   turn(header, Turned::as_written);
   bool anew = false;
-  for (const Otherwise* other : others) other->change(header), anew |= other->is_of_raster || other->is_of_numbers;
+  // Of a right-handed run some depths have another sign than others; and a run that clears nothing begins with what is
+  // farthest.
+  const bool right_handed = header.written.axes == WrittenAs::Axes::right_handed,
+             clears = trace.has(kind_of<BuffersClear>);
+  for (const Otherwise* other : others) {
+    other->change(header);
+    anew |= other->is_of_raster || other->is_of_numbers || (right_handed && other->key == "depth") ||
+            (!clears && other->key == "nearer");
+  }
   if (anew && !kind_that_cannot_turn(header, trace.scene().camera).empty()) return std::nullopt;
   const CheckReport report = [&] {
     if (anew) {
@@ -516,8 +534,10 @@ std::optional<OtherConvention> convention_it_follows(const Trace& trace, const C
   };
   const auto fewer = [](const Tried& one, const Tried& other) { return one.wrong < other.wrong; };
   std::vector<Otherwise> all = other_conventions();
+  Header as_written = trace.header();
+  turn(as_written, Turned::as_written);
   std::erase_if(all, [&](const Otherwise& one) {
-    return one.holds(trace.header(), trace.scene().raster) ||
+    return one.holds(as_written, trace.scene().raster) ||
            (one.is_of_raster && (trace.scene().surface || trace.scene().camera.kind == Camera::Kind::screen));
   });
   std::vector<Tried> tried;
