@@ -501,15 +501,7 @@ std::optional<std::int64_t> wrong_steps_under(const Others& others, const Trace&
   Header header = trace.header();
   turn(header, Turned::as_written);
   bool anew = false;
-  // Of a right-handed run some depths have another sign than others; and a run that clears nothing begins with what is
-  // farthest.
-  const bool right_handed = header.written.axes == WrittenAs::Axes::right_handed,
-             clears = trace.has(kind_of<BuffersClear>);
-  for (const Otherwise* other : others) {
-    other->change(header);
-    anew |= other->is_of_raster || other->is_of_numbers || (right_handed && other->key == "depth") ||
-            (!clears && other->key == "nearer");
-  }
+  for (const Otherwise* other : others) other->change(header), anew |= other->is_of_raster || other->is_of_numbers;
   if (anew && !kind_that_cannot_turn(header, trace.scene().camera).empty()) return std::nullopt;
   const CheckReport report = [&] {
     if (anew) {
@@ -534,10 +526,8 @@ std::optional<OtherConvention> convention_it_follows(const Trace& trace, const C
   };
   const auto fewer = [](const Tried& one, const Tried& other) { return one.wrong < other.wrong; };
   std::vector<Otherwise> all = other_conventions();
-  Header as_written = trace.header();
-  turn(as_written, Turned::as_written);
   std::erase_if(all, [&](const Otherwise& one) {
-    return one.holds(as_written, trace.scene().raster) ||
+    return one.holds(trace.header(), trace.scene().raster) ||
            (one.is_of_raster && (trace.scene().surface || trace.scene().camera.kind == Camera::Kind::screen));
   });
   std::vector<Tried> tried;
