@@ -269,7 +269,7 @@ Json json_of(const DiffOptions& options, const Given& given, const mistakes::Lik
 void print_likeness(const mistakes::Likeness& one) {
   const std::string with = conventions_text(one);
   if (one.ways.empty()) {
-    fmt::print("With {}: {} would.\n", with,
+    fmt::print("With {} {} would.\n", with,
                one.differ == 0 ? "none" : fmt::format("{} of {}", grouped(one.differ), grouped(one.sure)));
     return;
   }
