@@ -150,20 +150,19 @@ std::string_view near_word(std::string_view word, std::span<const std::string_vi
   const std::string typed = bare(word);
   if (typed.empty()) return {};
   std::string_view best;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::pair least{none, none};
   for (const std::string_view candidate : known) {
     const std::string name = bare(candidate);
-    std::size_t d = distance(typed, name);
+    const std::size_t d = distance(typed, name);
     const std::size_t longer = std::max(typed.size(), name.size());
     const std::size_t limit = longer == 1 ? 0 : std::max<std::size_t>(1, longer / 3);  // any letter is near any other
     const bool beginning =
         typed.size() >= 2 && name.size() >= 2 && (name.starts_with(typed) || typed.starts_with(name));
     if (d > limit && !beginning) continue;
-    if (beginning) d = std::min<std::size_t>(d, 2);
-    if (d < least) {
-      least = d;
-      best = candidate;
-    }
+    // A beginning is as near as two letters, but of two that are that near the one with fewer letters in between.
+    const std::pair near{beginning ? std::min<std::size_t>(d, 2) : d, d};
+    if (near < least) least = near, best = candidate;
   }
   return best;
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -63,6 +64,9 @@ std::string ending_of(const std::string& path) {
 Table read_table(const std::string& path) {
   Table table;
   const std::string extension = ending_of(path);
+  if (extension == ".exr")
+    throw InputError(path, "is a picture of OpenEXR, which zstep does not read",
+                     "convert it: depths with \"oiiotool FILE.exr --ch Z -o FILE.pfm\", colours to .png");
   const auto grey = extension == ".png" ? read_grey16(path) : std::nullopt;
   if (grey) {
     table.width = grey->width, table.height = grey->height, table.shares = true;
@@ -101,7 +105,8 @@ double to_depths(Table& table, const Scene& scene, Conventions::Depth depth) {
 }  // namespace
 
 bool is_picture(const std::string& path) {
-  constexpr std::array<std::string_view, 8> extensions{".png", ".ppm", ".pgm", ".pnm", ".tga", ".bmp", ".npy", ".pfm"};
+  constexpr std::array<std::string_view, 9> extensions{".png", ".ppm", ".pgm", ".pnm", ".tga",
+                                                       ".bmp", ".npy", ".pfm", ".exr"};
   return std::find(extensions.begin(), extensions.end(), ending_of(path)) != extensions.end();
 }
 
@@ -163,20 +168,26 @@ struct Given {
   Scene scene;
   Header header;
   std::string name;
+  std::optional<NumberFormat> number_format{};  ///< where it is said
 };
 Given scene_beside(const DiffOptions& options) {
   if (is_trace(options.b)) {
     if (const std::string given = options.run.given(); !given.empty())
       throw InputError(given, "is for scenes, but this is a trace, which has its own conventions", "leave it out");
     const Trace trace = open_trace(options.b);
-    return {trace.scene(), trace.header(), printable(trace.name())};
+    const Header& header = trace.header();
+    const bool says_format = header.declares(Convention::number_format);
+    return {trace.scene(), header, printable(trace.name()),
+            says_format ? std::optional(header.conventions.number_format) : std::nullopt};
   }
   RunOptions run = options.run;
   run.scene = options.b;
   Run prepared = prepare(run);
   Header header = header_of(prepared);
   std::string name = printable(prepared.scene.name);
-  return {std::move(prepared.scene), std::move(header), std::move(name)};
+  const bool says_format = run.conventions.words.contains("number_format");
+  const auto format = says_format ? std::optional(header.conventions.number_format) : std::nullopt;
+  return {std::move(prepared.scene), std::move(header), std::move(name), format};
 }
 
 /// The background of a table of depths, where it is a number: the one that most pixels have, if none is nearer or none
@@ -217,6 +228,58 @@ std::vector<mistakes::Mistake> made_in(const mistakes::Likeness& likeness) {
   return made;
 }
 
+/// As the first line of a trace has them: `"cull": false and "ties": "last"`.
+std::string conventions_text(const mistakes::Likeness& likeness) {
+  std::vector<std::string> texts;
+  for (const auto& [key, word] : likeness.conventions)
+    texts.push_back(fmt::format("\"{}\": {}", key, word == "true" || word == "false" ? word : '"' + word + '"'));
+  return enumerate(texts, "and");
+}
+
+/// The likest few, each mistake once: where some explain all of it those alone.
+std::vector<mistakes::Likeness> shown_of(const std::vector<mistakes::Likeness>& found) {
+  constexpr std::size_t most = 3;
+  std::vector<mistakes::Likeness> shown;
+  for (auto one = found.begin() + 1; one != found.end() && shown.size() < most; ++one) {
+    if (!shown.empty() && shown.front().differ == 0 && one->differ > 0) break;
+    const bool is_new = std::none_of(shown.begin(), shown.end(), [&](const mistakes::Likeness& other) {
+      return !other.ways.empty() && made_in(other) == made_in(*one);
+    });
+    if (is_new) shown.push_back(*one);
+  }
+  return shown;
+}
+
+Json json_of(const DiffOptions& options, const Given& given, const mistakes::Likeness& right,
+             const std::vector<mistakes::Likeness>& shown) {
+  Json likely = Json::array(), otherwise = Json::array();
+  for (const mistakes::Likeness& one : shown) {
+    Json conventions = Json::object(), ids = Json::array();
+    for (const auto& [key, word] : one.conventions) conventions[key] = word;
+    for (const mistakes::Mistake mistake : made_in(one)) ids.push_back(mistakes::text_of(mistake).id);
+    Json entry = ids.empty() ? conventions : Json{{"mistakes", ids}};
+    if (!ids.empty() && !conventions.empty()) entry["conventions"] = conventions;
+    entry["differ"] = one.differ, entry["pixels"] = one.sure;
+    (ids.empty() ? otherwise : likely).push_back(std::move(entry));
+  }
+  return {{"a", options.a},         {"b", given.name},  {"pixels", right.sure},
+          {"differ", right.differ}, {"likely", likely}, {"conventions", otherwise}};
+}
+
+void print_likeness(const mistakes::Likeness& one) {
+  const std::string with = conventions_text(one);
+  if (one.ways.empty()) {
+    fmt::print("With {} {} would.\n", with,
+               one.differ == 0 ? "none" : fmt::format("{} of {}", grouped(one.differ), grouped(one.sure)));
+    return;
+  }
+  mistakes::Diagnosis likely{{one.ways.front().mistake}, {}};
+  if (one.ways.size() > 1) likely.also = one.ways.back().mistake;
+  fmt::print("\nSo drawn{} {}:\n  {}\n", with.empty() ? "" : fmt::format(", and with {},", with),
+             one.differ == 0 ? "it is this very picture" : fmt::format("{} differ", pixels_text(one)),
+             fmt::join(likely_in_words(likely), "\n  "));
+}
+
 }  // namespace
 
 int diff_of_picture(const DiffOptions& options) {
@@ -224,68 +287,37 @@ int diff_of_picture(const DiffOptions& options) {
   Table table = read_table(options.a);
   const Raster& raster = given.scene.raster;
   check_sizes(table.width, table.height, raster.width, raster.height, options.b);
-  const double roundoff = table.float32 || table.numbers.empty() ? 0x1p-24 : 0x1p-53;
+  // Of what the file has, and of what the program computed in: a picture does not say.
+  const bool is_narrow = given.number_format ? *given.number_format == NumberFormat::float32 : table.numbers.empty();
+  const double roundoff = table.float32 || is_narrow ? 0x1p-24 : 0x1p-53;
   const mistakes::Seen seen = seen_in(table);
-  const std::vector<mistakes::OtherLikeness> otherwise =
-      mistakes::likenesses_otherwise(given.scene, given.header, roundoff, seen);
-  const bool is_explained = !otherwise.empty() && otherwise.front().differ == 0;
   Watch watch;
   const std::vector<mistakes::Likeness> found =
       mistakes::likenesses(given.scene, given.header, roundoff, seen, [&](double share) {
-        watch.show(
-            fmt::format("drawing the scene with each mistake: {} % (Ctrl-C stops)", static_cast<int>(100 * share)));
-        return is_explained;
+        watch.show(fmt::format("drawing the scene with each mistake and convention: {} % (Ctrl-C stops)",
+                               static_cast<int>(100 * share)));
+        return false;
       });
   watch.clear_line();
   const mistakes::Likeness& right = found.front();
-  // What explains all of it, and of what does not the likest.
-  constexpr std::size_t most = 3;
-  std::vector<mistakes::Likeness> shown;
-  std::vector<std::vector<mistakes::Mistake>> named;
-  for (auto one = found.begin() + 1; one != found.end() && shown.size() < most && !is_explained; ++one) {
-    if (!shown.empty() && shown.front().differ == 0 && one->differ > 0) break;
-    if (std::find(named.begin(), named.end(), made_in(*one)) != named.end()) continue;
-    shown.push_back(*one), named.push_back(made_in(*one));
-  }
+  const std::vector<mistakes::Likeness> shown = shown_of(found);
+  const int code = right.differ == 0 ? exit_code::done : exit_code::finding;
   if (options.json) {
-    Json list = Json::array(), conventions = Json::array();
-    for (const mistakes::Likeness& one : shown) {
-      Json ids = Json::array();
-      for (const mistakes::Mistake mistake : made_in(one)) ids.push_back(mistakes::text_of(mistake).id);
-      list.push_back({{"mistakes", ids}, {"differ", one.differ}, {"pixels", one.sure}});
-    }
-    for (const mistakes::OtherLikeness& one : otherwise)
-      conventions.push_back({{one.key, one.word}, {"differ", one.differ}, {"pixels", one.sure}});
-    const Json all{{"a", options.a},         {"b", given.name}, {"pixels", right.sure},
-                   {"differ", right.differ}, {"likely", list},  {"conventions", conventions}};
-    fmt::print("{}\n", all.dump(2));
-    return right.differ == 0 ? exit_code::done : exit_code::finding;
+    fmt::print("{}\n", json_of(options, given, right, shown).dump(2));
+    return code;
   }
   fmt::print("A: {}\nB: {}, {}x{} pixels, as it should be drawn\n", printable(options.a), given.name, raster.width,
              raster.height);
   if (right.differ == 0) {
     fmt::print("The picture is right: none of {} differs but by rounding.\n", counted(right.sure, "pixel", "pixels"));
-    return exit_code::done;
+    return code;
   }
   fmt::print("{} differ by more than rounding.\n", pixels_text(right));
-  for (const mistakes::OtherLikeness& one : otherwise)
-    fmt::print("With \"{}\": {} {} would.\n", one.key,
-               one.word == "true" || one.word == "false" ? one.word : '"' + one.word + '"',
-               one.differ == 0 ? "none" : fmt::format("{} of {}", grouped(one.differ), grouped(one.sure)));
-  if (shown.empty()) {
-    if (otherwise.empty()) fmt::print("No known mistake, and no other convention, explains it.\n");
-    return exit_code::finding;
-  }
-  fmt::print("\n");
-  for (const mistakes::Likeness& one : shown) {
-    mistakes::Diagnosis likely{{one.ways.front().mistake}, {}};
-    if (one.ways.size() > 1) likely.also = one.ways.back().mistake;
-    fmt::print(
-        "{}:\n  {}\n",
-        one.differ == 0 ? "So drawn it is this very picture" : fmt::format("So drawn {} differ", pixels_text(one)),
-        fmt::join(likely_in_words(likely), "\n  "));
-  }
-  return exit_code::finding;
+  if (shown.empty() || shown.front().differ > 0)
+    fmt::print("No known mistake, no other convention, and no two of them explain all of it{}.\n",
+               shown.empty() ? ", nor half of it" : "; the nearest");
+  for (const mistakes::Likeness& one : shown) print_likeness(one);
+  return code;
 }
 
 }  // namespace zstep::cli

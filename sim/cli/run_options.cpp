@@ -69,18 +69,22 @@ constexpr std::array likes{
     Like{"direct3d", Conventions::Depth::zero_to_one, false, true, {Centre::half, Axes::left_handed}},
 };
 
-/// One of some words; the words are the help's type name too, and what a shell offers to complete.
+/// One of some words; the words are the help's type name too, and what a shell offers to complete. `take` gets the
+/// place of the one that is given.
+CLI::Option* add_choice(CLI::App& command, const std::string& name, const std::vector<std::string>& words,
+                        const std::string& help, const std::function<void(std::size_t)>& take) {
+  return command
+      .add_option_function<std::string>(
+          name, [=](const std::string& text) { take(parse_choice(name, text, words)); }, help)
+      ->type_name(fmt::format("{}", fmt::join(words, "|")))
+      ->group("Method");
+}
+/// The words of an enumeration, with hyphens.
 template <class Enumeration>
-CLI::Option* add_convention(CLI::App& command, ConventionChoices& choices, const std::string& key,
-                            Enumeration Conventions::*) {
+std::vector<std::string> hyphenated() {
   std::vector<std::string> words;
   for (const std::string_view word : zstep::words_of<Enumeration>) words.push_back(with_hyphens(word));
-  const std::string name = "--" + with_hyphens(key);
-  const auto take = [name, key, words, &choices](const std::string& text) {
-    choices.words[key] = zstep::words_of<Enumeration>[parse_choice(name, text, words)];
-  };
-  return command.add_option_function<std::string>(name, take, convention_help.at(key))
-      ->type_name(fmt::format("{}", fmt::join(words, "|")));
+  return words;
 }
 
 std::vector<std::string> method_ids() {
@@ -199,34 +203,25 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
                                                      "Pixels of the raster, as 640x480 (default: the scene's)")
                    ->type_name("WxH"));
   in("Method", command.add_flag("--no-cull", options.no_cull, "Draw back faces too"));
-  const auto take_axis = [&view](const std::string& text) {
-    view.y_up = parse_choice("--y-axis", text, std::vector<std::string>{"down", "up"}) == 1;
-  };
-  in("Method", command
-                   .add_option_function<std::string>("--y-axis", take_axis,
-                                                     "Where rows are counted to: down from the top (default), or up "
-                                                     "from the bottom, as OpenGL has them")
-                   ->type_name("down|up"));
-  const auto take_seen = [&view](const std::string& text) {
-    view.corners = parse_choice("--seen-at", text, std::vector<std::string>{"centres", "corners"}) == 1;
-  };
-  in("Method", command
-                   .add_option_function<std::string>("--seen-at", take_seen,
-                                                     "Where in a pixel the scene is sampled: at its centre "
-                                                     "(default), or at its first corner, as many short rasterisers do")
-                   ->type_name("centres|corners"));
+  all.push_back(add_choice(command, "--y-axis", {"down", "up"},
+                           "Where rows are counted to: down from the top (default), or up from the bottom, as OpenGL "
+                           "has them",
+                           [&view](std::size_t at) { view.y_up = at == 1; }));
+  all.push_back(add_choice(command, "--seen-at", {"centres", "corners"},
+                           "Where in a pixel the scene is sampled: at its centre (default), or at its first corner, as "
+                           "many short rasterisers do",
+                           [&view](std::size_t at) { view.corners = at == 1; }));
   std::vector<std::string> names;
   for (const Like& like : likes) names.emplace_back(like.name);
-  const auto take_like = [&options, names](const std::string& text) {
-    options.like = names[parse_choice("--like", text, names)];
-  };
-  in("Method", command
-                   .add_option_function<std::string>("--like", take_like,
-                                                     "Whose conventions hold where no other option says otherwise: "
-                                                     "depth, rows, pixel centres, view coordinates, back faces")
-                   ->type_name(fmt::format("{}", fmt::join(names, "|"))));
-  for_each_convention(
-      [&](const char* key, auto member) { in("Method", add_convention(command, options.conventions, key, member)); });
+  all.push_back(add_choice(command, "--like", names,
+                           "Whose conventions hold where no other option says otherwise: depth, rows, pixel centres, "
+                           "view coordinates, back faces",
+                           [&options](std::size_t at) { options.like = likes[at].name; }));
+  for_each_convention([&]<class E>(const char* key, E Conventions::*) {
+    all.push_back(
+        add_choice(command, "--" + with_hyphens(key), hyphenated<E>(), convention_help.at(key),
+                   [key, &options](std::size_t at) { options.conventions.words[key] = zstep::words_of<E>[at]; }));
+  });
 
   in("Camera", add_number(command, "--rho", view.rho, "Distance of the eye from the origin"));
   in("Camera",
@@ -247,15 +242,11 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
 
 void add_written_options(CLI::App& command, RunOptions& options) {
   const auto add = [&]<class E>(const std::string& name, E WrittenAs::*member, const char* help) {
-    std::vector<std::string> words;
-    for (const std::string_view word : zstep::words_of<E>) words.push_back(with_hyphens(word));
-    const auto take = [name, words, member, &options](const std::string& text) {
-      options.written.*member = static_cast<E>(parse_choice(name, text, words));
-      options.written_given.insert(name);
-    };
-    options.declared.push_back(command.add_option_function<std::string>(name, take, help)
-                                   ->type_name(fmt::format("{}", fmt::join(words, "|")))
-                                   ->group("Method"));
+    options.declared.push_back(
+        add_choice(command, name, hyphenated<E>(), help, [name, member, &options](std::size_t at) {
+          options.written.*member = zstep::values_of<E>[at];
+          options.written_given.insert(name);
+        }));
   };
   add("--pixel-centre", &WrittenAs::centre,
       "Where the program has the centre of pixel (x, y): at (x, y) (default), or at (x + 1/2, y + 1/2)");

@@ -315,6 +315,51 @@ TEST_CASE("diff: the mistake that makes a picture is named, and two that are mad
   CHECK(report["likely"][0]["mistakes"] == nlohmann::json{"y_upside_down", "depth_not_written"});
 }
 
+TEST_CASE("diff: where nothing draws a picture the nearest is named, or none") {
+  const Folder folder;
+  REQUIRE(run(folder,
+              "render pyramid-behind --size 48x36 --no-cull --depth view --save-ids ids.npy "
+              "--save-depth-raw two.npy")
+              .code == 0);
+  // Mirrored.
+  constexpr std::size_t width = 48, height = 36, bytes = 4;
+  const std::string npy = text_of(folder / "ids.npy");
+  const std::size_t begin = npy.size() - width * height * bytes;
+  std::string mirrored = npy;
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 0; x < width; ++x)
+      mirrored.replace(begin + bytes * (y * width + x), bytes, npy, begin + bytes * (y * width + width - 1 - x), bytes);
+  write_text(folder / "mirrored.npy", mirrored);
+  const auto of_mirrored =
+      nlohmann::json::parse(run(folder, "diff mirrored.npy pyramid-behind --size 48x36 --json").out);
+  bool named = false;
+  for (const auto& one : of_mirrored["likely"])
+    named = named || (one["mistakes"] == nlohmann::json{"picture_mirrored"} && one["differ"] == 0);
+  CHECK(named);
+  // A few pixels are otherwise: the nearest, and how many differ.
+  for (std::size_t x = 0; x < 5; ++x) mirrored.replace(begin + bytes * (18 * width + 16 + 3 * x), bytes, bytes, '\7');
+  write_text(folder / "nearest.npy", mirrored);
+  const Outcome nearest = run(folder, "diff nearest.npy pyramid-behind --size 48x36 --no-cull");
+  CHECK(has(nearest.out, "explain all of it; the nearest.\n\nSo drawn 5 of "));
+  CHECK(has(nearest.out, "Likely: The picture is mirrored."));
+  // And what is nothing known.
+  std::string noise = npy;
+  for (std::size_t x = 0; x < 9; ++x) noise.replace(begin + bytes * (18 * width + 14 + 2 * x), bytes, bytes, '\7');
+  write_text(folder / "noise.npy", noise);
+  CHECK(has(run(folder, "diff noise.npy pyramid-behind --size 48x36 --no-cull").out, "nor half of it."));
+}
+
+TEST_CASE("diff: depths are held to the number format that is given, and OpenEXR is refused with the way out") {
+  const Folder folder;
+  REQUIRE(run(folder, "render cyclic --number-format float32 --save-depth-raw z.npy").code == 0);
+  CHECK(run(folder, "diff z.npy cyclic").code == 1);
+  CHECK(run(folder, "diff z.npy cyclic --number-format float32").code == 0);
+  write_text(folder / "a.exr", "v/1\1");
+  const Outcome refused = run(folder, "diff a.exr cyclic");
+  CHECK(refused.code == 2);
+  CHECK(has(refused.err, "a.exr: is a picture of OpenEXR, which zstep does not read; convert it"));
+}
+
 TEST_CASE("diff: what cannot be held against a scene says so") {
   const Folder folder;
   REQUIRE(run(folder, "render cyclic --save a.png").code == 0);

@@ -74,6 +74,7 @@ TEST_CASE("hostile files: why-not") {
 TEST_CASE("hostile files: explain") {
   check_every_trace("explain", "1 1");
   check_every_trace("explain", "--at 100%");
+  check_every_trace("explain", "--at 100% --exact");
 }
 TEST_CASE("hostile files: export") {
   check_every_trace("export", "-o depth.npy");

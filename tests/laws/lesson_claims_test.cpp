@@ -1,14 +1,12 @@
 // What lessons say or ask about other runs than their own ("Try it", a larger picture, another option), held against
 // those runs.
 #include <filesystem>
-#include <fstream>
-#include <random>
-#include <sstream>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include "sim/classroom/lesson.hpp"
+#include "tests/laws/lesson_files.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
 
@@ -29,30 +27,6 @@ struct Run {
   Edits edits = {};
 };
 
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / fmt::format("zstep-claims-{}", std::random_device{}())) {
-    fs::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return path_ / name;
-  }
-
- private:
-  fs::path path_;
-};
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 std::string edited(std::string text, const Edits& edits) {
   for (const auto& edit : edits) {
     const std::string &old = edit.first, &now = edit.second;
@@ -66,12 +40,12 @@ std::string edited(std::string text, const Edits& edits) {
 void check(const Run& run) {
   CAPTURE(run.lesson);
   CAPTURE(run.head);
-  const Folder folder;
+  const test::LessonFolder folder;
   std::string scene = run.scene;
   const bool written_here = scene.find('\n') != std::string::npos;
   if (written_here || fs::path(scene).extension() == ".toml") {
     folder.write("scene.toml",
-                 edited(written_here ? scene : text_of(test::in_checkout("lessons/scenes/" + scene)), run.edits));
+                 edited(written_here ? scene : test::text_of(test::in_checkout("lessons/scenes/" + scene)), run.edits));
     scene = "scene.toml";
   }
   const fs::path path = folder.write(
@@ -109,7 +83,7 @@ Edits quarters_enlarged(double times) {
 
 /// Polygon `name` moved to the end of a scene's text.
 Edits drawn_last(const std::string& scene, const std::string& name) {
-  const std::string text = text_of(test::in_checkout("lessons/scenes/" + scene)),
+  const std::string text = test::text_of(test::in_checkout("lessons/scenes/" + scene)),
                     mark = "[[polygon]]\nname = \"" + name + "\"";
   const std::size_t at = text.find(mark);
   REQUIRE(at != std::string::npos);

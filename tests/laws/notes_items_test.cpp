@@ -2,10 +2,7 @@
 // there.
 #include <doctest/doctest.h>
 
-#include <unistd.h>
-
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -14,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "sim/classroom/lesson.hpp"
+#include "tests/laws/lesson_files.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
 
@@ -26,12 +24,6 @@ struct Item {
   int line = 0;
   std::string item, lesson, stop, shows;  ///< shows: claims in braces; "—" where the stop says it in words
 };
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 /// The cells of a row, without the blanks around them; a bar inside one is written \|.
 std::vector<std::string> cells_of(const std::string& row) {
@@ -54,7 +46,7 @@ std::vector<std::string> cells_of(const std::string& row) {
 /// The rows that name a lesson, a stop and what shows it.
 std::vector<Item> items() {
   std::vector<Item> all;
-  std::istringstream lines(text_of(test::in_checkout("tests/notes/items.md")));
+  std::istringstream lines(test::text_of(test::in_checkout("tests/notes/items.md")));
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
@@ -66,26 +58,6 @@ std::vector<Item> items() {
   return all;
 }
 
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / fmt::format("zstep-notes-{}", ::getpid())) {
-    fs::create_directories(path_);
-    for (const char* beside : {"scenes", "runs", "homework"})
-      fs::create_directory_symlink(test::in_checkout(std::string("lessons/") + beside), path_ / beside);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return path_ / name;
-  }
-
- private:
-  fs::path path_;
-};
-
 TEST_CASE("law: each item of the lecture notes is shown at its stop") {
   std::map<std::string, std::vector<Item>> by_lesson;
   int shown = 0, in_words = 0;
@@ -93,12 +65,15 @@ TEST_CASE("law: each item of the lecture notes is shown at its stop") {
     by_lesson[item.lesson].push_back(item);
     ++(item.shows.find('{') == std::string::npos ? in_words : shown);
   }
-  const Folder folder;
+  // Beside it what lessons open.
+  const test::LessonFolder folder;
+  for (const char* beside : {"scenes", "runs", "homework"})
+    fs::create_directory_symlink(test::in_checkout(std::string("lessons/") + beside), folder / beside);
   for (const auto& entry : by_lesson) {
     const std::string& id = entry.first;
     CAPTURE(id);
     const Lesson lesson = find_lesson(id);
-    std::string text = text_of(lesson.path);
+    std::string text = test::text_of(lesson.path);
     for (const Item& item : entry.second) {
       const std::string where = fmt::format("tests/notes/items.md:{}: {}", item.line, item.item);
       CAPTURE(where);

@@ -20,6 +20,7 @@
 #include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/formulas/walk.hpp"
+#include "traces/record/trace_recorder.hpp"
 
 using namespace zstep;
 using namespace zstep::test;
@@ -228,6 +229,48 @@ TEST_CASE("zoo: a convention that such a renderer has and its header has not is 
     CHECK(wrong >= 12 / test::sparse - 1);
     CHECK(found == wrong);
   }
+}
+
+/// What a check proposes for a run whose file says these words in place of others.
+std::string proposed_for(const Trace& run, const std::vector<std::pair<std::string, std::string>>& words,
+                         const std::string& step_left_out = "") {
+  std::string text = jsonl_header(run.header(), run.scene()) + "\n";
+  for (const auto& [declared, other] : words) {
+    const std::size_t at = text.find(declared);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, declared.size(), other);
+  }
+  run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& event) {
+    const std::string line = jsonl_event(run.header(), run.scene(), event);
+    if (step_left_out.empty() || line.find("\"" + step_left_out + "\"") == line.npos) text += line + "\n";
+    return true;
+  });
+  const Trace read = trace_of(text);
+  const auto other = convention_it_follows(read, check(read));
+  std::string said;
+  if (other)
+    for (const OtherConvention::Declared& one : other->declared) said += one.key + " " + one.word + " ";
+  return said;
+}
+
+TEST_CASE("left-handed view coordinates are proposed for a run that prints facing tests") {
+  const Scene scene = seen("pyramid-behind", 33, 62, false);
+  const auto run_of = [&](Conventions::Depth depth, WrittenAs::Axes axes) {
+    Conventions conventions;
+    conventions.depth = depth;
+    Header header = header_for(method("z-buffer"), conventions);
+    header.written.axes = axes;
+    TraceRecorder recorder(header, scene);
+    method("z-buffer").record(scene, conventions, recorder);
+    recorder.finish();
+    return Trace::from_bytes(recorder.take_bytes(), "run");
+  };
+  using Depth = Conventions::Depth;
+  using Axes = WrittenAs::Axes;
+  // A left-handed run that is declared right-handed.
+  const std::string centre = "\"pixel_centre\"", right_handed = "\"view_coordinates\":\"right_handed\",";
+  const Trace left = run_of(Depth::zero_to_one, Axes::left_handed);
+  CHECK(proposed_for(left, {{centre, right_handed + centre}}) == "view_coordinates left_handed ");
 }
 
 TEST_CASE("zoo: a wrong renderer after a library is found") {

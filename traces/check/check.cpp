@@ -465,6 +465,12 @@ namespace {
 
 using Others = std::vector<const Otherwise*>;
 
+/// Its sign is taken as zstep has it where a right-handed run is read, whichever it was (traces/file/written.hpp).
+bool takes_either_sign(const Header& header, const Event& event) {
+  return header.written.axes == WrittenAs::Axes::right_handed &&
+         (event.index() == kind_of<ClipCross> || event.index() == kind_of<FacingTest>);
+}
+
 /// A run as its file would be read with these in its first line.
 Trace read_with(const Trace& trace, const Header& header, const Others& others) {
   Header as_own = header;
@@ -476,8 +482,12 @@ Trace read_with(const Trace& trace, const Header& header, const Others& others) 
   TraceRecorder recorder(as_own, scene);
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     Event event = recorded.event;
-    turn(event, trace.header(), trace.scene().camera, trace.scene().raster, Turned::as_written);
-    turn(event, header, scene.camera, scene.raster, Turned::as_own);
+    // A left-handed program writes such a sign as zstep has it.
+    const bool has_own_signs = takes_either_sign(trace.header(), event) && !takes_either_sign(header, event);
+    if (!has_own_signs) {
+      turn(event, trace.header(), trace.scene().camera, trace.scene().raster, Turned::as_written);
+      turn(event, header, scene.camera, scene.raster, Turned::as_own);
+    }
     record_any(recorder, recorded.step, event);
     return true;
   });

@@ -1,9 +1,11 @@
 // Which numbers follow from something that is wrong: for each place that holds numbers, the cause it goes back to.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 
+#include "traces/enumeration.hpp"
 #include "traces/formulas/half_space.hpp"
 #include "traces/formulas/situation.hpp"
 
@@ -14,35 +16,36 @@ class Inheritance {
   static constexpr std::int32_t clean = -1;
 
   /// Nothing is wrong anywhere, so nothing needs to be looked up.
-  bool empty() const { return wrong_.empty(); }
+  bool empty() const { return count_ == 0; }
   std::int32_t of(const formulas::Place& place) const {
-    if (wrong_.empty()) return clean;
-    const auto found = wrong_.find(key(place));
-    return found == wrong_.end() ? clean : found->second;
+    if (empty()) return clean;
+    const auto found = wrong_[place.in].find(place.number);
+    return found == wrong_[place.in].end() ? clean : found->second;
   }
   void set(const formulas::Place& place, std::int32_t cause) {
-    if (cause != clean) wrong_[key(place)] = cause;
-    else if (!wrong_.empty()) wrong_.erase(key(place));
+    if (cause == clean && empty()) return;
+    auto& there = wrong_[place.in];
+    count_ -= there.size();
+    if (cause != clean) there[place.number] = cause;
+    else there.erase(place.number);
+    count_ += there.size();
   }
   /// Each place of this sort that holds what follows from a cause.
   template <class Visit>
   void for_each(formulas::Place::In in, Visit&& visit) const {
-    for (const auto& [key, cause] : wrong_)
-      if (key >> shift == static_cast<std::uint64_t>(in))
-        visit(formulas::Place{in, static_cast<std::int64_t>(key & ((std::uint64_t{1} << shift) - 1))});
+    for (const auto& [number, cause] : wrong_[in]) visit(formulas::Place{in, number});
   }
   /// A buffer that is cleared holds nothing that is wrong.
   void clear(formulas::Place::In in) {
-    std::erase_if(wrong_, [&](const auto& entry) { return entry.first >> shift == static_cast<std::uint64_t>(in); });
+    count_ -= wrong_[in].size();
+    wrong_[in].clear();
   }
 
  private:
-  static constexpr unsigned shift = 56;
-  static std::uint64_t key(const formulas::Place& place) {
-    return static_cast<std::uint64_t>(place.in) << shift |
-           (static_cast<std::uint64_t>(place.number) & ((std::uint64_t{1} << shift) - 1));
-  }
-  std::unordered_map<std::uint64_t, std::int32_t> wrong_;
+  static constexpr std::size_t sorts = index_of(formulas::Place::In::triangle) + 1;
+  // Each sort has its own: what is cleared often, as the numbers of a triangle, is not to be picked out of all pixels.
+  ByEnum<formulas::Place::In, std::unordered_map<std::int64_t, std::int32_t>, sorts> wrong_;
+  std::size_t count_ = 0;
 };
 
 /// A box is written beside the plane of its piece, and does not make a wrong plane right.

@@ -35,7 +35,10 @@ constexpr FieldOfKind field_row() {
                   Type::whole, {},         read_field<E, I>, write_field<E, I>};
   if constexpr (std::is_same_v<Value, double>) row.type = Type::real;
   else if constexpr (std::is_same_v<Value, bool>) row.type = Type::truth;
-  else if constexpr (std::is_enum_v<Value>) row.type = Type::word, row.words = words_of<Value>;
+  else if constexpr (std::is_enum_v<Value>) {
+    static_assert(!words_of<Value>.back().empty(), "fewer words than values: an array takes a list that is too short");
+    row.type = Type::word, row.words = words_of<Value>;
+  }
   return row;
 }
 

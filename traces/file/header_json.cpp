@@ -30,6 +30,8 @@ constexpr auto number_words = [] {
 /// In the order in which a header has them.
 constexpr ByEnum<Convention, std::string_view, 8> convention_keys{"depth",         "interpolation", "coverage", "cull",
                                                                   "number_format", "pixel_centre",  "nearer",   "ties"};
+// An array takes a list that is too short, and leaves the rest empty.
+static_assert(!convention_keys.back().empty());
 constexpr std::string_view key_of(Convention convention) { return convention_keys[convention]; }
 
 ordered_json conventions_to_json(const Header& header) {
@@ -75,6 +77,7 @@ void read_conventions(const json& in, Header& header) {
                 axes_key, "pixel_centre", "nearer", "ties", "initial_depth", "options"});
   });
   for_each_convention([&]<class E>(const char* key, E Conventions::*member) {
+    static_assert(!words_of<E>.back().empty(), "fewer words than values");
     parts.read([&] {
       if constexpr (!std::is_same_v<E, NumberFormat>) c.*member = word_or(in, key, words_of<E>, c.*member);
       else if (const auto number = word_or(in, key, number_words, std::size_t{0}); number < words_of<E>.size())

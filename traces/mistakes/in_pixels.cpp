@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "traces/check/check.hpp"
@@ -299,55 +300,87 @@ namespace {
 /// A picture that a program draws, as far as rounding does not decide it.
 class Redrawing {
  public:
-  Redrawing(const Scene& scene, const Header& header, double roundoff)
-      : given_{scene, header, roundoff}, right_(scene.facets.size()) {
+  Redrawing(const Scene& scene, Header header, double roundoff)
+      : header_(std::move(header)),
+        given_{scene, header_, roundoff},
+        right_(scene.facets.size()),
+        shown_(pixel_count(scene.raster.width, scene.raster.height)),
+        buffer_({}, given_) {
     for (std::size_t facet = 0; facet < right_.size(); ++facet)
-      right_[facet] = DrawnFacet::from_scene(scene, header, index32(facet), roundoff);
+      right_[facet] = DrawnFacet::from_scene(scene, header_, index32(facet), roundoff);
   }
+  Redrawing(const Redrawing&) = delete;
 
-  /// Of these mistakes, made in one way with facets that go round clockwise, and in one with the others.
-  Likeness like(const Seen& seen, const Together& ways, int clockwise, int counter, std::int64_t most) {
+  Rows all_rows() const { return {0, given_.scene.raster.height}; }
+  /// Of these mistakes, made in one way with facets that go round clockwise, and in one with the others. Counts in
+  /// these rows alone, no further than to a pixel more than `most` that differ.
+  Likeness like(const Seen& seen, const Together& ways, int clockwise, int counter, std::int64_t most, Rows rows) {
     const Scene& scene = given_.scene;
     const std::int32_t polygons = std::max(1, size32(scene.polygons));
     const std::int32_t width = scene.raster.width, height = scene.raster.height;
-    shown_.assign(pixel_count(width, height), {});
-    Buffer buffer(ways, given_);
     const auto made = [&](Mistake mistake) {
       return std::any_of(ways.begin(), ways.end(), [&](const Way& way) { return way.mistake == mistake; });
     };
     const Way* beside = nullptr;
     for (const Way& way : ways)
       if (way.mistake == colour_beside) beside = &way;
+    const bool always = made(colour_always), never = made(colour_not_written), of_next = made(colour_of_next);
+    // What is drawn in them may come from elsewhere.
+    Rows drawn_rows = made(stride_is_height) ? all_rows() : rows;
+    if (beside) drawn_rows = {std::max(0, drawn_rows.first - 1), std::min(height, drawn_rows.end + 1)};
+    std::fill(shown_.begin() + std::ptrdiff_t{drawn_rows.first} * width,
+              shown_.begin() + std::ptrdiff_t{drawn_rows.end} * width, Shown{});
+    buffer_.begin_again(ways, drawn_rows);
     for (std::size_t facet = 0; facet < right_.size(); ++facet) {
       if (!right_[facet]) continue;
       // With a margin that nobody knows each pixel around may be inside.
-      if (made(inside_margin) || !Redrawn::is_known(*right_[facet], ways, given_)) return {ways, most + 1, 0};
+      if (made(inside_margin) || !Redrawn::is_known(*right_[facet], ways, given_)) return {ways, {}, most + 1, 0};
       if (Redrawn::is_left_out(*right_[facet], ways, given_.header.conventions.cull, given_)) continue;
+      if (!Redrawn::may_meet(*right_[facet], ways, drawn_rows, given_)) continue;
       const int choice = Redrawn::is_clockwise(*right_[facet]) ? clockwise : counter;
       const auto drawn = Redrawn::of(*right_[facet], ways, choice, given_);
       if (!drawn) continue;
       const std::int32_t polygon = scene.facets[facet].polygon;
       drawn->each_pixel([&](std::int32_t x, std::int32_t y, Redrawn::Cover cover) {
-        if (x < 0 || y < 0 || x >= width || y >= height) return;
+        if (x < 0 || x >= width || !drawn_rows.has(y)) return;
         const Redrawn::Depths z = drawn->depths(x, y);
         Shown& there = shown_[pixel_at(x, y, width)];
         std::optional<bool> nearer;
-        if (cover == Redrawn::Cover::inside) nearer = buffer.ask(x, y, z);
-        else buffer.may_ask(x, y, z);
+        if (cover == Redrawn::Cover::inside) nearer = buffer_.ask(x, y, z);
+        else buffer_.may_ask(x, y, z);
         if (!nearer) there.sure = there.deep = false;
         if (nearer && *nearer) there.low = z.low, there.high = z.high, there.deep = true;
         std::int32_t to_x = x, to_y = y;
         if (beside) (beside->variant < 2 ? to_x : to_y) += beside->variant % 2 == 0 ? 1 : -1;
-        if (to_x < 0 || to_y < 0 || to_x >= width || to_y >= height || made(colour_not_written)) return;
+        if (to_x < 0 || to_x >= width || !drawn_rows.has(to_y) || never) return;
         Shown& painted = shown_[pixel_at(to_x, to_y, width)];
-        if (!nearer && !made(colour_always)) painted.sure = false;
-        else if (made(colour_always) || *nearer)
-          painted.polygon = made(colour_of_next) ? (polygon + 1) % polygons : polygon,
+        if (!nearer && !always) painted.sure = false;
+        else if (always || *nearer)
+          painted.polygon = of_next ? (polygon + 1) % polygons : polygon,
           painted.sure = cover == Redrawn::Cover::inside;
       });
     }
-    return compare(seen, ways, most);
+    return compare(seen, ways, most, rows);
   }
+  /// The fewest rows one below another that have enough of the pixels that differ from what was drawn last, and how
+  /// many those are.
+  std::pair<Rows, std::int64_t> rows_that_differ(const Seen& seen) const {
+    const std::int32_t height = given_.scene.raster.height;
+    std::vector<std::int64_t> up_to{0};
+    for (std::int32_t y = 0; y < height; ++y)
+      up_to.push_back(up_to.back() + compare(seen, {}, any_number, {y, y + 1}).differ);
+    constexpr std::int64_t share = 16, least = 64;
+    const std::int64_t enough = std::max(up_to.back() / share, std::min(up_to.back(), least));
+    Rows best = all_rows(), rows;
+    for (; rows.first < height; ++rows.first) {
+      while (rows.end < height && up_to[rows.end] - up_to[rows.first] < enough) ++rows.end;
+      if (up_to[rows.end] - up_to[rows.first] < enough) break;
+      if (rows.end - rows.first < best.end - best.first) best = rows;
+    }
+    return {best, up_to[best.end] - up_to[best.first]};
+  }
+
+  static constexpr std::int64_t any_number = std::numeric_limits<std::int64_t>::max();
 
  private:
   struct Shown {
@@ -357,16 +390,16 @@ class Redrawing {
     double low = std::numeric_limits<double>::infinity(), high = low;
   };
 
-  Likeness compare(const Seen& seen, const Together& ways, std::int64_t most) const {
-    Likeness likeness{ways, 0, 0};
+  Likeness compare(const Seen& seen, const Together& ways, std::int64_t most, Rows rows) const {
+    Likeness likeness{ways, {}, 0, 0};
     const Raster& raster = given_.scene.raster;
     const Conventions::Depth depth = given_.header.conventions.depth;
     const double range = seen.unit > 0 ? depth_range(given_.scene, depth) : 1,
                  least = seen.unit > 0 ? formulas::least_depth(given_.scene, depth) : 0, off = seen.unit * range;
-    for (std::int32_t y = 0; y < raster.height && likeness.differ <= most; ++y)
+    for (std::int32_t y = rows.first; y < rows.end && likeness.differ <= most; ++y)
       for (std::int32_t x = 0; x < raster.width; ++x) {
-        const Shown& shown = shown_[pixel_at(x, raster.y_up ? raster.height - 1 - y : y, raster.width)];
-        const std::size_t at = pixel_at(x, y, raster.width);
+        const Shown& shown = shown_[pixel_at(x, y, raster.width)];
+        const std::size_t at = pixel_at(x, raster.y_up ? raster.height - 1 - y : y, raster.width);
         bool sure = false, same = true;
         if (!seen.polygons.empty() && shown.sure) sure = true, same = same && seen.polygons[at] == shown.polygon;
         if (!seen.colors.empty() && shown.sure) {
@@ -386,68 +419,131 @@ class Redrawing {
     return likeness;
   }
 
-  Given given_;
+  const Header header_;
+  const Given given_;
   std::vector<std::optional<DrawnFacet>> right_;
   std::vector<Shown> shown_;
+  Buffer buffer_;
 };
 
 /// How many pixels may still differ where so many did before, and something is explained.
-std::int64_t explained(std::int64_t differ) { return (differ - 1) / 10; }
+std::int64_t explained(std::int64_t differ) { return (differ - 1) / 2; }
+
+/// The scene drawn in one way after another, beside a picture that is not the right one.
+class Search {
+ public:
+  Search(const Seen& seen, Redrawing& right_drawing) : seen_(seen) {
+    right_ = right_drawing.like(seen, {}, 0, 0, Redrawing::any_number, right_drawing.all_rows());
+    if (right_.differ == 0) return;
+    std::tie(rows_, differ_in_rows_) = right_drawing.rows_that_differ(seen);
+    best_ = explained(right_.differ);
+  }
+  const Likeness& right() const { return right_; }
+  bool is_explained() const { return is_found_ && best_ == 0; }
+  /// What is looked for from now on has to be likelier than all that was found.
+  void ask_for_more() { best_ -= is_found_; }
+
+  /// Of all choices that there are, the likest, where it is no less like than what was found before.
+  std::optional<Likeness> likest(Redrawing& drawing, const Together& ways) {
+    const int choices = Redrawn::choices(ways);
+    const bool apart = ways.size() < 2;  // of two mistakes both ways round are made with the same vertices
+    std::optional<Likeness> likest;
+    for (int both = 0; both < choices * (apart ? choices : 1); ++both) {
+      const int clockwise = both % choices, counter = apart ? both / choices : both;
+      // What leaves more than that in these rows leaves more in all, and what explains little there is not gone into.
+      const std::int64_t most_there = std::min(best_, explained(differ_in_rows_) + 1);
+      if (drawing.like(seen_, ways, clockwise, counter, most_there, rows_).differ > most_there) continue;
+      Likeness one = drawing.like(seen_, ways, clockwise, counter, best_, drawing.all_rows());
+      const bool is_known = 10 * one.sure >= 9 * right_.sure;
+      if (one.differ <= best_ && is_known && (!likest || one.differ < likest->differ)) likest = std::move(one);
+    }
+    if (likest) best_ = likest->differ, is_found_ = true;
+    return likest;
+  }
+
+ private:
+  const Seen& seen_;
+  Likeness right_;
+  Rows rows_;
+  std::int64_t differ_in_rows_ = 0, best_ = 0;
+  bool is_found_ = false;
+};
+
+using Others = std::vector<const Otherwise*>;
+
+/// A header that has these conventions, as a program's would.
+Header with(Header header, const Others& others) {
+  const auto is_of_depth = [](const Otherwise* one) { return one->key == "depth"; };
+  for (const Otherwise* one : others)
+    if (is_of_depth(one)) {
+      one->change(header);
+      // What is nearer goes with the depth: the buffer has it so.
+      header.comparison.nearer =
+          greater_is_nearer(header.conventions.depth) ? Comparison::Nearer::greater : Comparison::Nearer::smaller;
+    }
+  for (const Otherwise* one : others)
+    if (!is_of_depth(one)) one->change(header);
+  return header;
+}
+
+/// Conventions that a picture may show. Rows are counted as its file has them, and numbers besides depths it has none;
+/// how they are interpolated shows in what rounding decides.
+std::vector<Otherwise> others_in_picture(const Scene& scene, const Header& header) {
+  std::vector<Otherwise> others = other_conventions();
+  const bool on_screen = scene.camera.kind == Camera::Kind::screen;
+  std::erase_if(others, [&](const Otherwise& one) {
+    return one.is_of_raster || one.is_of_numbers || one.key == "interpolation" || one.key == "attribute" ||
+           one.holds(header, scene.raster) || (on_screen && (one.key == "cull" || one.key == "depth"));
+  });
+  return others;
+}
 
 }  // namespace
 
 std::vector<Likeness> likenesses(const Scene& scene, const Header& header, double roundoff, const Seen& seen,
                                  const std::function<bool(double)>& on_done) {
-  constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
-  Redrawing redrawing(scene, header, roundoff);
-  std::vector<Likeness> found{redrawing.like(seen, {}, 0, 0, any)};
-  const std::int64_t right = found.front().differ;
-  if (right == 0) return found;
-  std::int64_t best = explained(right), done = 0, all = 0;
-  for (const bool pairs : {false, true}) each_together(pairs, [&](const Together&) { return ++all > 0; });
+  Redrawing as_declared(scene, header, roundoff);
+  Search search(seen, as_declared);
+  std::vector<Likeness> found{search.right()};
+  if (found.front().differ == 0) return found;
+  const std::vector<Otherwise> others = others_in_picture(scene, header);
+  std::int64_t done = 0, all = 0;
+  std::array<std::int64_t, 2> count{};
+  for (const bool pairs : {false, true}) each_together(pairs, [&](const Together&) { return ++count[pairs] > 0; });
+  all = count[0] + count[1] + std::ssize(others) * (count[0] + 1 + std::ssize(others));
   bool goes_on = true;
-  for (const bool pairs : {false, true}) {
-    // Two are looked for where none alone explains all of it.
-    if (!goes_on || (found.size() > 1 && best == 0)) break;
-    each_together(pairs, [&](const Together& ways) {
-      std::optional<Likeness> likest;
-      const int choices = Redrawn::choices(ways);
-      for (int both = 0; both < choices * (pairs ? 1 : choices); ++both) {
-        Likeness one = redrawing.like(seen, ways, both % choices, pairs ? both : both / choices, best);
-        const bool is_known = 10 * one.sure >= 9 * found.front().sure;
-        if (one.differ <= best && is_known && (!likest || one.differ < likest->differ)) likest = std::move(one);
+  const auto draw = [&](Redrawing& drawing, const Together& ways, const Others& conventions) {
+    if (auto one = search.likest(drawing, ways)) {
+      for (const Otherwise* other : conventions)
+        one->conventions.push_back({std::string(other->key), std::string(other->word)});
+      found.push_back(std::move(*one));
+    }
+    return goes_on = !on_done || !on_done(static_cast<double>(++done) / static_cast<double>(all));
+  };
+  // A convention explains more simply than a mistake does, and one of either more simply than two.
+  for (std::size_t i = 0; goes_on && i < others.size(); ++i) {
+    Redrawing drawing(scene, with(header, {&others[i]}), roundoff);
+    draw(drawing, {}, {&others[i]});
+  }
+  if (goes_on && !search.is_explained())
+    each_together(false, [&](const Together& ways) { return draw(as_declared, ways, {}); });
+  if (goes_on && !search.is_explained()) {
+    search.ask_for_more();
+    for (std::size_t i = 0; goes_on && i < others.size(); ++i) {
+      for (std::size_t k = i + 1; goes_on && k < others.size(); ++k) {
+        if (others[i].key == others[k].key) continue;
+        const Others two{&others[i], &others[k]};
+        Redrawing drawing(scene, with(header, two), roundoff);
+        draw(drawing, {}, two);
       }
-      if (likest) best = likest->differ, found.push_back(std::move(*likest));
-      return goes_on = !on_done || !on_done(static_cast<double>(++done) / static_cast<double>(all));
-    });
+      Redrawing drawing(scene, with(header, {&others[i]}), roundoff);
+      if (goes_on) each_together(false, [&](const Together& ways) { return draw(drawing, ways, {&others[i]}); });
+    }
+    if (goes_on && !search.is_explained())
+      each_together(true, [&](const Together& ways) { return draw(as_declared, ways, {}); });
   }
   std::stable_sort(found.begin() + 1, found.end(),
                    [](const Likeness& one, const Likeness& other) { return one.differ < other.differ; });
-  return found;
-}
-
-std::vector<OtherLikeness> likenesses_otherwise(const Scene& scene, const Header& header, double roundoff,
-                                                const Seen& seen) {
-  constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
-  const Likeness right = Redrawing(scene, header, roundoff).like(seen, {}, 0, 0, any);
-  std::vector<OtherLikeness> found;
-  for (const Otherwise& other : other_conventions()) {
-    // Rows are counted as the file has them, and numbers besides depths there are none.
-    if (other.is_of_raster || other.is_of_numbers || other.holds(header, scene.raster)) continue;
-    if (other.key == "cull" && scene.camera.kind == Camera::Kind::screen) continue;
-    Header changed = header;
-    other.change(changed);
-    if (scene.camera.kind == Camera::Kind::screen && other.key == "depth") continue;
-    // What is nearer goes with the depth: the buffer has it so.
-    if (other.key == "depth")
-      changed.comparison.nearer =
-          greater_is_nearer(changed.conventions.depth) ? Comparison::Nearer::greater : Comparison::Nearer::smaller;
-    const Likeness one = Redrawing(scene, changed, roundoff).like(seen, {}, 0, 0, explained(right.differ));
-    if (one.differ <= explained(right.differ) && 10 * one.sure >= 9 * right.sure)
-      found.push_back({std::string(other.key), std::string(other.word), one.differ, one.sure});
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const OtherLikeness& one, const OtherLikeness& other) { return one.differ < other.differ; });
   return found;
 }
 

@@ -32,25 +32,20 @@ struct Seen {
   /// that the scene can have, to 1, for the greatest.
   double unit = 0;
 };
-/// A picture as some mistakes would have drawn it, beside what it shows.
+/// A picture as some mistakes, under some conventions, would have drawn it, beside what it shows.
 struct Likeness {
   Together ways;
-  std::int64_t differ = 0;  ///< pixels that it has otherwise
-  std::int64_t sure = 0;    ///< pixels of which rounding does not decide what they show
+  struct Declared {
+    std::string key, word;  ///< "depth", "zero_to_one", as headers write them
+  };
+  std::vector<Declared> conventions{};  ///< other than the header has them
+  std::int64_t differ = 0;              ///< pixels that it has otherwise
+  std::int64_t sure = 0;                ///< pixels of which rounding does not decide what they show
 };
-/// The right drawing first, and then those from which the picture differs in less than a tenth of the pixels, the
-/// likest first: of each mistake alone and, where none explains all, of two together. `on_done(share)` is told now and
-/// then how far it is; true ends it there.
+/// The right drawing first, and then those from which the picture differs in less than half as many pixels, the
+/// likest first: of each convention and each mistake alone and, where none explains all, of two together. `on_done` is
+/// told now and then how far it is, as a share; true ends it there.
 std::vector<Likeness> likenesses(const Scene& scene, const Header& header, double roundoff, const Seen& seen,
                                  const std::function<bool(double)>& on_done = nullptr);
-
-/// The scene drawn rightly under a convention that the header has otherwise.
-struct OtherLikeness {
-  std::string key, word;  ///< "depth", "zero_to_one", as headers write them
-  std::int64_t differ = 0, sure = 0;
-};
-/// Those from which the picture differs in less than a tenth of the pixels, the likest first.
-std::vector<OtherLikeness> likenesses_otherwise(const Scene& scene, const Header& header, double roundoff,
-                                                const Seen& seen);
 
 }  // namespace zstep::mistakes

@@ -388,6 +388,7 @@ constexpr ByEnum<Mistake, MistakeText> texts{{{
      "Which ink has the part of a curve that is below all that was drawn before?",
      "floating-horizon", "Where it fails: one horizon"},
 }}};
+static_assert(!texts.back().id.empty(), "fewer texts than mistakes");
 // clang-format on
 
 }  // namespace

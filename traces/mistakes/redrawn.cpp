@@ -225,6 +225,17 @@ bool Redrawn::is_left_out(const DrawnFacet& right, std::span<const Way> ways, bo
 
 bool Redrawn::is_clockwise(const DrawnFacet& right) { return twice_area(right.outline()) > 0; }
 
+bool Redrawn::may_meet(const DrawnFacet& right, std::span<const Way> ways, Rows rows, const Given& given) {
+  const Way* places = way_that(ways, Changes::places);
+  double top = std::numeric_limits<double>::infinity(), bottom = -top;
+  for (DrawnCorner corner : right.outline()) {
+    if (places) move(*places, given.scene.raster, corner);
+    top = std::min(top, corner.y - corner.off_y), bottom = std::max(bottom, corner.y + corner.off_y);
+  }
+  constexpr double beside = 2;  // as conventions of coverage, and the ends of a box, may have it
+  return top - beside < rows.end && bottom + beside >= rows.first;
+}
+
 bool Redrawn::is_known(const DrawnFacet& right, std::span<const Way> ways, const Given& given) {
   const Conventions::Depth depth = given.header.conventions.depth;
   return std::all_of(ways.begin(), ways.end(), [&](const Way& way) {
@@ -391,13 +402,24 @@ Redrawn::Depths Redrawn::depths(std::int32_t x, std::int32_t y) const {
 Buffer::Buffer(std::span<const Way> ways, const Given& given)
     : ways_(ways),
       comparison_(given.header.comparison),
+      empty_(given.header.empty_depth()),
       width_(given.scene.raster.width),
       height_(given.scene.raster.height),
       stored_(pixel_count(width_, height_)) {
-  double first = made(buffer_begins_at_0) ? 0 : given.header.empty_depth();
-  if (comparison_.nearer == Comparison::Nearer::greater) first = -first;
-  begins_with_ = {first, first};
+  begins_with_ = first_depths();
   clear();
+}
+
+Redrawn::Depths Buffer::first_depths() const {
+  double first = made(buffer_begins_at_0) ? 0 : empty_;
+  if (comparison_.nearer == Comparison::Nearer::greater) first = -first;
+  return {first, first};
+}
+
+void Buffer::begin_again(std::span<const Way> ways, Rows rows) {
+  ways_ = ways, begins_with_ = first_depths();
+  std::fill(stored_.begin() + std::ptrdiff_t{rows.first} * width_, stored_.begin() + std::ptrdiff_t{rows.end} * width_,
+            begins_with_);
 }
 
 bool Buffer::made(Mistake mistake) const {

@@ -28,6 +28,11 @@ std::optional<Changes> changes_of(Mistake mistake);
 /// All ways of all mistakes that show in pixels, in the order of the catalogue.
 std::span<const Way> ways_to_draw();
 
+/// Rows of pixels, one below another.
+struct Rows {
+  std::int32_t first = 0, end = 0;
+  bool has(std::int32_t y) const { return y >= first && y < end; }
+};
 /// What is drawn, and what the program computes with: its unit roundoff.
 struct Given {
   const Scene& scene;
@@ -52,6 +57,8 @@ class Redrawn {
                                    const Given& given);
   /// Do its corners go clockwise as it is seen?
   static bool is_clockwise(const formulas::DrawnFacet& right);
+  /// May any pixel of it be in these rows?
+  static bool may_meet(const formulas::DrawnFacet& right, std::span<const Way> ways, Rows rows, const Given& given);
   /// Is it left out for how they go round? `cull`: back faces are dropped.
   static bool is_left_out(const formulas::DrawnFacet& right, std::span<const Way> ways, bool cull, const Given& given);
 
@@ -116,6 +123,8 @@ class Buffer {
  public:
   Buffer(std::span<const Way> ways, const Given& given);
 
+  /// Made afresh with other mistakes, of which none puts a pixel into another row; these rows alone are asked about.
+  void begin_again(std::span<const Way> ways, Rows rows);
   void clear() { std::fill(stored_.begin(), stored_.end(), begins_with_); }
   /// Is the depth nearer than what is stored? Nothing where that is not known. Keeps what the program then keeps.
   std::optional<bool> ask(std::int32_t x, std::int32_t y, Redrawn::Depths z);
@@ -128,9 +137,11 @@ class Buffer {
   Redrawn::Depths& stored(std::int32_t x, std::int32_t y);
   std::optional<bool> answer(Redrawn::Depths z, Redrawn::Depths stored) const;
   bool made(Mistake mistake) const;
+  Redrawn::Depths first_depths() const;
 
   std::span<const Way> ways_;
   Comparison comparison_;
+  double empty_;
   std::int32_t width_, height_;
   Redrawn::Depths begins_with_{};  ///< all as if the smaller depth were the nearer one
   std::vector<Redrawn::Depths> stored_;

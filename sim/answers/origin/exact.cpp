@@ -136,6 +136,7 @@ class Exactly {
       found_at(at).exact = enclosed;  // what follows from it may be known where it is not
       if (!enclosed.is_narrow()) throw NotExact{"so close to 0 that the digits of square roots cancel"};
       const Rational exact = enclosed.middle(), error = exact_of(value.value) - exact;
+      if (!std::isfinite(rounded(exact))) throw NotExact{"a number too large for float64"};
       found.known = true;
       found.enclosed = !enclosed.is_fraction();
       found.digits = found.enclosed ? decimals_of(exact) : digits_of(exact);

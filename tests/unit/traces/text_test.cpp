@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,4 +29,12 @@ TEST_CASE("text from outside shows itself and does nothing else") {
   }
   CHECK(printable_lines("a\n\tb\x1b\r\n") == "a\n\tb\\x1b\\r\n");
   CHECK(printable_json("[\n\"\u00fc\x7f\u0085\u202e\"\n]") == "[\n\"\u00fc\\u007f\\u0085\\u202e\"\n]");
+}
+
+TEST_CASE("of words that are near, one that differs in hyphens is nearer than one that it begins with") {
+  const std::vector<std::string_view> coverages{"top_left", "inclusive", "round", "ceil_floor", "round_half_open"};
+  CHECK(near_word("round-half-open", coverages) == "round_half_open");
+  CHECK(near_word("round-half", coverages) == "round");
+  CHECK(near_word("roun", coverages) == "round");
+  CHECK(near_word("top", coverages) == "top_left");
 }

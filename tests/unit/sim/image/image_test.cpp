@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/image/bmp_tga.hpp"
 #include "sim/image/file.hpp"
 #include "sim/image/png.hpp"
 #include "sim/image/tables.hpp"
@@ -196,4 +197,60 @@ TEST_CASE("a damaged pixmap says what is wrong with it") {
   CHECK(said("P3 30000 30000 255 1 2 3").find("has not 30000x30000 pixels") != std::string::npos);
   CHECK(said("P2 2 1 7 3 8").find("has a value that is not from 0 to 7") != std::string::npos);
   CHECK(said("P2 2 1 7 3").find("has no value in its head") != std::string::npos);
+}
+
+namespace {
+
+std::string little(std::uint32_t number, int bytes) {
+  std::string text;
+  for (int i = 0; i < bytes; ++i) text += static_cast<char>(number >> 8 * i & 255);
+  return text;
+}
+/// Of 3 by 2 pixels. `kind`: 2 as they are, 10 packed.
+std::string tga(int kind, int bits, const std::string& rows) {
+  return little(static_cast<std::uint32_t>(kind) << 16, 3) + std::string(9, '\0') + little(3, 2) + little(2, 2) +
+         little(static_cast<std::uint32_t>(bits), 2) + rows;
+}
+std::string bmp(std::uint32_t bits, std::uint32_t packing, const std::string& rows) {
+  return "BM" + little(54, 4) + little(0, 4) + little(54, 4) + little(40, 4) + little(3, 4) + little(2, 4) +
+         little(1, 2) + little(bits, 2) + little(packing, 4) + std::string(20, '\0') + rows;
+}
+
+}  // namespace
+
+TEST_CASE("a TGA whose rows are packed has the same pixels, and one that is cut off is refused") {
+  const Folder folder;
+  const std::string blue("\xff\0\0", 3), red("\0\0\xff", 3), green("\0\xff\0", 3);
+  const auto read = [&](const std::string& bytes) {
+    std::ofstream(folder.path / "a.tga", std::ios::binary) << bytes;
+    return read_bmp_or_tga(folder.path / "a.tga").rgb;
+  };
+  const std::string rows = "\x82" + blue + "\x01" + red + green + std::string(1, '\0') + red;
+  const std::vector<std::uint8_t> plain = read(tga(2, 24, blue + blue + blue + red + green + red));
+  CHECK(plain.size() == 18);
+  CHECK(read(tga(10, 24, rows)) == plain);
+  for (std::size_t length = 0; length < rows.size(); ++length)
+    CHECK_THROWS_AS(read(tga(10, 24, rows.substr(0, length))), InputError);
+}
+
+TEST_CASE("a BMP or a TGA that cannot be held against a scene is refused with the reason") {
+  const Folder folder;
+  const auto reason = [&](const std::string& name, const std::string& bytes) {
+    std::ofstream(folder.path / name, std::ios::binary) << bytes;
+    try {
+      read_bmp_or_tga(folder.path / name);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string row(12, '\x11');
+  CHECK(reason("a.bmp", bmp(24, 0, row + row)).empty());
+  for (const std::uint32_t packing : {1u, 2u})
+    CHECK(reason("a.bmp", bmp(packing == 1 ? 8 : 4, packing, row + row)).find("packed rows (RLE)") !=
+          std::string::npos);
+  CHECK(reason("a.bmp", bmp(16, 0, row + row)).find("5 or 6 bits for each") != std::string::npos);
+  for (const int kind : {2, 10})
+    for (const int bits : {15, 16})
+      CHECK(reason("a.tga", tga(kind, bits, row + row)).find("5 or 6 bits for each") != std::string::npos);
 }
