@@ -144,7 +144,7 @@ void App::draw_on_stage(const Pane& pane, ImVec2 goal, ImVec2 goal_size, bool le
 
 void App::draw_leading(const std::vector<Pane>& leading, ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
-  stage_at_ = {at, size};
+  stage_at_ = {at, size}, leading_ = leading;
   if (leading.size() == 1) return draw_on_stage(leading[0], at, size, true);
   // A chart that has nothing to show leaves its room to the other, but for its title.
   const auto empty = std::find_if(leading.begin(), leading.end(), [&](const Pane& pane) {
