@@ -55,27 +55,29 @@ std::string App::caption_sentence() const {
 Drawing App::slide() {
   if (stage_at_.size.x < 8 || stage_at_.size.y < 8 || overlay_ == Overlay::start || race_shown_)
     throw InputError("a slide", "no picture leads here", "save a picture of the window (Ctrl+S)");
-  const float pad = std::round(ui_.em * 0.5f), width = stage_at_.size.x;
-  ImGui::SetCurrentContext(context_.context);
-  const float words = flow_height(ui_, caption_title(), {.font = ui_.fonts.bold, .width = width}) +
-                      flow_height(ui_, caption_sentence(), {.width = width}) + pad;
-  const float height = std::min(stage_at_.size.y, to_float(renderer_.height()) - words - 2 * pad);
+  const float pad = std::round(ui_.em * 0.5f);
   const Overlay over = std::exchange(overlay_, Overlay::none);
-  slide_ = {{pad, pad}, {width, height}};
-  const Drawing drawing = drawn({{0, 0}, {width + 2 * pad, std::ceil(height + words + 2 * pad)}});
+  slide_ = {{0, 0},
+            {std::floor(stage_at_.size.x + 2 * pad),
+             std::floor(std::min(stage_at_.size.y + 4 * ui_.line() + 3 * pad, to_float(renderer_.height())))}};
+  const Drawing drawing = drawn(*slide_);
   slide_.reset(), overlay_ = over;
   settle();
   return drawing;
 }
 
-/// In the window's upper left corner.
+/// What leads has the room that its caption leaves.
 void App::draw_slide() {
-  const auto [at, size] = *slide_;
-  draw_leading(std::vector<Pane>(leading_), at, size);
-  ImGui::SetCursorScreenPos({at.x, at.y + size.y + std::round(ui_.em * 0.5f)});
-  flow(ui_, caption_title(), {.font = ui_.fonts.bold, .width = size.x});
-  ImGui::SetCursorScreenPos({at.x, ImGui::GetCursorScreenPos().y});
-  flow(ui_, caption_sentence(), {.width = size.x});
+  const float pad = std::round(ui_.em * 0.5f), width = slide_->size.x - 2 * pad;
+  const std::string title = caption_title(), sentence = caption_sentence();
+  const Flow bold{.font = ui_.fonts.bold, .width = width}, plain{.width = width};
+  const float words = flow_height(ui_, title, bold) + flow_height(ui_, sentence, plain);
+  const float height = slide_->size.y - words - 3 * pad;
+  draw_leading(std::vector<Pane>(leading_), {pad, pad}, {width, height});
+  ImGui::SetCursorScreenPos({pad, height + 2 * pad});
+  flow(ui_, title, bold);
+  ImGui::SetCursorScreenPos({pad, ImGui::GetCursorScreenPos().y});
+  flow(ui_, sentence, plain);
 }
 
 }  // namespace zstep::viewer

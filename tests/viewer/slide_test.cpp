@@ -39,7 +39,7 @@ TEST_CASE("a picture of the window has its pixels, and its words as text") {
   CHECK(drawing.rgb == seen);
   CHECK(drawing.svg == app.of_window().svg);
   const std::string words = texts_of(drawing.svg);
-  CHECK(within(words, "FRAME BUFFER"));
+  CHECK(within(words, "FRAMEBUFFER"));
   CHECK(within(words, "step 316 of"));
   CHECK(within(drawing.svg, "<image "));  // the buffers are pixels
   CHECK(within(drawing.svg, "<path "));
