@@ -356,6 +356,7 @@ class App {
   void draw();
   void update_fonts();
   void begin_motion();
+  void begin_arriving();
   const EdgeEnter* entering_edge() const;
   void draw_entering_edge();
   void begin_scrolling();
@@ -485,11 +486,12 @@ class App {
   Ui ui_;
   std::unique_ptr<Ui> other_ui_;  ///< of the second run
   Motion motion_;
-  std::int64_t rows_of_step_ = 0;  ///< whose rows' places are known
+  std::int64_t rows_of_step_ = 0;              ///< whose rows' places are known
+  int stop_before_ = -1, viewing_before_ = 0;  ///< a frame ago
   std::optional<Pane> only_;
   Motion::Place stage_at_, drawer_at_, timeline_at_;
   std::vector<Pane> leading_;           ///< there
-  std::optional<Motion::Place> slide_;  ///< while a slide is drawn: where what leads stands in it
+  std::optional<Motion::Place> slide_;  ///< while one is drawn: its part of the window
   struct ChosenLead {
     std::string pane;  ///< empty: what the method has
     int stop;          ///< of the lesson, where it was chosen
