@@ -226,6 +226,7 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
   };
   switch (event.type) {
     case SDL_KEYDOWN:
+      motion_.skip();
       ui_.reads = true;
       // The system sends a key and then its text, and one wish must not be granted twice.
       text_taken_ = true;

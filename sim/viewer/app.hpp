@@ -62,7 +62,8 @@ struct WindowRequests {
   std::optional<std::string> compare_with;  ///< the run of a file, or of what can be opened; empty: zstep's own
   bool marks_kept = false;                  ///< other bookmarks are in their file than before
   std::optional<std::string> clipboard;
-  std::optional<std::string> save_picture;  ///< path
+  std::optional<std::string> save_picture;  ///< of the window: a path without the end of its name
+  std::optional<std::string> save_slide;    ///< of what leads, with a caption: the same
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
   std::optional<Offer> open;
   bool for_class = false;       ///< and that in presenter mode, a lesson from its first stop on
@@ -144,6 +145,11 @@ class App {
   void frame();
   /// Frames until nothing moves any more: hovering, scrolling and sizes need more than one.
   void settle();
+  // For slides (app_slide.cpp): pictures of what is seen now, in which nothing is pointed at.
+  Drawing of_window();
+  /// What leads, alone, with a caption below it: of which lesson, stop and step, and what that did. Throws InputError
+  /// where no picture leads.
+  Drawing slide();
 
   Ui& ui() { return ui_; }
   Session& session() { return session_; }
@@ -350,6 +356,7 @@ class App {
   void draw();
   void update_fonts();
   void begin_motion();
+  void begin_arriving();
   const EdgeEnter* entering_edge() const;
   void draw_entering_edge();
   void begin_scrolling();
@@ -393,6 +400,11 @@ class App {
   std::vector<Pane> words_of_step();
   float frame_height(float width) const;
   void draw_embedded(ImVec2 at, ImVec2 size);
+  std::string caption_title() const;
+  std::string caption_sentence() const;
+  void draw_slide();
+  Drawing drawn(const Motion::Place& part);
+  void point_nowhere();
   void draw_way_out(ImVec2 at, ImVec2 size);
   void draw_pane_body(Ui& ui, const Pane& pane, ImVec2 at, ImVec2 size);
   // Fingers (app_touch.cpp)
@@ -474,9 +486,12 @@ class App {
   Ui ui_;
   std::unique_ptr<Ui> other_ui_;  ///< of the second run
   Motion motion_;
-  std::int64_t rows_of_step_ = 0;  ///< whose rows' places are known
+  std::int64_t rows_of_step_ = 0;              ///< whose rows' places are known
+  int stop_before_ = -1, viewing_before_ = 0;  ///< a frame ago
   std::optional<Pane> only_;
   Motion::Place stage_at_, drawer_at_, timeline_at_;
+  std::vector<Pane> leading_;           ///< there
+  std::optional<Motion::Place> slide_;  ///< while one is drawn: its part of the window
   struct ChosenLead {
     std::string pane;  ///< empty: what the method has
     int stop;          ///< of the lesson, where it was chosen

@@ -251,13 +251,15 @@ void App::draw() {
   drawer_at_ = stage_at_ = timeline_at_ = {};
   ui_.changes = drawer_ == Drawer::what_if;
   if (!ui_.changes) ui_.taken.reset();
-  if (only_) draw_pane(*only_, {0, 0}, size);
+  if (slide_) draw_slide();
+  else if (only_) draw_pane(*only_, {0, 0}, size);
   else if (!small && !embedded()) draw_title(at, {width, title});
   else if (race_shown_ && small) draw_small_title(at, {width, title});
-  if (race_shown_) draw_race({pad, title}, {width, size.y - title - pad});
+  if (slide_) {
+  } else if (race_shown_) draw_race({pad, title}, {width, size.y - title - pad});
   else if (small) draw_small_window(size);
   else if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
-  if (!only_ && !race_shown_ && !small && size.y > title + timeline) {
+  if (!only_ && !slide_ && !race_shown_ && !small && size.y > title + timeline) {
     timeline_at_ = {{pad, size.y - timeline - pad}, {width, timeline}};
     ImGui::SetCursorScreenPos(timeline_at_.at);
     const std::int64_t b_was = against_ ? against_->session().position() : 0;
@@ -268,9 +270,11 @@ void App::draw() {
   }
   ImGui::End();
   take_vertex();
-  draw_entering_edge();
-  board_.draw(ui_, {0, title}, {size.x, std::max(1.0f, size.y - title - timeline)});
-  draw_drawer();
+  if (!slide_) {
+    draw_entering_edge();
+    board_.draw(ui_, {0, title}, {size.x, std::max(1.0f, size.y - title - timeline)});
+    draw_drawer();
+  }
   if (overlay_ != Overlay::none) targets_.clear();  // what lies under it cannot be hit
   draw_overlay();
   if (ui_.asked && overlay_ == Overlay::none) open_explain(*ui_.asked, ui_.asked_as);
@@ -373,13 +377,7 @@ void App::film(std::int64_t first, std::int64_t last) {
   session_.playing = false;
   session_.message.clear();
   session_.selected_edge.reset();  // as at each later step
-  // What the mouse points at is none of the film's.
-  ImGui::SetCurrentContext(context_.context);
-#if IMGUI_VERSION_NUM >= 18700
-  ImGui::GetIO().AddMousePosEvent(-1e6f, -1e6f);
-#else
-  ImGui::GetIO().MousePos = {-1e6f, -1e6f};
-#endif
+  point_nowhere();
 }
 
 /// Draws frames of the film for a part of a second, and puts the file in its place after the last.

@@ -288,11 +288,34 @@ void App::begin_motion() {
     take(window, part);
   for (const auto& [pane, share] : l.structures) take(window, share);
   motion_.begin(clock_time, moves && !settings_.reduced_motion, leads.value(), window.value(), session_.position());
+  begin_arriving();
   if (session_.position() != rows_of_step_) ui_.rows_before = ui_.row_places, rows_of_step_ = session_.position();
   ui_.row_places.clear();
 }
 
-bool App::moving() const { return motion_.panes_move() || (motion_.row_moves() && entering_edge()) || !acts_.empty(); }
+/// What a step does is shown on its way where the reader takes that one step, or goes to the lesson's next stop; not
+/// while the run is played.
+void App::begin_arriving() {
+  const int stop_was = std::exchange(stop_before_, session_.stop()),
+            viewing_was = std::exchange(viewing_before_, viewing_step(ui_));
+  const bool step = session_.position() > rows_of_step_ && rows_of_step_ >= session_.before();
+  const bool turns = viewing_before_ > 0 && viewing_before_ == viewing_was + 1;
+  if (session_.position() < rows_of_step_ || session_.stop() < stop_was || session_.playing) motion_.skip();
+  else if (step || turns || (session_.stop() == stop_was + 1 && stop_was >= 0)) {
+    motion_.step_forwards();
+    ui_.axes_turn = turns;
+    if (motion_.arrived() < 1) ui_.canvases_before = ui_.canvases;
+  } else if (session_.position() != rows_of_step_) {
+    motion_.skip();
+  }
+  ui_.arrived = motion_.arrived();
+  ui_.on_its_way = false;
+  if (ui_.arrived == 1) ui_.canvases_before.clear();
+}
+
+bool App::moving() const {
+  return motion_.panes_move() || (motion_.row_moves() && entering_edge()) || ui_.on_its_way || !acts_.empty();
+}
 
 bool App::works() const {
   return moving() || film_ || places_.searching() || pixel_overlay_.counts() || (race_ && race_->growth.at_work);

@@ -56,6 +56,23 @@ Loop::Loop(const Trace& trace, ViewerOptions options)
 
 Loop::~Loop() { save(true); }
 
+namespace {
+
+/// As PNG and as SVG. What is drawn of it is said, or why it is not there.
+void save_drawing(App& app, const std::string& name, Drawing (App::*draw)()) {
+  try {
+    const Drawing drawing = (app.*draw)();
+    write_png(name + ".png", drawing.width, drawing.height, drawing.rgb);
+    write_file(name + ".svg", {reinterpret_cast<const std::uint8_t*>(drawing.svg.data()), drawing.svg.size()});
+    system::hand_over(name + ".png");
+    app.say(fmt::format("Saved {0}.png and {0}.svg {1}.", name, system::hand_over(name + ".svg")));
+  } catch (const InputError& error) {
+    app.say(error.what());
+  }
+}
+
+}  // namespace
+
 void Loop::serve() {
   if (stage_.serve()) name_window(window_, stage_.trace());
   App& app = stage_.app();
@@ -69,14 +86,8 @@ void Loop::serve() {
   if (r.clipboard) system::copy_text(*r.clipboard);
   if (r.marks_kept) system::kept(places::kept_folder());
   if (r.save_progress) save_progress();
-  if (r.save_picture) {
-    try {
-      write_png(*r.save_picture, app.renderer().width(), app.renderer().height(), app.renderer().rgb());
-      app.say(fmt::format("Saved {} {}.", *r.save_picture, system::hand_over(*r.save_picture)));
-    } catch (const InputError& error) {
-      app.say(error.what());
-    }
-  }
+  if (r.save_picture) save_drawing(app, *r.save_picture, &App::of_window);
+  if (r.save_slide) save_drawing(app, *r.save_slide, &App::slide);
   const bool quit = r.quit;
   r = {};
   r.quit = quit;

@@ -44,8 +44,8 @@ std::vector<std::string> wrapped(const Sheet& sheet, const std::string& text, fl
 }  // namespace
 
 struct Pictures::Impl {
-  Impl(const Trace& trace_, const PictureOptions& options, const Settings& settings)
-      : trace(trace_), notes(options.notes), app(trace_, options.lesson, settings, options.width, options.height) {
+  Impl(const Trace& trace, const PictureOptions& options, const Settings& settings)
+      : notes(options.notes), app(trace, options.lesson, settings, options.width, options.height) {
     if (options.checked) app.show_findings(*options.checked);
     if (options.against) app.show_against(*options.against);
     look_at = [this, pixel = options.pixel, lead = options.lead] { app.look_at(pixel, lead); };
@@ -53,7 +53,6 @@ struct Pictures::Impl {
     if (options.offers) app.offer(options.offers);
     if (options.race) app.open_race(options.race);
   }
-  const Trace& trace;
   const bool notes;
   App app;
   std::function<void()> look_at;  ///< as was asked, after each place that is gone to
@@ -112,13 +111,16 @@ Image Pictures::settled() {
 }
 
 Pictures::Caption Pictures::caption(std::int64_t position) {
-  Session& session = impl_->app.session();
-  go_to_or_throw(session, position);
+  go_to_or_throw(impl_->app.session(), position);
+  return caption_of(impl_->app.session());
+}
+
+Pictures::Caption caption_of(const Session& session) {
   const RecordedEvent* event = session.event();
   if (!event) return {"step 0", "Before the first step."};
   const StepInfo* step = find_step(session.header().page, event->step);
   return {fmt::format("step {}{}", grouped(session.position()), step ? " \u00b7 " + step->name : ""),
-          explain(impl_->trace, session.state(), *event).sentence};
+          explain(session.trace(), session.state(), *event).sentence};
 }
 
 Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positions, const PictureOptions& options,

@@ -67,6 +67,9 @@ class Pictures {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Of the step where a reader stands.
+Pictures::Caption caption_of(const viewer::Session& session);
+
 /// Pictures of these positions with captions, in rows of so many, under a title.
 Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positions, const PictureOptions& options,
                     int columns);

@@ -104,6 +104,69 @@ TEST_CASE("with reduced motion nothing moves, a window that changes its size mov
   CHECK(run_loop(app, time) == 0);
 }
 
+TEST_CASE(
+    "law: what a step forwards does is seen on its way, and ends as the bytes of a window in which nothing moves") {
+  const Trace trace = test::record_run("pyramid", test::of_size(25, 25));
+  for (const Unit unit : {Unit::span, Unit::scan_line, Unit::polygon}) {
+    CAPTURE(unit_word(unit));
+    App still(trace, nullptr, {}, 1280, 720), app(trace, nullptr, {}, 1280, 720);
+    app.moves = true;
+    double time = 10;
+    const std::int64_t from =
+        trace.next(trace.size() / 4, [](const RecordedEvent& e) { return holds<SpanBegin>(e.event); }).value();
+    for (App* one : {&app, &still}) one->session().go_to(from);
+    run_loop(app, time);
+    for (App* one : {&app, &still}) one->move(unit, 1);
+    const std::int64_t to = app.session().position();
+    const test::Bytes first = at_time(app, time), later = at_time(app, time += 0.15);
+    CHECK(app.moving());
+    CHECK(first != later);
+    run_loop(app, time);
+    CHECK_FALSE(app.moving());
+    const test::Bytes end = test::picture(still);
+    CHECK(app.renderer().rgb() == end);
+    CHECK(later != end);
+    // A key goes to its end.
+    app.session().go_to(from);
+    run_loop(app, time);
+    app.move(unit, 1);
+    at_time(app, time);
+    CHECK(app.moving());
+    test::press(app, SDLK_LSHIFT, KMOD_LSHIFT);
+    at_time(app, time += 0.01);
+    CHECK_FALSE(app.moving());
+    CHECK(app.session().position() == to);
+    // Backwards nothing is on its way, nor with reduced motion.
+    app.move(unit, -1);
+    at_time(app, time += 0.01);
+    CHECK_FALSE(app.moving());
+    app.set_reduced_motion(true);
+    app.session().go_to(from);
+    run_loop(app, time);
+    app.move(unit, 1);
+    at_time(app, time += 0.01);
+    CHECK_FALSE(app.moving());
+  }
+}
+
+TEST_CASE("law: after each step of each method that moves something, its end is the still picture") {
+  for (const char* method : {"z-buffer", "depth-sort", "ray-casting"}) {
+    CAPTURE(method);
+    const Trace trace = test::record_run_by(method, "pyramid", test::of_size(25, 25));
+    App still(trace, nullptr, {}, 1280, 720), app(trace, nullptr, {}, 1280, 720);
+    app.moves = true;
+    double time = 10;
+    int moved = 0;
+    for (std::int64_t at = trace.size() / 3; at < trace.size() && at < trace.size() / 3 + 40; ++at) {
+      for (App* one : {&app, &still}) one->session().go_to(at);
+      const int moving = run_loop(app, time += 1);
+      moved += moving > 0;
+      REQUIRE(app.renderer().rgb() == test::picture(still));
+    }
+    CHECK(moved < 40);
+  }
+}
+
 TEST_CASE("a loop that waits for events draws nothing once what moves has ended") {
   const Trace trace = test::record_run("pyramid", test::of_size(25, 25));
   App app(trace, nullptr, {}, 1280, 720);

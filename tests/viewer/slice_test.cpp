@@ -1,13 +1,16 @@
 // The slice: what it holds follows from the trace and the step alone, and what a compare holds against what is seen.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "sim/classroom/lesson.hpp"
 #include "sim/viewer/model/slice.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/pictures.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 #include "tests/where.hpp"
 
@@ -215,4 +218,22 @@ TEST_CASE("a method without scan lines has no slice, and says so") {
   CHECK(app.lead().empty());
   CHECK(app.session().message.find("no slice") != std::string::npos);
   CHECK_FALSE(app.show_only("slice"));
+}
+
+TEST_CASE("where z_v is interpolated as if it were linear, the slice names the true depth") {
+  Lesson lesson = find_lesson("which-z");
+  const Trace trace = run_lesson(lesson);
+  App app(trace, &lesson, {}, 1280, 720);
+  app.session().to_stop(10);  // the wall in the middle of the picture: 25 is interpolated, 16 is true
+  app.settle();
+  const auto says = [&](const std::string& text) {
+    const test::Letters drawn = test::letters_of(app.ui().fonts);
+    return std::any_of(drawn.words.begin(), drawn.words.end(),
+                       [&](const std::string& words) { return words.find(text) != std::string::npos; });
+  };
+  CHECK(says("true 16"));
+  CHECK(says("true depth"));
+  app.session().go_to(0);
+  app.settle();
+  CHECK_FALSE(says("true depth"));
 }

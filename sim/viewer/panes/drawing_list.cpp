@@ -282,12 +282,20 @@ void draw_axis(Ui& ui, const Rows& rows) {
   ImGui::GetWindowDrawList()->AddRectFilled({head.x, bottom - 1}, {head.x + rows.room, bottom}, c.rule);
 }
 
+/// From where it stood before the step, while that is on its way.
+ImVec2 place_of_row(Ui& ui, std::int32_t piece, ImVec2 at, ImVec2 size) {
+  ui.row_places[{"list", piece}] = {at, size};
+  const auto before = ui.rows_before.find({"list", piece});
+  if (ui.arrived == 1 || before == ui.rows_before.end() || before->second.at.y == at.y) return at;
+  return moved_by(at, 0, (before->second.at.y - at.y) * (1 - ui.on_way()));
+}
+
 void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 at = place_of_row(ui, entry.piece, ImGui::GetCursorScreenPos(), {rows.room, rows.height});
   const std::size_t number_of = entry.piece;
   const Piece* piece = number_of < machine.pieces.size() ? &machine.pieces[number_of] : nullptr;
   const bool is_p = entry.piece == rows.p, is_q = entry.piece == rows.q;

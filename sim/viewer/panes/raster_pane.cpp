@@ -206,6 +206,47 @@ void draw_picked(Ui& ui, const RasterMap& map, ImVec2 origin) {
 
 }  // namespace
 
+namespace {
+
+/// Cells of a unit that the reader stepped over come one after the other, as they were written: over those to come lies
+/// what was painted before.
+void cover_cells_to_come(Ui& ui, const char* id, const RasterMap& map, ImVec2 origin) {
+  const auto before = ui.canvases_before.find(id);
+  if (ui.arrived == 1 || ui.session.unit() == Unit::event || before == ui.canvases_before.end()) return;
+  const Canvas& was = before->second.made;
+  const std::vector<Cell>& cells = ui.session.changed();
+  if (cells.size() < 2 || was.width() != map.box_width || was.height() != map.box_height) return;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  for (std::size_t k = static_cast<std::size_t>(ui.on_way() * static_cast<double>(cells.size())); k < cells.size();) {
+    const Cell first = cells[k];
+    std::int32_t end = first.x + 1;
+    for (++k; k < cells.size() && cells[k].y == first.y && cells[k].x == end; ++k) ++end;
+    list->PushClipRect({origin.x + to_float(map.column_begin(first.x)), origin.y + to_float(map.row_begin(first.y))},
+                       {origin.x + to_float(map.column_begin(end)), origin.y + to_float(map.row_end(first.y))}, true);
+    list->AddImage(Renderer::image(was), origin, moved_by(origin, map.box_width, map.box_height));
+    list->PopClipRect();
+  }
+}
+
+/// An edge that goes on to the next scan line does so along its slope.
+void draw_edge_on_its_way(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  const MethodState& m = ui.session.state().machine;
+  const auto* step = ui.session.event() ? get_if<EdgeStep>(&ui.session.event()->event) : nullptr;
+  if (ui.arrived == 1 || !step || !m.scan_line || static_cast<std::size_t>(step->edge) >= m.edge_table.size()) return;
+  const EdgeTableInsert& edge = m.edge_table[static_cast<std::size_t>(step->edge)];
+  const auto at = [&](double rows) {
+    return moved_by(origin, map.px(step->x_edge + (rows - 1) * edge.dx_dy), map.py(*m.scan_line + rows));
+  };
+  const ImVec2 from = at(0), now = at(ui.on_way());
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  stroke_line(list, from, now, ui.colors().pane, 5 * ui.thin);
+  stroke_line(list, from, now, ui.colors().now, 3 * ui.thin);
+  fill_circle(list, now, std::round(ui.em * 0.35f), ui.colors().pane);
+  fill_circle(list, now, std::round(ui.em * 0.27f), ui.colors().now);
+}
+
+}  // namespace
+
 void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Theme& c = ui.colors();
   const Session& s = ui.session;
@@ -305,7 +346,9 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   const bool has_numbers = draw_numbers(ui, map, origin, cells.made, cell_text);
   if (!has_numbers || talk.polygons) mark_half_planes(ui, map, origin, taken, has_numbers);
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(taken));
+  cover_cells_to_come(ui, id, map, origin);
   draw_marks(ui, map, origin);
+  draw_edge_on_its_way(ui, map, origin);
   if (ui.asks && s.marks_cells()) draw_hand_marks(ui, map, origin);
   ImGui::PopClipRect();
   draw_rulers(ui, map, origin, rulers);

@@ -183,7 +183,7 @@ const RayBegin* first_child(const RayWork& rays, std::int32_t ray) {
   return nullptr;
 }
 
-void draw_rays(const Ui& ui, const Plan& plan) {
+void draw_rays(Ui& ui, const Plan& plan) {
   const MethodState& machine = ui.session.state().machine;
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -195,8 +195,13 @@ void draw_rays(const Ui& ui, const Plan& plan) {
     const double speed = std::max(1e-12, glm::length(along));
     const double t_end = met ? row.end->t : ray.role == RayRole::shadow ? 1 : plan.farthest() / speed;
     const RayBegin* child = row.end ? nullptr : first_child(machine.rays, ray.ray);
-    const ImVec2 a = plan.place(from),
-                 b = plan.place(child ? glm::dvec3(child->x_0, child->y_0, child->z_0) : from + t_end * along);
+    const ImVec2 a = plan.place(from);
+    ImVec2 b = plan.place(child ? glm::dvec3(child->x_0, child->y_0, child->z_0) : from + t_end * along);
+    const RayBegin* begins = ui.session.event() ? get_if<RayBegin>(&ui.session.event()->event) : nullptr;
+    if (begins && begins->ray == ray.ray && ui.arrived < 1) {  // it travels
+      const double share = ui.on_way();
+      b = moved_by(a, (b.x - a.x) * share, (b.y - a.y) * share);
+    }
     const ImU32 color = now ? c.now : c.text;
     if (ray.role == RayRole::shadow || (!met && !child)) dash(a, b, color, (now ? 2.0f : 1.2f) * ui.thin);
     else stroke_line(list, a, b, color, (now ? 2.5f : 1.5f) * ui.thin);

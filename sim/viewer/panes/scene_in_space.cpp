@@ -132,12 +132,12 @@ void draw_eye(RoomPen& pen) {
   pen.word(camera.eye, room.by_lamp() ? "light" : "eye", c.text);
 }
 
-void draw_axes(RoomPen& pen, const Moment& now, int viewing) {
+void draw_axes(RoomPen& pen, const Moment& now, int viewing, double arrived) {
   const Camera& camera = now.scene().camera;
   if (camera.kind == Camera::Kind::screen) return;
   const Theme& c = pen.colors;
   const double length = 0.45 * pen.room.size();
-  if (viewing > 0) draw_viewing_axes(pen, camera, viewing);
+  if (viewing > 0) draw_viewing_axes(pen, camera, viewing, arrived);
   constexpr const char* names[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3 && viewing == 0; ++axis) {
     glm::dvec3 end(0);
@@ -380,9 +380,9 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
 
 }  // namespace
 
-void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing) {
+void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing, double arrived) {
   draw_edges(pen, pen.room.polygons());
-  draw_axes(pen, now, viewing);
+  draw_axes(pen, now, viewing, arrived);
   draw_eye(pen);
   draw_lamp(pen, now);
   draw_dividing_plane(pen, now);

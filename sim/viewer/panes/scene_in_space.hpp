@@ -57,6 +57,6 @@ class RoomPen {
 
 /// Edges, axes, the eye with its window and planes, the lamp; then what is at work. `cell`: the pixel; `viewing`: 1 … 4
 /// for the axes before and after T_1 … T_4, 0 for the world's.
-void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing);
+void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing, double arrived);
 
 }  // namespace zstep::viewer

@@ -18,6 +18,7 @@
 #include "traces/file/header.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/math/whole.hpp"
+#include "traces/oracle/exact_depth.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -159,9 +160,9 @@ std::vector<SliceMarker> markers_of(Ui& ui, const SlicePlot& plot, const Slice& 
 
 void paint_markers(Ui& ui, Canvas& canvas, const std::vector<SliceMarker>& markers) {
   const Pixel32 now = to_pixel(ui.colors().now);
-  for (std::size_t k = 1; k < markers.size(); ++k)
+  for (std::size_t k = 1; k < markers.size() && markers[k].shape != disc; ++k)
     canvas.line(markers[0].x, markers[k - 1].y, markers[0].x, markers[k].y, 1.6 * ui.thin, now);
-  for (const int shape : {square, diamond})
+  for (const int shape : {disc, square, diamond})
     for (const SliceMarker& marker : markers)
       if (marker.shape == shape) draw_marker(ui, canvas, marker);
 }
@@ -222,8 +223,50 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
   if (named) draw_text(ui, {origin.x - room.margin, below}, font, c.text, std::string("\u2193 ") + down);
 }
 
+/// Where z_v is interpolated as if it were linear on the picture: what it is on the plane of the polygon at work, at
+/// each column of the span. Nothing where that is the line of the span, as nearly as can be seen.
+std::vector<SliceSample> true_depths(const Moment& now, const SlicePlot& plot, const Slice& slice) {
+  const auto span = std::find_if(slice.spans.begin(), slice.spans.end(),
+                                 [&](const SliceSpan& one) { return one.step == slice.work_from; });
+  if (slice.work_from == 0 || span == slice.spans.end() || slice.at.pass != Pass::eye ||
+      now.header().conventions.depth != Conventions::Depth::view ||
+      now.scene().camera.kind != Camera::Kind::perspective)
+    return {};
+  std::vector<oracle::Vertex> corners;
+  for (const std::int32_t vertex : now.state().machine.outline)
+    if (const auto spot = on_raster(now.scene(), now.state(), vertex))
+      if (spot->z > 0) corners.push_back({spot->x, spot->y, 1 / spot->z});
+  std::optional<oracle::ExactDepth> plane;
+  for (std::size_t k = 2; k < corners.size() && !plane; ++k)
+    plane = oracle::ExactDepth::on_plane(corners[0], corners[1], corners[k], slice.at.y, oracle::Along::reciprocal);
+  std::vector<SliceSample> depths;
+  float apart = 0;
+  for (double x = std::ceil(span->x_left); plane && x <= span->x_right; ++x) {
+    depths.push_back({span->step, span->polygon, x, plane->at(static_cast<std::int32_t>(x))});
+    const double share = (x - span->x_left) / std::max(1e-12, span->x_right - span->x_left);
+    const double line = span->z_left + share * (span->z_right - span->z_left);
+    apart = std::max(apart, std::abs(plot.y(line) - plot.y(depths.back().z)));
+  }
+  return apart > 2 ? depths : std::vector<SliceSample>();
+}
+
+/// The true depths as a dotted curve.
+void paint_true(Canvas& canvas, const SlicePlot& plot, const std::vector<SliceSample>& depths, const Theme& c,
+                double line) {
+  for (std::size_t k = 1; k < depths.size(); ++k)
+    for (const double from : {0.0, 0.5}) {
+      const auto at = [&](double share) {
+        const double z = depths[k - 1].z + share * (depths[k].z - depths[k - 1].z);
+        return std::pair{plot.x(depths[k - 1].x + share), plot.y(z)};
+      };
+      const auto [x0, y0] = at(from);
+      const auto [x1, y1] = at(from + 0.3);
+      canvas.line(x0, y0, x1, y1, 3 * line, to_pixel(c.text));
+    }
+}
+
 /// What line, dot and steps mean.
-void draw_key(Ui& ui, ImVec2 at, float width, bool two) {
+void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true) {
   const Theme& c = ui.colors();
   const ImFont* font = ui.fonts.mono;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -237,6 +280,7 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two) {
                                                       : "depth of what is shown";
   std::vector<Entry> entries{{0, "span"}, {1, "depth at a pixel"}, {2, stored}};
   if (two) entries = {{0, "run A"}, {3, "run B"}, {2, stored}};
+  if (with_true) entries[1] = {4, "true depth"};
   const float sign = 1.6f * ui.em, gap = ui.em, middle = at.y + font->FontSize * 0.55f;
   float needed = -gap;
   for (const Entry& entry : entries) needed += sign + text_size(ui, font, entry.text).x + gap + 4;
@@ -249,6 +293,9 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two) {
     if (entry.sign == 3)
       for (const float from : {x, x + (end - x) * 0.6f})
         list->AddRectFilled({from, middle - line / 2}, {from + (end - x) * 0.35f, middle + line / 2}, c.text);
+    if (entry.sign == 4)
+      for (float from = x; from + line < end; from += 2 * line)
+        list->AddRectFilled({from, middle - line / 2}, {from + line, middle + line / 2}, c.text);
     if (entry.sign == 1) {
       const float r = 4 * ui.thin;
       list->AddRectFilled({end - 2 * r, middle - r}, {end, middle + r}, c.text);
@@ -357,6 +404,11 @@ void draw_slice(Ui& ui) {
                                           ui.session.scene(), ui.colors(), ui.thin);
   Canvas& canvas = ui.canvases["slice"].made;
   canvas = base.made;
+  const std::vector<SliceSample> truth = two ? std::vector<SliceSample>() : true_depths(now, plot, slice);
+  paint_true(canvas, plot, truth, ui.colors(), ui.thin);
+  for (const SliceSample& depth : truth)
+    if (slice.compare && slice.compare->x == depth.x && depth.z >= plot.low && depth.z <= plot.high)
+      markers.push_back({plot.x(depth.x), plot.y(depth.z), disc, {}, fmt::format("true {}", number(depth.z))});
   paint_markers(ui, canvas, markers);
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), origin,
                                        {origin.x + to_float(plot.width), origin.y + to_float(plot.height)});
@@ -379,7 +431,7 @@ void draw_slice(Ui& ui) {
   const float sentence_at = corner.x + text_size(ui, font, upwards(ui)).x + 1.5f * ui.em;
   if (sentence_at + text_size(ui, ui.fonts.bold, sentence).x < corner.x + avail.x)
     draw_text(ui, {sentence_at, corner.y - 1}, ui.fonts.bold, ui.colors().text, sentence);
-  if (keyed) draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two);
+  if (keyed) draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two, !truth.empty());
   point(ui, plot, origin, slice);
 }
 

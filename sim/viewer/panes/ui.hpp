@@ -127,9 +127,17 @@ struct Ui {
   bool relief = false;                ///< the depth buffer as a surface in space
   Look relief_look;                   ///< from where it is seen
   RowPlaces row_places, rows_before;  ///< in this frame, and when the step before was drawn last
-  KeptThings<Cells> cells;            ///< by pane
+  double arrived = 1;       ///< how far what the last step forwards did has come: from 0 to 1, where nothing moves
+  bool axes_turn = false;   ///< that step was one of viewing
+  bool on_its_way = false;  ///< something in this frame is
+  /// How far this has come, which is drawn on its way.
+  double on_way() {
+    if (arrived < 1) on_its_way = true;
+    return arrived;
+  }
+  KeptThings<Cells> cells;  ///< by pane
   KeptThings<ChartPicture> charts;
-  KeptThings<Canvas> canvases;  ///< by what is painted there
+  KeptThings<Canvas> canvases, canvases_before;  ///< by what is painted there; as they were before that step
   KeptThings<Room> rooms;
   KeptThings<OutsideSeen> seen_from_outside;
   KeptThings<std::vector<LabelSpot>> spots;

@@ -278,7 +278,22 @@ std::vector<glm::dvec3> ends_of_viewing_axes(const Room& room, const Camera& cam
   return ends;
 }
 
-void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step) {
+namespace {
+
+/// What a step of viewing does when it has come so far: T_2 and T_3 turn, about z and about x, by a part of their
+/// angle.
+glm::dmat4 partly_turned(const glm::dmat4& whole, int step, double share) {
+  const int a = step - 2, b = step - 1;
+  const double angle = share * portable::atan2(whole[a][b], whole[a][a]);
+  glm::dmat4 part(1);
+  part[a][a] = part[b][b] = portable::cos(angle);
+  part[a][b] = portable::sin(angle), part[b][a] = -part[a][b];
+  return part;
+}
+
+}  // namespace
+
+void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step, double arrived) {
   const auto factors = viewing::view_factors(camera);
   if (!factors || pen.room.by_lamp()) return;
   const Theme& c = pen.colors;
@@ -287,8 +302,16 @@ void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step) {
     const char name = "xyz"[axis];
     const glm::dvec3 was = end_of_axis(before, axis, pen.room), is = end_of_axis(after, axis, pen.room);
     const bool stays = glm::length(was - is) < 1e-9 * pen.room.size();
-    pen.line(glm::dvec3(after[3]), is, c.now, 2.4);
-    pen.word(is, (stays ? name_of(name, step - 1) + " = " : "") + name_of(name, step), c.now);
+    glm::dvec3 now = is;
+    if (arrived < 1) {
+      const glm::dmat4& turn = (*factors)[static_cast<std::size_t>(step - 1)];
+      const bool turns = step == 2 || step == 3;
+      now = turns ? end_of_axis(glm::inverse(partly_turned(turn, step, arrived) * product(*factors, step - 1)), axis,
+                                pen.room)
+                  : glm::mix(was, is, arrived);
+    }
+    pen.line(glm::mix(glm::dvec3(before[3]), glm::dvec3(after[3]), arrived), now, c.now, 2.4);
+    pen.word(now, (stays ? name_of(name, step - 1) + " = " : "") + name_of(name, step), c.now);
     if (stays) continue;
     pen.line(glm::dvec3(before[3]), was, c.text, 1.4, true);
     pen.word(was, name_of(name, step - 1), c.text);

@@ -44,8 +44,9 @@ bool has_viewing_steps(const Scene& scene);
 int viewing_step(const Ui& ui);
 void choose_viewing_step(Ui& ui, int step);
 
-/// The axes in which coordinates are counted before this step, dashed, and after it, with their names.
-void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step);
+/// The axes in which coordinates are counted before this step, dashed, and after it, with their names; or on the way
+/// there, where they have not arrived.
+void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step, double arrived);
 
 /// Where all of them end, so that none is outside the picture.
 std::vector<glm::dvec3> ends_of_viewing_axes(const Room& room, const Camera& camera);

@@ -63,7 +63,8 @@ void Hands::serve() {
   quit_ = quit_ || asked.quit;
   full_screen_ = full_screen_ != asked.toggle_full_screen;
   if (asked.clipboard) clipboard_ = *asked.clipboard;
-  if (asked.save_picture) saved_ = *asked.save_picture;
+  if (asked.save_picture) saved_ = *asked.save_picture + ".png";
+  if (asked.save_slide) saved_ = *asked.save_slide + ".svg";
   while (app().filming()) app().frame();
   app().settle();
 }
