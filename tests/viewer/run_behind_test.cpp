@@ -49,7 +49,7 @@ OtherRun made_at_once(const Trace& opened, const std::string& id, const std::vec
   return made_anew(opened, id, changes, nullptr);
 }
 
-ViewerOptions changing() {
+ViewerOptions changing_at_once() {
   ViewerOptions options;
   options.run_changed = made_at_once;
   options.run_watched = [](const Trace& opened, const std::string& id, const std::vector<Change>& changes,
@@ -79,7 +79,7 @@ int wait_for(Stage& stage) {
 TEST_CASE("a large run is made anew behind the window, which goes on, and ends the same as made at once") {
   const Trace trace = large_run();
   REQUIRE(trace.size() > 400'000);
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_at_once();
   Stage stage(trace, options, Settings{}, 1280, 720);
   stage.app().session().go_to(1000);
   stage.change({"theta", "70"}, false);
@@ -107,7 +107,7 @@ TEST_CASE("a large run is made anew behind the window, which goes on, and ends t
 
 TEST_CASE("changes made while a run is being made are made together, and Esc leaves all as it was") {
   const Trace trace = large_run();
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_at_once();
   Stage stage(trace, options, Settings{}, 1280, 720);
   stage.change({"theta", "70"}, false);
   stage.change({"phi", "50"}, false);

@@ -1,11 +1,8 @@
 // What is saved for slides: the same pixels as the window, letters as text, and a caption.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <string>
 
-#include "sim/image/png.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
@@ -43,7 +40,6 @@ TEST_CASE("a picture of the window has its pixels, and its words as text") {
   CHECK(within(words, "step 316 of"));
   CHECK(within(drawing.svg, "<image "));  // the buffers are pixels
   CHECK(within(drawing.svg, "<path "));
-  if (const char* folder = std::getenv("ZSTEP_SLIDES")) std::ofstream(std::string(folder) + "/w.svg") << drawing.svg;
 }
 
 TEST_CASE("a slide is what leads with its caption, and the window is as before") {
@@ -65,10 +61,6 @@ TEST_CASE("a slide is what leads with its caption, and the window is as before")
       CHECK(within(words, "Z-buffer \u00b7 "));
       CHECK(within(words, "step 316 \u00b7 "));
       CHECK_FALSE(within(words, "Menu"));
-      if (const char* folder = std::getenv("ZSTEP_SLIDES")) {
-        std::ofstream(std::string(folder) + "/s.svg") << slide.svg;
-        write_png(std::string(folder) + "/s.png", slide.width, slide.height, slide.rgb);
-      }
     }
 }
 

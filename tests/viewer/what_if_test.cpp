@@ -36,7 +36,7 @@ Run changed_run(const Trace& opened, const std::string& id, const std::vector<Ch
   return run;
 }
 
-ViewerOptions changing() {
+ViewerOptions changing_or_another_method() {
   ViewerOptions options;
   options.run_changed = test::made_anew;
   options.other_method = [](const Trace& trace, int) -> std::optional<OtherRun> {
@@ -62,7 +62,7 @@ Picture end_of(const Trace& trace) {
 
 TEST_CASE("what if: a change that is typed makes the run anew, at the same moment, and marks what ends otherwise") {
   const Trace trace = test::record_run("pyramid");
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_or_another_method();
   Stage stage(trace, options, Settings{}, 1280, 720);
   stage.app().session().go_to(trace.size() / 2);
   const Whereabouts moment = moment_of(stage.app().session());
@@ -94,7 +94,7 @@ TEST_CASE("what if: a change that is typed makes the run anew, at the same momen
 
 TEST_CASE("law: after any change the window shows what a run of the changed scene shows, and undo brings all back") {
   const Trace trace = test::record_run("pyramid");
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_or_another_method();
   Stage stage(trace, options, Settings{}, 1280, 720);
   stage.app().session().go_to(trace.size());
   const test::Bytes at_first = test::picture(stage.app());
@@ -134,7 +134,7 @@ TEST_CASE("law: after any change the window shows what a run of the changed scen
 
 TEST_CASE("what if: what cannot be is said where it was asked, and all stays as it was") {
   const Trace trace = test::record_run("pyramid");
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_or_another_method();
   Stage stage(trace, options, Settings{}, 1280, 720);
   stage.app().session().go_to(100);
   test::press(stage.app(), SDLK_e, KMOD_CTRL);
@@ -152,7 +152,7 @@ TEST_CASE("what if: what cannot be is said where it was asked, and all stays as 
 
 TEST_CASE("what if: buttons and Ctrl with an arrow change a little, and the next of some words") {
   const Trace trace = test::record_run("pyramid");
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_or_another_method();
   Stage stage(trace, options, Settings{}, 1280, 720);
   test::press(stage.app(), SDLK_e, KMOD_CTRL);
   test::type(stage.app(), "theta");
@@ -170,7 +170,7 @@ TEST_CASE("what if: buttons and Ctrl with an arrow change a little, and the next
 
 TEST_CASE("what if: a vertex that is pulled in the scene moves with the hand, and is one change") {
   const Trace trace = test::record_run("pyramid");
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_or_another_method();
   Stage stage(trace, options, Settings{}, 1280, 720);
   stage.app().session().go_to(trace.size());
   stage.app().set_lead("scene");
@@ -213,7 +213,7 @@ TEST_CASE("what if: a vertex that is pulled in the scene moves with the hand, an
 
 TEST_CASE("what if: what was changed goes with the scene to another method") {
   const Trace trace = test::record_run("pyramid");
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_or_another_method();
   Stage stage(trace, options, Settings{}, 1280, 720);
   stage.app().board().turn_clock(10);
   stage.change({"theta", "70"}, false);
@@ -231,7 +231,7 @@ TEST_CASE("what if: what was changed goes with the scene to another method") {
 
 TEST_CASE("what if: another order of the polygons is no other colour") {
   const Trace trace = test::record_run("pyramid");
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_or_another_method();
   Stage stage(trace, options, Settings{}, 1280, 720);
   std::string back;
   for (std::size_t at = trace.scene().polygons.size(); at-- > 0;) back += *trace.scene().polygons[at].name + " ";
@@ -243,7 +243,7 @@ TEST_CASE("what if: another order of the polygons is no other colour") {
 TEST_CASE("what if: a lesson's task is asked in the drawer, with hints one at a time, and is seen to be done") {
   Lesson lesson = find_lesson("z-buffer");
   const Trace trace = run_lesson(lesson);
-  ViewerOptions options = changing();
+  ViewerOptions options = changing_or_another_method();
   options.lesson = &lesson;
   Stage stage(trace, options, Settings{}, 1280, 720);
   stage.app().session().to_stop(static_cast<int>(lesson.stops.size()) - 1);
@@ -292,7 +292,7 @@ TEST_CASE("what if: the changed scene is saved beside what is there") {
   fs::create_directory(folder);
   fs::current_path(folder);
   const Trace trace = test::record_run("pyramid");
-  const ViewerOptions options = changing();
+  const ViewerOptions options = changing_or_another_method();
   Stage stage(trace, options, Settings{}, 1280, 720);
   test::press(stage.app(), SDLK_e, KMOD_CTRL);
   ask(stage, "vertex 2 = 0 0 1.5");
