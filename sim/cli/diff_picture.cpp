@@ -314,8 +314,8 @@ int diff_of_picture(const DiffOptions& options) {
   }
   fmt::print("{} differ by more than rounding.\n", pixels_text(right));
   if (shown.empty() || shown.front().differ > 0)
-    fmt::print("No known mistake, no other convention, and no two of them explain all of it{}.\n",
-               shown.empty() ? ", nor half of it" : "; the nearest");
+    fmt::print("No known mistake, no other convention, and no two of them explain all of it{}\n",
+               shown.empty() ? ", nor half of it." : ". These come nearest:");
   for (const mistakes::Likeness& one : shown) print_likeness(one);
   return code;
 }

@@ -340,7 +340,7 @@ TEST_CASE("diff: where nothing draws a picture the nearest is named, or none") {
   for (std::size_t x = 0; x < 5; ++x) mirrored.replace(begin + bytes * (18 * width + 16 + 3 * x), bytes, bytes, '\7');
   write_text(folder / "nearest.npy", mirrored);
   const Outcome nearest = run(folder, "diff nearest.npy pyramid-behind --size 48x36 --no-cull");
-  CHECK(has(nearest.out, "explain all of it; the nearest.\n\nSo drawn 5 of "));
+  CHECK(has(nearest.out, "explain all of it. These come nearest:\n\nSo drawn "));
   CHECK(has(nearest.out, "Likely: The picture is mirrored."));
   // And what is nothing known.
   std::string noise = npy;

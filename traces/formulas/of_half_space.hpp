@@ -362,7 +362,7 @@ void derive(const SampleDepth& e, const Situation& at, Out& out) {
     if (const auto z = detail::depth_by_edges(out, at, value(1, test->s_1, "s_1"), value(2, test->s_2, "s_2")))
       out.gives(&SampleDepth::z, *z);
   }
-  if (at.method().samples_a_pixel == 0) return;
+  if (at.method().samples_a_pixel == 0 || !at.method().polygons_told) return;
   out.verdict(&SampleDepth::nearer, out.number("z", e.z, Place{}),
               out.number("stored", at.stored_at_sample(e.x, e.y, e.sample), at.sample_place(e.x, e.y, e.sample)["z"]));
 }
@@ -392,7 +392,7 @@ void derive(const CoverageAdd& e, const Situation& at, Out& out) {
   for (const CoverageAdd& share : covered)
     if (share.x == e.x && share.y == e.y) all += share.coverage;
   out.rule(Rule::share_of_pixel, e.coverage >= 0 && all <= 1 + rounding_of_float32);
-  if (reach_of(at.header.conventions) == 0) return;
+  if (reach_of(at.header.conventions) == 0 || !at.method().polygons_told) return;
   if (!at.records<SampleDepth>() && !at.records<SampleMask>()) return;
   double right = 0;
   for (const PixelShare& share : detail::shares_at(at, e.x, e.y))

@@ -60,13 +60,13 @@ std::string field_word(const Event& event, std::string_view name) {
 
 std::string shown_name(const Event& event, std::string_view name, const std::string& depth) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 34> names{
-      {{"x_left", "x_L"},      {"x_right", "x_R"}, {"z_left", "z_L"}, {"z_right", "z_R"}, {"dx_dy", "1/m"},
-       {"dz_dy", "dz/dy"},     {"dz_dx", "dz/dx"}, {"x_edge", "x"},   {"plane_a", "A"},   {"plane_b", "B"},
-       {"plane_c", "C"},       {"plane_d", "D"},   {"y_curve", "y"},  {"x_at", "x"},      {"y_at", "y"},
-       {"x_cut", "x"},         {"y_cut", "y"},     {"z_cut", "z"},    {"dir_x", "dX_x"},  {"dir_y", "dX_y"},
-       {"dir_z", "dX_z"},      {"r8", "red"},      {"g8", "green"},   {"b8", "blue"},     {"edge_a", "A"},
-       {"edge_b", "B"},        {"edge_c", "C"},    {"e_0", "E_0"},    {"e_1", "E_1"},     {"e_2", "E_2"},
-       {"s_0", "S_0"},         {"s_1", "S_1"},     {"s_2", "S_2"},    {"twice_area", "area2"}}};
+      {{"x_left", "x_L"},  {"x_right", "x_R"}, {"z_left", "z_L"}, {"z_right", "z_R"},     {"dx_dy", "1/m"},
+       {"dz_dy", "dz/dy"}, {"dz_dx", "dz/dx"}, {"x_edge", "x"},   {"plane_a", "A"},       {"plane_b", "B"},
+       {"plane_c", "C"},   {"plane_d", "D"},   {"y_curve", "y"},  {"x_at", "x"},          {"y_at", "y"},
+       {"x_cut", "x"},     {"y_cut", "y"},     {"z_cut", "z"},    {"dir_x", "dX_x"},      {"dir_y", "dX_y"},
+       {"dir_z", "dX_z"},  {"r8", "red"},      {"g8", "green"},   {"b8", "blue"},         {"edge_a", "A"},
+       {"edge_b", "B"},    {"edge_c", "C"},    {"e_0", "E_0"},    {"e_1", "E_1"},         {"e_2", "E_2"},
+       {"s_0", "S_0"},     {"s_1", "S_1"},     {"s_2", "S_2"},    {"twice_area", "area2"}}};
   if (name == "z" || name == "z_edge") return depth;
   if (name == "z_cut" && holds<SplitVertex>(event) && get<SplitVertex>(event).space == Space::raster) return depth;
   for (const auto& [field, shown] : names)

@@ -1,6 +1,7 @@
 // The one table of all methods.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -31,7 +32,10 @@ TEST_SUITE("catalog") {
       const Header header = header_for(method, conventions);
       CHECK(header.algorithm == method.id);
       CHECK(header.conventions == conventions);
-      CHECK(header.page == method.page());
+      // Lines of options that are off may be left out.
+      const Page page = method.page();
+      for (const StepInfo& step : header.page) CHECK(std::find(page.begin(), page.end(), step) != page.end());
+      CHECK((method.page_for || header.page == page));
       CHECK(header.writer.rfind("zstep ", 0) == 0);
     }
   }

@@ -216,7 +216,8 @@ TEST_SUITE("half_space/samples") {
     }
   }
 
-  TEST_CASE("the more samples, the nearer the shares to the areas; frame and depth buffer stay those of the centres") {
+  TEST_CASE(
+      "the more samples, the nearer the shares to the areas, and frame and depth buffer stay those of the centres") {
     test::Numbers random(1984);
     std::map<std::string, double> errors;
     for (int round = 0; round < 12; ++round) {
@@ -241,7 +242,7 @@ TEST_SUITE("half_space/samples") {
   }
 
   TEST_CASE(
-      "where two polygons pass through each other samples see both; the A-buffer, with one depth each, only one") {
+      "where two polygons pass through each other samples see both and the A-buffer with its one depth only one") {
     const Scene scene = test::screen_scene(
         9, 3, {{{-1, -1, 0}, {9, -1, 10}, {9, 4, 10}, {-1, 4, 0}}, {{-1, -1, 10}, {9, -1, 0}, {9, 4, 0}, {-1, 4, 10}}});
     const auto by_samples = shares_of_pixel(events_with(scene, with_samples("8")), 4, 1);
