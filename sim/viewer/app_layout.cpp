@@ -305,17 +305,6 @@ void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
     draw_pane(panes[k], at, {size.x, heights[k - 1]});
 }
 
-namespace {
-
-/// Depth sort puts its list in order before it paints anything: until then the frame says nothing beside the list.
-bool only_lists_yet(const Session& s) {
-  const std::vector<std::int32_t>& painted = s.state().picture.polygon;
-  return records<ListInsert>(s.header()) && !s.marks_cells() &&
-         std::all_of(painted.begin(), painted.end(), [](std::int32_t polygon) { return polygon == no_polygon; });
-}
-
-}  // namespace
-
 /// A lesson, and whatever is shown to a class: one large picture, or two that belong together, and beside it what the
 /// lesson says, or without one what happens, with the formula and the few lines of code that matter now. Two pictures
 /// are as high as their frame needs, and have the formula and the code below them. The drawer stands where the words
@@ -338,8 +327,6 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
         std::max(frame_height((stage.x - gap) / 2) - std::round(0.8f * ui_.em), std::ceil(least * window / stage.x));
     if (size.y - needed >= 7.5f * ui_.em) stage.y = needed;
   }
-  if (leading.size() > 1 && drawer_ == Drawer::none && only_lists_yet(session_))
-    std::erase_if(leading, [](const Pane& pane) { return pane.id == frame_pane.id; });
   draw_leading(leading, at, stage);
   if (stage.y < size.y) {
     const float width = (stage.x - gap * to_float(said.size() - 1)) / to_float(std::max<std::size_t>(1, said.size()));
