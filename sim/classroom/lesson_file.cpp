@@ -335,6 +335,7 @@ std::vector<Line> split_lines(std::string_view text, const std::string& file) {
 void check_stops(const Lesson& lesson, const std::string& file) {
   Conventions conventions;
   lesson.conventions.choices.apply(conventions);
+  conventions.options = lesson.conventions.options;
   const Page page = header_for(method(lesson.method), conventions).page;
   std::uint8_t kind = no_kind;
   for (const Stop& stop : lesson.stops) {

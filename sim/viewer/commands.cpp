@@ -222,7 +222,7 @@ const std::vector<Command>& table() {
        [](App& a) { a.requests.save_picture = fmt::format("zstep-{}", a.session().position()); }},
       {"slide",
        "Window",
-       "Save what leads, with a caption, for slides",
+       "Save a slide of what leads",
        {{SDLK_i, C | S}},
        [](App& a) { a.requests.save_slide = fmt::format("zstep-{}-slide", a.session().position()); }},
       {"palette", "Window", "Find commands, places, lessons", {{SDLK_p, C}}, [](App& a) { a.open(Overlay::palette); }},

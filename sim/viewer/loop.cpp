@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -58,10 +59,11 @@ Loop::~Loop() { save(true); }
 
 namespace {
 
-/// As PNG and as SVG. What is drawn of it is said, or why it is not there.
-void save_drawing(App& app, const std::string& name, Drawing (App::*draw)()) {
+/// As PNG and as SVG; `shown`, where it is given, are the pixels. What is drawn of it is said, or why it is not there.
+void save_drawing(App& app, const std::string& name, Drawing (App::*draw)(), std::vector<std::uint8_t> shown = {}) {
   try {
-    const Drawing drawing = (app.*draw)();
+    Drawing drawing = (app.*draw)();
+    if (!shown.empty()) drawing.rgb = std::move(shown);
     write_png(name + ".png", drawing.width, drawing.height, drawing.rgb);
     write_file(name + ".svg", {reinterpret_cast<const std::uint8_t*>(drawing.svg.data()), drawing.svg.size()});
     system::hand_over(name + ".png");
@@ -86,7 +88,7 @@ void Loop::serve() {
   if (r.clipboard) system::copy_text(*r.clipboard);
   if (r.marks_kept) system::kept(places::kept_folder());
   if (r.save_progress) save_progress();
-  if (r.save_picture) save_drawing(app, *r.save_picture, &App::of_window);
+  if (r.save_picture) save_drawing(app, *r.save_picture, &App::of_window, app.renderer().rgb());
   if (r.save_slide) save_drawing(app, *r.save_slide, &App::slide);
   const bool quit = r.quit;
   r = {};

@@ -42,7 +42,7 @@ class Inheritance {
   }
 
  private:
-  static constexpr std::size_t sorts = index_of(formulas::Place::In::triangle) + 1;
+  static constexpr std::size_t sorts = index_of(formulas::Place::In::samples) + 1;  ///< that is the last
   // Each sort has its own: what is cleared often, as the numbers of a triangle, is not to be picked out of all pixels.
   ByEnum<formulas::Place::In, std::unordered_map<std::int64_t, std::int32_t>, sorts> wrong_;
   std::size_t count_ = 0;

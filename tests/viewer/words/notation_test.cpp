@@ -190,7 +190,8 @@ TEST_CASE("law: what is set in type gives what is printed, and in symbols and nu
   std::string names;
   for (const std::string& name : differ) names += name + ";";
   // Of a ray the sums above and below the line are told as they are, of a fan the products that are added up, of a
-  // weight the edge function's value, of a tile the depths at its corners, of a share how many compares say lit.
-  CHECK(names == "nearest z;share;sum over the fan;t;w_0;w_1;w_2;");
+  // weight the edge function's value, of a tile the depths at its corners, of a share how many compares say lit, of the
+  // middle of a mask how far it lies from the centre.
+  CHECK(names == "nearest z;share;sum over the fan;t;w_0;w_1;w_2;z;");
   for (const char* name : {"scan-line", "ray-tracing", "transparency"}) CHECK_MESSAGE(fractions[name] > 0, name);
 }

@@ -77,6 +77,11 @@ struct Says {
     if constexpr (std::is_same_v<E, DepthCompare>) return machine.fragment->stored;
     if constexpr (std::is_same_v<E, EdgeFunction>) return name == "A" ? e.edge_a : name == "B" ? e.edge_b : e.edge_c;
     if constexpr (std::is_same_v<E, InsideTest>) return name == "E_0" ? e.e_0 : name == "E_1" ? e.e_1 : e.e_2;
+    if constexpr (std::is_same_v<E, SampleTest>) return name == "S_0" ? e.s_0 : name == "S_1" ? e.s_1 : e.s_2;
+    if constexpr (std::is_same_v<E, SampleDepth>) {
+      const auto& before = machine.triangle.before;
+      return before.polygon == no_polygon ? at.header.empty_depth() : before.z;
+    }
     if constexpr (std::is_same_v<E, TileDepthTest>) return name == "nearest z" ? e.z_nearest : e.z_farthest;
     if constexpr (std::is_same_v<E, EdgeEnter>) return name == "x" ? at.edge(e.edge)->x_edge : at.edge(e.edge)->z_edge;
     if constexpr (std::is_same_v<E, HorizonTest>)
