@@ -75,7 +75,8 @@ double error_of(const std::vector<glm::dvec3>& outline, const std::string& sampl
 TEST_SUITE("half_space/samples") {
   TEST_CASE(
       "of a pixel's 2, 4, 8 or 16 samples no two stand in one row or column, as the standard patterns have them") {
-    for (const auto& [word, count] : {std::pair("2", 2), {"4", 4}, {"8", 8}, {"16", 16}}) {
+    for (const int count : {2, 4, 8, 16}) {
+      const std::string word = std::to_string(count);
       CAPTURE(word);
       const auto offsets = formulas::samples_of(with_samples(word));
       REQUIRE(std::ssize(offsets) == count);
