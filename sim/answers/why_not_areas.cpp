@@ -371,6 +371,14 @@ bool of_sweep(const Trace& trace) {
   return trace.has(kind_of<FlagFlip>) && depth_buffer(trace.header()) != DepthBuffer::line;
 }
 
+Verdict mixed_by_share(Asked& q, std::int64_t step, double share) {
+  Verdict verdict = q.verdict(Why::mixed, step, "it is seen on {} % of the pixel's area, though not at its centre",
+                              number(100 * share));
+  q.add_formulas(verdict, step);
+  verdict.add_step(step, q.polygon, "{} is mixed in by its share", q.name);
+  return verdict;
+}
+
 Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets) {
   const std::vector<PlaneEquation> rows = rows_of(q, facets);
   const Line line = look_along(q, rows);
@@ -382,12 +390,8 @@ Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets) {
     return verdict;
   }
   if (line.cover != 0) {
-    Verdict verdict =
-        q.verdict(Why::mixed, line.cover, "it is seen on {} % of the pixel's area, though not at its centre",
-                  number(100 * line.share));
+    Verdict verdict = mixed_by_share(q, line.cover, line.share);
     verdict.other = line.owner;
-    q.add_formulas(verdict, line.cover);
-    verdict.add_step(line.cover, q.polygon, "{} is mixed in by its share", q.name);
     add_paint(q, verdict, line);
     return verdict;
   }

@@ -112,6 +112,8 @@ struct LeftOut {
   std::string text;
 };
 std::optional<LeftOut> left_out_by_triangles(const Asked& q, std::int64_t mark);
+/// It has a share of the pixel, which is mixed in, and another or none has the centre. `step` tells the share.
+Verdict mixed_by_share(Asked& q, std::int64_t step, double share);
 /// The tile around the pixel was rejected by its farthest depth.
 std::optional<Verdict> why_tile_hidden(Asked& q, const std::vector<FacetThere>& facets,
                                        const std::vector<Visit>& visits);

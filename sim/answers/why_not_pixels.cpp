@@ -383,6 +383,17 @@ double behind(const Asked& q, const Visit& visit) {
   return q.trace.header().comparison.behind(visit.z.value_or(0), std::isfinite(stored) ? stored : 0);
 }
 
+/// By some of the pixel's samples the polygon is seen, by others not.
+std::optional<Verdict> why_mixed_by_samples(Asked& q) {
+  if (!q.trace.has(kind_of<CoverageAdd>)) return std::nullopt;
+  const auto step = find_last<CoverageAdd>(q.trace, q.trace.size(), [&](const CoverageAdd& share) {
+    return share.owner == q.polygon && share.x == q.pixel.x && share.y == q.pixel.y;
+  });
+  if (!step) return std::nullopt;
+  const double share = get<CoverageAdd>(q.trace.event(*step).event).coverage;
+  return share > 0 ? std::optional(mixed_by_share(q, *step, share)) : std::nullopt;
+}
+
 Verdict by_visits(Asked& q, const std::vector<FacetThere>& facets, const std::vector<Visit>& visits) {
   const Visit *last = holder(visits, q.trace.size() + 1), *mine = nullptr, *least = nullptr, *miswritten = nullptr,
               *interpolated = nullptr;
@@ -395,6 +406,7 @@ Verdict by_visits(Asked& q, const std::vector<FacetThere>& facets, const std::ve
     else if (its_own && visit.compared() && (!least || behind(q, visit) < behind(q, *least))) least = &visit;
   }
   if (last && last->shows == q.polygon) return why_seen(q, visits, *last);
+  if (auto verdict = why_mixed_by_samples(q)) return *verdict;
   if (mine && mine->outcome == Outcome::mixed)
     if (auto verdict = why_mixed(q, visits, *mine)) return *verdict;
   if (mine) {
@@ -424,8 +436,10 @@ Verdict by_visits(Asked& q, const std::vector<FacetThere>& facets, const std::ve
 
 Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
   // Most polygons never come to the pixel, which is soon told.
-  if (records_owners(q.trace) && !may_have_visits(q.trace, q.pixel, q.polygon))
+  if (records_owners(q.trace) && !may_have_visits(q.trace, q.pixel, q.polygon)) {
+    if (auto verdict = why_mixed_by_samples(q)) return *verdict;
     if (auto verdict = why_by_facets(q, facets)) return *verdict;
+  }
   std::vector<Visit> visits = visits_of(q.trace, q.pixel);
   std::erase_if(visits, [](const Visit& visit) { return visit.outcome == Outcome::colored; });
   Verdict verdict = by_visits(q, facets, visits);

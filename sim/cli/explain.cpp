@@ -213,7 +213,10 @@ std::string no_depth_text(const Trace& trace, Trace::Pixel pixel, std::int64_t a
                                          who, grouped(last->step), last->step)
                            : "");
   if (last == nullptr && answers::records_owners(trace))
-    return fmt::format("{} has no depth: nothing was drawn there up to step {}", where, grouped(at));
+    return fmt::format(
+        "{} has no depth: {} up to step {}", where,
+        trace.has(kind_of<CoverageAdd>) ? "no polygon was drawn at its centre" : "nothing was drawn there",
+        grouped(at));
   if (last == nullptr) return fmt::format("{} has no depth: no step up to {} writes one", where, grouped(at));
   return fmt::format("{} has no depth: {}, but no step up to {} writes its depth", where,
                      answers::records_owners(trace)

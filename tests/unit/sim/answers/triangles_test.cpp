@@ -13,6 +13,7 @@
 #include "tests/unit/algorithms/scenes.hpp"
 #include "traces/check/check.hpp"
 #include "traces/events/fields.hpp"
+#include "traces/replay/replay.hpp"
 
 using namespace zstep;
 using namespace zstep::answers;
@@ -47,6 +48,30 @@ TEST_SUITE("half_space/answers") {
     CHECK(on.kind == Why::not_covered);
     CHECK(test_at(trace, on.step) != nullptr);
     CHECK(on.sentence.find("E_0(5, 4) = 0") != std::string::npos);
+  }
+
+  TEST_CASE("why-not says of a polygon that only samples show that it is mixed in, with its share") {
+    for (const char* samples : {"4", "a-buffer"}) {
+      CAPTURE(samples);
+      Conventions conventions;
+      conventions.options["samples"] = samples;
+      const Trace trace = half_space_run(by_hand(), conventions);
+      Replay replay(trace);
+      replay.go_to(trace.size());
+      int mixed = 0;
+      for (std::int64_t step = 1; step <= trace.size(); ++step) {
+        const Event event = trace.event(step).event;
+        const auto* share = get_if<CoverageAdd>(&event);
+        if (!share || share->owner != 0) continue;
+        const bool has_centre = replay.state().picture.polygon[replay.state().picture.at(share->x, share->y)] == 0;
+        const answers::Verdict verdict = why_not(trace, 0, {share->x, share->y});
+        CHECK(verdict.kind == (has_centre ? Why::seen : Why::mixed));
+        if (has_centre) continue;
+        ++mixed;
+        CHECK(verdict.step == step);
+      }
+      CHECK(mixed > 3);
+    }
   }
 
   TEST_CASE("why-not names the tile that was beyond an edge, and the one that was too far") {
