@@ -252,6 +252,7 @@ void check_run(const Method& method, const Scene& scene, const Conventions& conv
                      "give eye, d and window in its place, or use z-buffer");
   check_options(method.options, method.id, conventions, who);
   if (method.check) method.check(conventions, who);
+  if (method.id == "half-space") half_space::check(scene, conventions);
   const std::string wanted = method.interpolates ? "" : options_for_planes(conventions);
   if (!wanted.empty() && method.gives == Gives::lines)
     throw InputError("--algorithm " + id, "draws lines: nothing is interpolated, and no pixel is covered",

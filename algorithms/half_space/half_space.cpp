@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "algorithms/half_space/triangles.hpp"
 #include "algorithms/viewing/clip.hpp"
 #include "traces/error.hpp"
@@ -465,6 +467,17 @@ void check(const Conventions& c, const std::string&) {
   if (c.attribute != Conventions::Attribute::none)
     refuse(samples + " with --attribute " + std::string(word_of(c.attribute)),
            "samples take their polygon's one colour", "give one of the two");
+}
+
+void check(const Scene& scene, const Conventions& conventions) {
+  const auto in_pixel = formulas::keeps_masks(conventions) ? std::int64_t{formulas::mask_rows} * formulas::mask_columns
+                                                           : std::ssize(formulas::samples_of(conventions));
+  const Raster& raster = scene.raster;
+  if (in_pixel * raster.width * raster.height > most_pixels)
+    throw InputError("--option samples=" + conventions.options.at("samples"),
+                     fmt::format("{}x{} pixels with {} samples each are more than the {} that can be kept",
+                                 raster.width, raster.height, in_pixel, most_pixels),
+                     "give a smaller --size, or fewer samples");
 }
 
 #define INSTANTIATE(R) template Picture run<R>(const Scene&, const Conventions&, R&);

@@ -12,9 +12,10 @@
 //
 // Departures: beside the samples the pixel's centre is drawn as it is without them, so that frame and depth buffer can
 // be held against other methods. Carpenter keeps two depths and estimates where facets cross; here it is the depth in
-// the middle of the samples covered. E is evaluated as A (x - X) + B (y - Y), (X, Y) being the edge's end with the
-// smaller y, so that it is exactly 0 at a vertex and two triangles have opposite values to the last bit; where it is
-// stepped, it is computed afresh at each tile of the raster for the same reason. Depths are computed as z_0 + w_1 (z_1
+// the middle of the samples covered, by the first of the facet's triangles that covers some. E is evaluated as A (x -
+// X) + B (y - Y), (X, Y) being the edge's end with the smaller y, so that it is exactly 0 at a vertex and two triangles
+// have opposite values to the last bit; where it is stepped, it is computed afresh at each tile of the raster for the
+// same reason. Depths are computed as z_0 + w_1 (z_1
 // - z_0) + w_2 (z_2 - z_0), so that a plane of constant depth has one number. Polygons that are convex on the raster
 // are cut into a fan from their first vertex, others into ears; of an outline that crosses itself triangles overlap,
 // and a pixel is drawn where the number of those that cover it is odd, as the even-odd rule has it.
@@ -48,8 +49,7 @@ inline constexpr std::array<Option, 6> options{
       "a tile is rejected where the nearest depth of the triangle in it is not nearer than its farthest stored one"},
      {"samples", "1|2|4|8|16|a-buffer", "1",
       "samples a pixel, each with its own coverage and depth, whose colours are mixed in the end; a-buffer: a mask of "
-      "32 "
-      "and one depth for each facet"},
+      "32 and one depth for each facet"},
      interpolation::nearer_option,
      interpolation::ties_option}};
 
@@ -63,5 +63,7 @@ Page page_for(const Conventions& conventions);
 
 /// Throws InputError for conventions that this method does not have.
 void check(const Conventions& conventions, const std::string& who);
+/// And for a picture that has more samples than a scene may have pixels.
+void check(const Scene& scene, const Conventions& conventions);
 
 }  // namespace zstep::half_space

@@ -252,6 +252,15 @@ TEST_SUITE("half_space/samples") {
       CHECK(share == 1);
   }
 
+  TEST_CASE("a picture with more samples than can be kept is refused before memory is asked for") {
+    Scene scene = test::screen_scene(7680, 4320, {{{0, 0, 1}, {9, 0, 1}, {0, 9, 1}}});
+    half_space::check(scene, Conventions{});
+    for (const char* samples : {"2", "16", "a-buffer"})
+      CHECK_THROWS_AS(half_space::check(scene, with_samples(samples)), InputError);
+    scene.raster = {1024, 768, false};
+    for (const char* samples : {"2", "16", "a-buffer"}) half_space::check(scene, with_samples(samples));
+  }
+
   TEST_CASE("samples go with neither tiles nor an attribute") {
     const auto refusal = [](Conventions conventions) -> std::string {
       try {
