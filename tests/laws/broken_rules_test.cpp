@@ -82,6 +82,7 @@ constexpr BrokenRun broken_runs[] = {
     {"ray_paints_own", "ray-tracing-facet", "set color 1 x=0", 108},
     {"reject_is_right", "bsp", "drop polygon 9", 44},
     {"sample_inside", "half-space-samples", "drop sample 1", 16},
+    {"sample_is_tested", "half-space-samples", "drop sample 2", 18},
     {"share_of_pixel", "scan-line-areas", "set cover 1 coverage=-0.75", 56},
     {"side_is_right", "bsp", "set vertex_side 1 side=\"crossing\"", 48},
     {"side_is_right", "bsp", "set side 10 side=\"crossing\"", 103},

@@ -185,6 +185,9 @@ constexpr ByEnum<Rule, NamedRule> named_rules{{{
     {Rule::sample_inside,
      {"sample_inside", "A depth is found only of a sample that is inside its triangle.",
       "A depth is found of a sample that was not found inside its triangle."}},
+    {Rule::sample_is_tested,
+     {"sample_is_tested", "Each of a pixel's samples is tested before the next pixel has its turn.",
+      "The next pixel is tested, and some samples of the one before are not."}},
 }}};
 
 }  // namespace

@@ -212,6 +212,8 @@ void derive(const TileDepthTest& e, const Situation& at, Out& out) {
 template <class Out>
 void derive(const InsideTest& e, const Situation& at, Out& out) {
   detail::derive_last_win(at, out);
+  if (const auto& last = at.method().triangle.sample)
+    out.rule(Rule::sample_is_tested, last->sample + std::int64_t{1} >= at.method().samples_a_pixel);
   if (!detail::has_edges(at)) return;
   const std::array<double InsideTest::*, 3> values{&InsideTest::e_0, &InsideTest::e_1, &InsideTest::e_2};
   bool inside = true, open = false;

@@ -153,6 +153,7 @@ enum class Rule : std::uint8_t {
   nearer_is_painted,  ///< and is painted with what lies before it
   weights_inside,     ///< only a pixel that was found inside its triangle has weights
   sample_inside,      ///< and only such a sample has a depth
+  sample_is_tested,   ///< each sample of a pixel has its turn
   count
 };
 
