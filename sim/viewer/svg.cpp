@@ -101,7 +101,7 @@ class Writer {
     out_ += fmt::format("<path d=\"{}Z\" {}/>\n", points, fill_of(corners[0]->col));
   }
 
-  /// Goes on with the line of text, over as many spaces as there are, or begins another.
+  /// Continues the line of text, with the spaces in between, or begins a new line.
   void letter(const ImDrawVert& corner) {
     const auto found = letters_.find(in_atlas(corner.uv));
     if (found == letters_.end()) return;

@@ -243,14 +243,14 @@ struct KnownTriangle {
     double a = 0, b = 0, x = 0, y = 0;  ///< E = a (column - x) + b (row - y)
     bool owns = false;
   };
-  std::size_t of_polygon = 0;  ///< how many of its polygon the block has told of
+  std::size_t of_polygon = 0;  ///< how many of its polygon the block holds
   std::array<std::int32_t, 3> vertices{};
   std::array<glm::dvec3, 3> corners{};  ///< (x_s, y_s, depth) of these
   bool known = false;                   ///< all of them
-  bool told = false;                    ///< the block has told of its edges; else it began within the triangle
+  bool told = false;                    ///< the block holds its edges; else it began within the triangle
   double twice_area = 0;
   TileTest box{}, walked{};  ///< its bounding box; the part of it in which pixels come one after another
-  bool in_tiles = false;     ///< the block has told of one of its tiles
+  bool in_tiles = false;     ///< the block holds one of its tiles
   std::array<Edge, 3> edges{};
   InsideTest test{-1, -1, 0, 0, 0, false}, test_before{-1, -1, 0, 0, 0, false};  ///< the last one, and the one before
   DepthInterpolate depth{-1, -1, 0}, depth_before{-1, -1, 0};
