@@ -99,10 +99,11 @@ class Drawing {
         corrected_(conventions.depth == Conventions::Depth::corrected),
         shades_(conventions.attribute != Conventions::Attribute::none),
         divides_(formulas::attribute_over_depth(scene, conventions)),
+        shading_(formulas::shading_of(scene, conventions)),
         comparison_(interpolation::comparison_of(conventions)) {}
 
-  void draw(std::int32_t polygon, const clipping::Outline& outline) {
-    polygon_ = polygon;
+  void draw(std::int32_t facet, std::int32_t polygon, const clipping::Outline& outline) {
+    facet_ = facet, polygon_ = polygon;
     const std::vector<Corners>& triangles = triangulation_.cut(outline, vertices_);
     if (triangulation_.may_overlap()) count_covers(triangles);
     for (const Corners& corners : triangles) {
@@ -286,20 +287,26 @@ class Drawing {
     if (shades_) shade(triangle, x, y, w);
   }
 
-  /// The attribute of the vertices by the same weights: a/z_v and 1/z_v, or a itself.
+  /// The numbers of the attribute by the same weights: a/z_v and 1/z_v, or a itself, one after the other.
   void shade(const Triangle<T>& triangle, std::int32_t x, std::int32_t y, const Values<T>& w) {
-    Values<T> over_z, one_over_z;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const glm::dvec3& view = vertices_[triangle.corners[i]].view;
-      const T a = static_cast<T>(formulas::attribute_of(scene_, triangle.corners[i], view));
-      const auto over = divides_ ? formulas::over_depth(a, static_cast<T>(view.z)) : formulas::OverDepth<T>{a, T(1)};
-      over_z[i] = over.over_z, one_over_z[i] = over.one_over_z;
+    std::array<double, 3> values{};
+    for (std::int32_t k = 0; k < shading_.components; ++k) {
+      Values<T> over_z, one_over_z;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3& view = vertices_[triangle.corners[i]].view;
+        const T a = static_cast<T>(
+            formulas::attribute_of(scene_, shading_, k, facet_, triangle.corners[i], view,
+                                   [&](std::int32_t point) { return vertices_[point].view; }));
+        const auto over = divides_ ? formulas::over_depth(a, static_cast<T>(view.z)) : formulas::OverDepth<T>{a, T(1)};
+        over_z[i] = over.over_z, one_over_z[i] = over.one_over_z;
+      }
+      const T above = triangle.by_weights(w, over_z), below = divides_ ? triangle.by_weights(w, one_over_z) : T(1);
+      const T a = divides_ ? above / below : above;
+      record_(interpolation::step::attribute, AttributeInterpolate{x, y, above, below, a});
+      values[k] = a;
     }
-    const T above = triangle.by_weights(w, over_z), below = divides_ ? triangle.by_weights(w, one_over_z) : T(1);
-    const T a = divides_ ? above / below : above;
-    record_(interpolation::step::attribute, AttributeInterpolate{x, y, above, below, a});
 
-    const Color ink = interpolation::in_stripes(scene_.polygons[polygon_].color, a);
+    const Color ink = interpolation::shaded(shading_, scene_.polygons[polygon_].color, values);
     picture_.ink[picture_.at(x, y)] = ink_of(ink);
     record_(interpolation::step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});
   }
@@ -310,8 +317,9 @@ class Drawing {
   R& record_;
   Stepping stepping_;
   bool tiles_, hierarchical_, corrected_, shades_, divides_;
+  formulas::Shading shading_;
   Comparison comparison_;
-  std::int32_t polygon_ = no_polygon;
+  std::int32_t facet_ = 0, polygon_ = no_polygon;
   Triangulation triangulation_;
   std::vector<std::int32_t> covers_;  ///< by pixel, where triangles may overlap
 };
@@ -339,7 +347,7 @@ Picture draw(const Scene& scene, const Conventions& conventions, R& record) {
 
     vertices.resize(scene.points.size());  // without those that clipping made for the facet before
     const bool visible = clipping::find_outline(scene, facet, conventions.cull, lens, vertices, outline, record);
-    if (visible) drawing.draw(facet.polygon, outline);
+    if (visible) drawing.draw(number - 1, facet.polygon, outline);
   }
   return picture;
 }

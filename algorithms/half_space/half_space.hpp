@@ -34,14 +34,15 @@ namespace zstep::half_space {
 
 enum class Stepping { products, increments };
 
-inline constexpr std::array<Option, 5> options{
+inline constexpr std::array<Option, 6> options{
     {{"stepping", "products|increments", "products",
       "edge functions evaluated at each pixel, or stepped by A from pixel to pixel and by B from line to line"},
      {"tiles", "off|8", "off", "8x8 tiles, accepted or rejected as a whole where an edge function's corners allow it"},
      {"hierarchical-z", "off|on", "off",
       "a tile is rejected where the nearest depth of the triangle in it is not nearer than its farthest stored one"},
      interpolation::nearer_option,
-     interpolation::ties_option}};
+     interpolation::ties_option,
+     interpolation::shade_option}};
 
 /// Draws the scene's facets in their order, each as triangles; which of two depths wins is as
 /// interpolation::comparison_of() says.
