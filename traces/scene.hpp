@@ -52,10 +52,10 @@ inline constexpr std::int64_t most_polygons = 2'500'000;
 inline constexpr std::int64_t most_facets = 4'000'000;
 inline constexpr std::int64_t most_corners = 6'000'000;
 inline constexpr std::int64_t most_corners_of_polygon = 20'000;  ///< the active edge list is searched from the left
-inline constexpr std::int64_t most_values = 6'000'000;          ///< of one attribute, as one a corner
-inline constexpr std::int32_t most_components = 4;              ///< of one attribute
+inline constexpr std::int64_t most_values = 6'000'000;           ///< of one attribute, as one a corner
+inline constexpr std::int32_t most_components = 4;               ///< of one attribute
 inline constexpr std::int32_t most_attributes = 8;
-inline constexpr double largest_value = 1e30;                   ///< of an attribute
+inline constexpr double largest_value = 1e30;                          ///< of an attribute
 inline constexpr double least_refraction = 0.1, most_refraction = 10;  ///< diamond has 2.4
 inline constexpr std::int64_t most_surface_samples = 250'000;          ///< columns times rows
 inline constexpr std::size_t longest_formula = 200;                    ///< characters
@@ -247,7 +247,7 @@ struct Scene {
       point_lines;  ///< line of its file each point stands at, 0 if there is none; empty if none has one
   std::vector<Polygon> polygons;
   std::vector<Facet> facets;
-  std::vector<std::int32_t> corners;  ///< indices into points
+  std::vector<std::int32_t> corners;        ///< indices into points
   std::vector<VertexAttribute> attributes;  ///< each of another name
   Color background{255, 255, 255};
   Camera camera;

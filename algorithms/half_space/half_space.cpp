@@ -294,9 +294,8 @@ class Drawing {
       Values<T> over_z, one_over_z;
       for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3& view = vertices_[triangle.corners[i]].view;
-        const T a = static_cast<T>(
-            formulas::attribute_of(scene_, shading_, k, facet_, triangle.corners[i], view,
-                                   [&](std::int32_t point) { return vertices_[point].view; }));
+        const T a = static_cast<T>(formulas::attribute_of(scene_, shading_, k, facet_, triangle.corners[i], view,
+                                                          [&](std::int32_t point) { return vertices_[point].view; }));
         const auto over = divides_ ? formulas::over_depth(a, static_cast<T>(view.z)) : formulas::OverDepth<T>{a, T(1)};
         over_z[i] = over.over_z, one_over_z[i] = over.one_over_z;
       }

@@ -80,9 +80,8 @@ class Attributes {
  private:
   OverDepth of_vertex(std::int32_t number, std::int32_t component) const {
     const glm::dvec3& view = vertices_[number].view;
-    const T a = numbers_.depth(
-        formulas::attribute_of(scene_, shading_, component, facet_, number, view,
-                               [&](std::int32_t point) { return vertices_[point].view; }));
+    const T a = numbers_.depth(formulas::attribute_of(scene_, shading_, component, facet_, number, view,
+                                                      [&](std::int32_t point) { return vertices_[point].view; }));
     return divides_ ? formulas::over_depth(a, numbers_.depth(view.z)) : OverDepth{a, T(1)};
   }
   OverDepth on_edge(const EdgeOf<T>& edge, std::int32_t component, std::int32_t y) const {
@@ -202,7 +201,7 @@ class Drawing {
       const T a = attributes_.value(here);
       record_(step::attribute, AttributeInterpolate{x, y, here.over_z, here.one_over_z, a});
       values[k] = a;
-      if (k == 0) each_.attribute(pixel, a);
+      each_.attribute(pixel, a);
     }
 
     const Color ink = shaded(shading, scene_.polygons[polygon_].color, values);

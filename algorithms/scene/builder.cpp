@@ -281,8 +281,9 @@ void SceneBuilder::add_attributes(PolygonSoup& soup, const std::string& where) {
       continue;
     }
     if (known != scene.attributes.end() && known->components != from.components) {
-      file_.notes.push_back(fmt::format("{}: \"{}\" of its vertices is not kept: that of a mesh before it has {} numbers",
-                                        where, from.name, known->components));
+      file_.notes.push_back(
+          fmt::format("{}: \"{}\" of its vertices is not kept: that of a mesh before it has {} numbers", where,
+                      from.name, known->components));
       continue;
     }
     VertexAttribute& to =

@@ -70,7 +70,7 @@ void for_each_place_written(const E& e, const formulas::Situation& at, Set&& set
   if constexpr (std::is_same_v<E, InsideTest>) set(Place{In::triangle, formulas::detail::test_place});
   if constexpr (std::is_same_v<E, BarycentricWeights>) set(Place{In::triangle, formulas::detail::weights_place});
   if constexpr (is_of_fragment(at_pixel<E>)) set(Place{In::fragment, 0});
-  if constexpr (std::is_same_v<E, AttributeInterpolate>) 
+  if constexpr (std::is_same_v<E, AttributeInterpolate>)
     set(Place{In::attribute, formulas::detail::component_at_work(
                                  at, formulas::shading_of(at.scene, at.header.conventions), e.x, e.y)});
   if constexpr (has(at_pixel<E>, AtPixel::keeps)) set(at.depth_place(e.x, e.y));

@@ -235,8 +235,7 @@ VertexAttribute attribute_from_json(const json& in) {
   for (const json& entry : list(in, "own")) {
     if (!entry.is_array() || entry.size() != 3)
       throw MalformedJson("an entry of \"own\" is not a polygon, a point and a value");
-    attribute.own.push_back(
-        {whole_from(entry[0], "own"), whole_from(entry[1], "own"), whole_from(entry[2], "own")});
+    attribute.own.push_back({whole_from(entry[0], "own"), whole_from(entry[1], "own"), whole_from(entry[2], "own")});
   }
   return attribute;
 }

@@ -241,9 +241,9 @@ struct MethodState {
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,
                     scan_line, slopes, span, triangle, fragment, attribute, component, components, keeps_all,
-                    compares_write, edges_told, enters_told, polygons_told, rays_told, pass, pieces, drawn, list, pair, tree, node, sweep, areas,
-                    area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow, shadow_bias,
-                    neighbours, light_share, saved);
+                    compares_write, edges_told, enters_told, polygons_told, rays_told, pass, pieces, drawn, list, pair,
+                    tree, node, sweep, areas, area, bins, boxes, grid, cells, rays, horizon, lines, line, against,
+                    shadow, shadow_bias, neighbours, light_share, saved);
   }
 };
 

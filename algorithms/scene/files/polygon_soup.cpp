@@ -24,8 +24,9 @@ void PolygonSoup::give_to_corners(VertexAttribute& to, std::span<const std::int3
   to.of_point.resize(points.size(), no_value);
   const auto same = [&](std::int32_t a, std::int32_t b) {
     const auto first = to.values.begin();
-    return a == b || std::equal(first + std::ptrdiff_t{a} * to.components, first + (std::ptrdiff_t{a} + 1) * to.components,
-                                first + std::ptrdiff_t{b} * to.components);
+    return a == b ||
+           std::equal(first + std::ptrdiff_t{a} * to.components, first + (std::ptrdiff_t{a} + 1) * to.components,
+                      first + std::ptrdiff_t{b} * to.components);
   };
   for (const Facet& outline : outlines) {
     const std::size_t before = to.own.size();

@@ -28,8 +28,8 @@ struct Look {
 using Looks = std::map<std::string, Look, std::less<>>;
 
 constexpr std::array<std::string_view, 22> passed_over{
-    "vp",     "g",      "o",          "s",         "mg",  "bevel", "c_interp", "d_interp", "lod",   "maplib", "usemap",
-    "shadow_obj", "trace_obj", "deg", "bmat", "step",  "cstype",   "ctech",    "stech", "call",   "csh",    "con"};
+    "vp",         "g",         "o",   "s",    "mg",   "bevel",  "c_interp", "d_interp", "lod",  "maplib", "usemap",
+    "shadow_obj", "trace_obj", "deg", "bmat", "step", "cstype", "ctech",    "stech",    "call", "csh",    "con"};
 
 template <std::size_t N>
 bool one_of(const std::array<std::string_view, N>& words, std::string_view word) {

@@ -63,7 +63,8 @@ void add_values(PolygonSoup& soup, const Kind& kind, std::span<const double> num
     if (VertexAttribute* to = soup.attribute(name, static_cast<std::int32_t>(components), where))
       soup.add_value_of_point(*to, value.first(components), line, where);
   };
-  if (kind.has_normal) add(normal_attribute, numbers, 3), numbers = numbers.subspan(std::min<std::size_t>(3, numbers.size()));
+  if (kind.has_normal)
+    add(normal_attribute, numbers, 3), numbers = numbers.subspan(std::min<std::size_t>(3, numbers.size()));
   const std::size_t texture = kind.has_texture ? 2 : 0;
   const std::span color = numbers.first(numbers.size() - std::min(texture, numbers.size()));
   if (color.size() >= 3) {
@@ -216,8 +217,7 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
               "correct the counts, or get the file again if it was cut short");
 
   const bool announced = kind.colored || kind.has_normal || kind.has_texture;
-  const bool more_follow =
-      announced || colors_follow(file, kind, declared_points + declared_faces);
+  const bool more_follow = announced || colors_follow(file, kind, declared_points + declared_faces);
   for (std::int64_t i = 0; i < declared_points; ++i) {
     glm::dvec3 point;
     point.x = file.coordinate_or_nan(file.next(), "x of a vertex");
