@@ -155,6 +155,24 @@ bool has_extras(const Scene& scene) {
                      [](const Polygon& polygon) { return polygon.material != Material{}; });
 }
 
+void put_attribute(Bytes& out, const VertexAttribute& attribute) {
+  put_text(out, attribute.name);
+  put_varint(out, static_cast<std::uint64_t>(attribute.components));
+  put_varint(out, attribute.values.size());
+  for (const double value : attribute.values) put_u64(out, bits_of(value));
+  const auto put_column = [&](const std::vector<std::int32_t>& column) {
+    put_varint(out, column.size());
+    Runs runs;
+    for (const std::int32_t value : column) runs.put(value);
+    runs.end(out);
+  };
+  put_column(attribute.lines), put_column(attribute.of_point);
+  put_varint(out, attribute.own.size());
+  std::array<std::uint32_t, 3> last{};
+  for (const auto& [polygon, point, value] : attribute.own)
+    put_whole(out, polygon, last[0]), put_whole(out, point, last[1]), put_whole(out, value, last[2]);
+}
+
 void put_extras(Bytes& out, const Scene& scene) {
   nlohmann::ordered_json document = nlohmann::ordered_json::object();
   if (scene.light) document["light"] = light_to_json(*scene.light);
@@ -181,24 +199,6 @@ void put_extras(Bytes& out, const Scene& scene) {
   put_varint(out, scene.file_points.size());
   for (int axis = 0; axis < 3; ++axis) put_coordinates(out, scene.file_points, axis);
   for (const VertexAttribute& attribute : scene.attributes) put_attribute(out, attribute);
-}
-
-void put_attribute(Bytes& out, const VertexAttribute& attribute) {
-  put_text(out, attribute.name);
-  put_varint(out, static_cast<std::uint64_t>(attribute.components));
-  put_varint(out, attribute.values.size());
-  for (const double value : attribute.values) put_u64(out, bits_of(value));
-  const auto put_column = [&](const std::vector<std::int32_t>& column) {
-    put_varint(out, column.size());
-    Runs runs;
-    for (const std::int32_t value : column) runs.put(value);
-    runs.end(out);
-  };
-  put_column(attribute.lines), put_column(attribute.of_point);
-  put_varint(out, attribute.own.size());
-  std::array<std::uint32_t, 3> last{};
-  for (const auto& [polygon, point, value] : attribute.own)
-    put_whole(out, polygon, last[0]), put_whole(out, point, last[1]), put_whole(out, value, last[2]);
 }
 
 VertexAttribute take_attribute(ByteReader& in) {

@@ -75,17 +75,17 @@ void leave_out_unplaced(PolygonSoup& soup, const std::string& name) {
   const auto placed = std::find_if(soup.points.begin(), soup.points.end(), is_placed);
   if (std::all_of(soup.points.begin(), soup.points.end(), is_placed)) return;
   std::size_t kept = 0;
-  std::vector<std::int32_t> place_of(soup.outlines.size(), no_polygon);
+  std::vector<std::int32_t> new_place(soup.outlines.size(), no_polygon);
   for (std::size_t k = 0; k < soup.outlines.size(); ++k) {
     const auto corners = soup.corners_of(soup.outlines[k]);
     const auto unplaced = std::find_if_not(corners.begin(), corners.end(),
                                            [&](std::int32_t corner) { return is_placed(soup.points[corner]); });
     if (unplaced != corners.end()) soup.losses.unplaced.add([&] { return place_of(soup, *unplaced, name); });
-    else place_of[k] = index32(kept);
-    if (place_of[k] != no_polygon && kept++ != k) move_polygon(soup, k, kept - 1);
+    else new_place[k] = index32(kept);
+    if (new_place[k] != no_polygon && kept++ != k) move_polygon(soup, k, kept - 1);
   }
   for (VertexAttribute& attribute : soup.attributes) {
-    for (VertexAttribute::Own& own : attribute.own) own.polygon = place_of[own.polygon];
+    for (VertexAttribute::Own& own : attribute.own) own.polygon = new_place[own.polygon];
     std::erase_if(attribute.own, [](const VertexAttribute::Own& own) { return own.polygon == no_polygon; });
   }
   keep_polygons(soup, kept);
