@@ -130,6 +130,18 @@ double formulas::least_depth(const Scene& scene, Conventions::Depth depth) {
   return std::isfinite(least) ? least : 0;
 }
 
+std::int32_t VertexAttribute::value_of(std::int32_t polygon, std::int32_t point) const {
+  const auto found = std::lower_bound(own.begin(), own.end(), Own{polygon, point, no_value});
+  if (found != own.end() && found->polygon == polygon && found->point == point) return found->value;
+  return point >= 0 && point < std::ssize(of_point) ? of_point[point] : no_value;
+}
+
+const VertexAttribute* attribute_named(const Scene& scene, std::string_view name) {
+  for (const VertexAttribute& attribute : scene.attributes)
+    if (attribute.name == name) return &attribute;
+  return nullptr;
+}
+
 const Placement* placement_of(const Scene& scene, std::int32_t point) {
   const auto& placements = scene.placements;
   const auto after =

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -51,6 +52,10 @@ inline constexpr std::int64_t most_polygons = 2'500'000;
 inline constexpr std::int64_t most_facets = 4'000'000;
 inline constexpr std::int64_t most_corners = 6'000'000;
 inline constexpr std::int64_t most_corners_of_polygon = 20'000;  ///< the active edge list is searched from the left
+inline constexpr std::int64_t most_values = 6'000'000;           ///< of one attribute, as one a corner
+inline constexpr std::int32_t most_components = 4;               ///< of one attribute
+inline constexpr std::int32_t most_attributes = 8;
+inline constexpr double largest_value = 1e30;                          ///< of an attribute
 inline constexpr double least_refraction = 0.1, most_refraction = 10;  ///< diamond has 2.4
 inline constexpr std::int64_t most_surface_samples = 250'000;          ///< columns times rows
 inline constexpr std::size_t longest_formula = 200;                    ///< characters
@@ -116,6 +121,27 @@ struct Polygon {
   Rare<Material> material{};
   bool operator==(const Polygon&) const = default;
 };
+
+/// Numbers at the vertices of polygons besides their places: a colour, a texture coordinate, a normal, anything.
+struct VertexAttribute {
+  /// A polygon's own value at a point, as on either side of a seam of a texture.
+  struct Own {
+    std::int32_t polygon = 0, point = 0, value = 0;
+    auto operator<=>(const Own&) const = default;
+  };
+  std::string name;  ///< "color" (red, green, blue of 0 to 1), "uv", "normal", or as its file calls it
+  std::int32_t components = 1;
+  std::vector<double> values;          ///< components of value 0, then those of value 1 …
+  std::vector<std::int32_t> lines;     ///< line of its file each value stands at; empty if none has one
+  std::vector<std::int32_t> of_point;  ///< by point: its value, -1 where it has none
+  std::vector<Own> own;                ///< where a polygon has another one than the point has, in order
+
+  /// The number of a value: -1 where there is none.
+  std::int32_t value_of(std::int32_t polygon, std::int32_t point) const;
+  bool operator==(const VertexAttribute&) const = default;
+};
+inline constexpr std::int32_t no_value = -1;
+inline constexpr const char *color_attribute = "color", *uv_attribute = "uv", *normal_attribute = "normal";
 
 /// A planar piece of a polygon: what the algorithms loop over. A planar polygon, concave or not, is one facet; a
 /// polygon that is not planar is cut into triangles, each a facet of the same polygon (docs/architecture.md,
@@ -221,7 +247,8 @@ struct Scene {
       point_lines;  ///< line of its file each point stands at, 0 if there is none; empty if none has one
   std::vector<Polygon> polygons;
   std::vector<Facet> facets;
-  std::vector<std::int32_t> corners;  ///< indices into points
+  std::vector<std::int32_t> corners;        ///< indices into points
+  std::vector<VertexAttribute> attributes;  ///< each of another name
   Color background{255, 255, 255};
   Camera camera;
   Raster raster;
@@ -232,6 +259,9 @@ struct Scene {
   std::vector<glm::dvec3> file_points;  ///< as their files have them: as many as points; empty if those were not moved
   bool operator==(const Scene&) const = default;
 };
+
+/// The attribute of this name; nullptr where there is none.
+const VertexAttribute* attribute_named(const Scene& scene, std::string_view name);
 
 /// The placement a point comes from; none if it is the scene's own.
 const Placement* placement_of(const Scene& scene, std::int32_t point);

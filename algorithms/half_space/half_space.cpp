@@ -108,6 +108,7 @@ class Drawing {
         corrected_(conventions.depth == Conventions::Depth::corrected),
         shades_(conventions.attribute != Conventions::Attribute::none),
         divides_(formulas::attribute_over_depth(scene, conventions)),
+        shading_(formulas::shading_of(scene, conventions)),
         comparison_(interpolation::comparison_of(conventions)),
         offsets_(formulas::samples_of(conventions)),
         masks_(formulas::keeps_masks(conventions)),
@@ -355,20 +356,25 @@ class Drawing {
     if (shades_) shade(triangle, x, y, w);
   }
 
-  /// The attribute of the vertices by the same weights: a/z_v and 1/z_v, or a itself.
+  /// The numbers of the attribute by the same weights: a/z_v and 1/z_v, or a itself, one after the other.
   void shade(const Triangle<T>& triangle, std::int32_t x, std::int32_t y, const Values<T>& w) {
-    Values<T> over_z, one_over_z;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const glm::dvec3& view = vertices_[triangle.corners[i]].view;
-      const T a = static_cast<T>(formulas::attribute_of(scene_, triangle.corners[i], view));
-      const auto over = divides_ ? formulas::over_depth(a, static_cast<T>(view.z)) : formulas::OverDepth<T>{a, T(1)};
-      over_z[i] = over.over_z, one_over_z[i] = over.one_over_z;
+    std::array<double, 3> values{};
+    for (std::int32_t k = 0; k < shading_.components; ++k) {
+      Values<T> over_z, one_over_z;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3& view = vertices_[triangle.corners[i]].view;
+        const T a = static_cast<T>(formulas::attribute_of(scene_, shading_, k, facet_, triangle.corners[i], view,
+                                                          [&](std::int32_t point) { return vertices_[point].view; }));
+        const auto over = divides_ ? formulas::over_depth(a, static_cast<T>(view.z)) : formulas::OverDepth<T>{a, T(1)};
+        over_z[i] = over.over_z, one_over_z[i] = over.one_over_z;
+      }
+      const T above = triangle.by_weights(w, over_z), below = divides_ ? triangle.by_weights(w, one_over_z) : T(1);
+      const T a = divides_ ? above / below : above;
+      record_(interpolation::step::attribute, AttributeInterpolate{x, y, above, below, a});
+      values[k] = a;
     }
-    const T above = triangle.by_weights(w, over_z), below = divides_ ? triangle.by_weights(w, one_over_z) : T(1);
-    const T a = divides_ ? above / below : above;
-    record_(interpolation::step::attribute, AttributeInterpolate{x, y, above, below, a});
 
-    const Color ink = interpolation::in_stripes(scene_.polygons[polygon_].color, a);
+    const Color ink = interpolation::shaded(shading_, scene_.polygons[polygon_].color, values);
     picture_.ink[picture_.at(x, y)] = ink_of(ink);
     record_(interpolation::step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});
   }
@@ -386,6 +392,7 @@ class Drawing {
   R& record_;
   Stepping stepping_;
   bool tiles_, hierarchical_, corrected_, shades_, divides_;
+  formulas::Shading shading_;
   Comparison comparison_;
   std::span<const SampleOffset> offsets_;
   bool masks_;

@@ -51,7 +51,8 @@ inline constexpr std::array<Option, 6> options{
       "samples a pixel, each with its own coverage and depth, whose colours are mixed in the end; a-buffer: a mask of "
       "32 and one depth for each facet"},
      interpolation::nearer_option,
-     interpolation::ties_option}};
+     interpolation::ties_option,
+     interpolation::shade_option}};
 
 /// Draws the scene's facets in their order, each as triangles; which of two depths wins is as
 /// interpolation::comparison_of() says.

@@ -60,34 +60,42 @@ class Attributes {
              const NumbersOf<T>& numbers)
       : scene_(scene),
         divides_(formulas::attribute_over_depth(scene, conventions)),
+        shading_(formulas::shading_of(scene, conventions)),
         vertices_(vertices),
         numbers_(numbers) {}
 
+  const formulas::Shading& shading() const { return shading_; }
+  void begin_facet(std::int32_t facet) { facet_ = facet; }
   void begin(const EdgeOf<T>& left, const EdgeOf<T>& right, std::int32_t y) {
-    left_ = on_edge(left, y), right_ = on_edge(right, y);
+    for (std::int32_t k = 0; k < shading_.components; ++k)
+      left_[k] = on_edge(left, k, y), right_[k] = on_edge(right, k, y);
     x_left_ = left.x, x_right_ = right.x;
   }
-  OverDepth at(std::int32_t x) const {
-    if (static_cast<double>(x_left_) == static_cast<double>(x_right_)) return left_;
-    return formulas::on_line(left_, right_, T(x), x_left_, x_right_);
+  OverDepth at(std::int32_t component, std::int32_t x) const {
+    if (static_cast<double>(x_left_) == static_cast<double>(x_right_)) return left_[component];
+    return formulas::on_line(left_[component], right_[component], T(x), x_left_, x_right_);
   }
   T value(const OverDepth& here) const { return divides_ ? here.over_z / here.one_over_z : here.over_z; }
 
  private:
-  OverDepth of_vertex(std::int32_t number) const {
+  OverDepth of_vertex(std::int32_t number, std::int32_t component) const {
     const glm::dvec3& view = vertices_[number].view;
-    const T a = numbers_.depth(formulas::attribute_of(scene_, number, view));
+    const T a = numbers_.depth(formulas::attribute_of(scene_, shading_, component, facet_, number, view,
+                                                      [&](std::int32_t point) { return vertices_[point].view; }));
     return divides_ ? formulas::over_depth(a, numbers_.depth(view.z)) : OverDepth{a, T(1)};
   }
-  OverDepth on_edge(const EdgeOf<T>& edge, std::int32_t y) const {
-    return formulas::on_line(of_vertex(edge.vertex_0), of_vertex(edge.vertex_1), T(y), edge.y_0, edge.y_1);
+  OverDepth on_edge(const EdgeOf<T>& edge, std::int32_t component, std::int32_t y) const {
+    return formulas::on_line(of_vertex(edge.vertex_0, component), of_vertex(edge.vertex_1, component), T(y), edge.y_0,
+                             edge.y_1);
   }
 
   const Scene& scene_;
   bool divides_;
+  formulas::Shading shading_;
   const viewing::Vertices& vertices_;
   const NumbersOf<T>& numbers_;
-  OverDepth left_{}, right_{};
+  std::int32_t facet_ = 0;
+  std::array<OverDepth, 3> left_{}, right_{};
   T x_left_{0}, x_right_{0};
 };
 
@@ -186,14 +194,19 @@ class Drawing {
 
   /// Blinn's hyperbolic interpolation, or linear for comparison: which of the two, `attributes_` knows.
   void shade(std::int32_t x, std::int32_t y, std::size_t pixel) {
-    const formulas::OverDepth<T> here = attributes_.at(x);
-    const T a = attributes_.value(here);
-    record_(step::attribute, AttributeInterpolate{x, y, here.over_z, here.one_over_z, a});
+    const formulas::Shading& shading = attributes_.shading();
+    std::array<double, 3> values{};
+    for (std::int32_t k = 0; k < shading.components; ++k) {
+      const formulas::OverDepth<T> here = attributes_.at(k, x);
+      const T a = attributes_.value(here);
+      record_(step::attribute, AttributeInterpolate{x, y, here.over_z, here.one_over_z, a});
+      values[k] = a;
+      each_.attribute(pixel, a);
+    }
 
-    const Color ink = in_stripes(scene_.polygons[polygon_].color, a);
+    const Color ink = shaded(shading, scene_.polygons[polygon_].color, values);
     picture_.ink[pixel] = ink_of(ink);
     record_(step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});
-    each_.attribute(pixel, a);
   }
 
   const Ways& ways_;
@@ -241,6 +254,7 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
     Plane<T> plane;
     if (ways.by_plane) plane = find_plane(facet.polygon, outline, vertices, numbers, record);
     drawing.begin(facet.polygon, plane);
+    attributes.begin_facet(number - 1);
     build_edge_table(edges, facet.polygon, outline, vertices, raster, conventions.coverage, record);
     for (std::int32_t y = edges.first_row; y < edges.end_row; ++y) {
       begin_scan_line(active, edges, y, !ways.adds, record);
@@ -341,10 +355,9 @@ Bounds bounds_of(const Scene& scene, const Conventions& conventions) {
   });
 }
 
-Color in_stripes(const Color& color, double a) {
-  const double kept = formulas::stripe_shade(a);
-  const auto shaded = [&](std::uint8_t channel) { return nearest_byte(channel * kept); };
-  return {shaded(color.red), shaded(color.green), shaded(color.blue)};
+Color shaded(const formulas::Shading& shading, const Color& color, const std::array<double, 3>& a) {
+  const auto [red, green, blue] = formulas::shaded(shading.shade, color, a);
+  return {nearest_byte(red), nearest_byte(green), nearest_byte(blue)};
 }
 
 Page page_for(const Conventions& conventions) {
@@ -397,6 +410,15 @@ void check(const Scene& scene, const Conventions& c) {
     throw InputError("--attribute " + std::string(word_of(c.attribute)),
                      "is computed in floating point, and fixed-point numbers are of depths and positions",
                      "give --number-format float64 or float32");
+  const formulas::Shading shading = formulas::shading_of(scene, c);
+  const std::string shade = fmt::format("--option shade={}", word_of(shading.shade));
+  if (shading.shade != formulas::Shade::stripes && c.attribute == Conventions::Attribute::none)
+    throw InputError(shade, "is of an attribute, and none is interpolated", "give --attribute perspective, or linear");
+  if (!shading.is_known())
+    throw InputError(shade,
+                     fmt::format("needs {} at the vertices, and this scene has none",
+                                 shading.shade == formulas::Shade::gouraud ? "colours" : "texture coordinates"),
+                     "take a mesh with such, or give --option shade=stripes");
   if (c.rounding == Conventions::Rounding::down && bits_of(c.number_format) == 0)
     throw InputError("--rounding down", "is of fixed-point numbers", "give --number-format fixed16, or fixed32");
 }

@@ -12,6 +12,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "algorithms/scan_conversion/numbers.hpp"
+#include "traces/formulas/attributes.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 
@@ -31,7 +32,12 @@ inline constexpr Option nearer_option{"nearer", "by-depth|turned", "by-depth",
 inline constexpr Option ties_option{"ties", "first|last", "first",
                                     "which of two equal depths stays: the one drawn first, or the one drawn last",
                                     false};
-inline constexpr std::array<Option, 2> options{nearer_option, ties_option};
+inline constexpr Option shade_option{
+    formulas::shade_key, "stripes|gouraud|checker", "stripes",
+    "what --attribute interpolates: x_w as stripes, the mesh's colours at vertices, or its texture coordinates as a "
+    "checker",
+    false};
+inline constexpr std::array<Option, 3> options{nearer_option, ties_option, shade_option};
 Comparison comparison_of(const Conventions& conventions);
 
 /// Does the page as it is taught draw under these conventions?
@@ -66,8 +72,8 @@ Page page_for(const Conventions& conventions);
 /// the conventions have it.
 Page page_with(Page page, const Conventions& conventions);
 
-/// A polygon's colour where its attribute is `a`.
-Color in_stripes(const Color& color, double a);
+/// What a polygon's colour becomes where its attribute is `a`.
+Color shaded(const formulas::Shading& shading, const Color& color, const std::array<double, 3>& a);
 
 /// Throws InputError where these conventions do not go together, or not with the scene's camera.
 void check(const Scene& scene, const Conventions& conventions);

@@ -144,6 +144,10 @@ std::vector<std::int32_t> outline_of(std::span<const glm::dvec3> points, std::sp
 void put_in_order(Scene& scene, std::span<const std::int32_t> place_of) {
   const std::vector<Polygon> polygons = scene.polygons;
   for (std::size_t k = 0; k < polygons.size(); ++k) scene.polygons[place_of[k]] = polygons[k];
+  for (VertexAttribute& attribute : scene.attributes) {
+    for (VertexAttribute::Own& own : attribute.own) own.polygon = place_of[own.polygon];
+    std::sort(attribute.own.begin(), attribute.own.end());
+  }
   std::vector<Facet> facets = std::exchange(scene.facets, {});
   const std::vector<std::int32_t> corners = std::exchange(scene.corners, {});
   for (Facet& facet : facets) facet.polygon = place_of[facet.polygon];
@@ -264,6 +268,47 @@ void SceneBuilder::add_points(PolygonSoup& soup, const std::string& where, const
   file_.scene.points.insert(file_.scene.points.end(), soup.points.begin(), soup.points.end());
 }
 
+/// Values of the soup's attributes behind those of the same names; what has none of a name has no value of it.
+void SceneBuilder::add_attributes(PolygonSoup& soup, const std::string& where) {
+  Scene& scene = file_.scene;
+  const auto first_point = size32(scene.points), first_polygon = size32(scene.polygons);
+  for (VertexAttribute& from : soup.attributes) {
+    const auto known = std::find_if(scene.attributes.begin(), scene.attributes.end(),
+                                    [&](const VertexAttribute& one) { return one.name == from.name; });
+    if (known == scene.attributes.end() && std::ssize(scene.attributes) == most_attributes) {
+      file_.notes.push_back(fmt::format("{}: \"{}\" of its vertices is not kept: a scene has {} attributes at most",
+                                        where, from.name, most_attributes));
+      continue;
+    }
+    if (known != scene.attributes.end() && known->components != from.components) {
+      file_.notes.push_back(
+          fmt::format("{}: \"{}\" of its vertices is not kept: that of a mesh before it has {} numbers", where,
+                      from.name, known->components));
+      continue;
+    }
+    VertexAttribute& to =
+        known == scene.attributes.end()
+            ? scene.attributes.emplace_back(VertexAttribute{from.name, from.components, {}, {}, {}, {}})
+            : *known;
+    const auto first_value = static_cast<std::int32_t>(std::ssize(to.values) / to.components);
+    if (std::ssize(to.values) + std::ssize(from.values) > most_values * to.components)
+      PolygonSoup::too_much(where, "values of an attribute", most_values);
+    if (!to.lines.empty() || !from.lines.empty()) {
+      to.lines.resize(first_value);
+      to.lines.insert(to.lines.end(), from.lines.begin(), from.lines.end());
+      to.lines.resize(first_value + from.values.size() / from.components);
+    }
+    to.values.insert(to.values.end(), from.values.begin(), from.values.end());
+    to.of_point.resize(first_point, no_value);
+    for (const std::int32_t value : from.of_point)
+      to.of_point.push_back(value == no_value ? no_value : first_value + value);
+    for (const auto& [polygon, point, value] : from.own)
+      to.own.push_back({first_polygon + polygon, first_point + point, first_value + value});
+  }
+  for (VertexAttribute& attribute : scene.attributes)
+    attribute.of_point.resize(scene.points.size() + soup.points.size(), no_value);
+}
+
 void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& style) {
   check_limits(soup, where);
   cut_ = too_few_corners_ = no_area_ = 0;
@@ -273,6 +318,7 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
   scene.polygons.reserve(scene.polygons.size() + soup.outlines.size());
   scene.facets.reserve(scene.facets.size() + soup.outlines.size());
   scene.corners.reserve(scene.corners.size() + soup.corners.size());
+  add_attributes(soup, where);
   add_points(soup, where, style);
   for (std::string& note : soup.notes) file_.notes.push_back(std::move(note));
 

@@ -85,6 +85,7 @@ class SceneBuilder {
  private:
   void check_limits(const PolygonSoup& soup, const std::string& where) const;
   void keep_origins(const PolygonSoup& soup, const std::string& where, const Style& style);
+  void add_attributes(PolygonSoup& soup, const std::string& where);
   void add_points(PolygonSoup& soup, const std::string& where, const Style& style);
   void note_topology(const PolygonSoup& soup, const std::string& where, const Style& style);
   void add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where,

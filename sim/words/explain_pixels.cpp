@@ -297,9 +297,14 @@ void tell(Telling& t, const PixelWrite& e) {
 
 void tell(Telling& t, const AttributeInterpolate& e) {
   const bool divides = formulas::attribute_over_depth(t.scene, t.conventions);
-  t.say(divides ? fmt::format("At pixel ({}, {}) a = {}: a/z and 1/z are linear on the picture, a itself is not.", e.x,
-                              e.y, number(e.attribute))
-                : fmt::format("At pixel ({}, {}) a = {}, interpolated as it stands.", e.x, e.y, number(e.attribute)));
+  const formulas::Shading shading = formulas::shading_of(t.scene, t.conventions);
+  const std::int32_t component = shading.shade == formulas::Shade::stripes ? 0 : t.machine.component;
+  const std::string_view name =
+      component < shading.components ? formulas::component_name(shading.shade, component) : "a";
+  t.say(divides ? fmt::format("At pixel ({}, {}) {} = {}: a/z and 1/z are linear on the picture, a itself is not.", e.x,
+                              e.y, name, number(e.attribute))
+                : fmt::format("At pixel ({}, {}) {} = {}, interpolated as it stands.", e.x, e.y, name,
+                              number(e.attribute)));
   t.derive(e);
   if (!divides) {
     t.follows("a", "over_z", e.over_z);
@@ -411,13 +416,18 @@ void tell(Telling& t, const ColorWrite& e) {
   const bool partly = share && share->x == e.x && share->y == e.y && share->share > 0;
   const auto& attribute = t.machine.attribute;
   const bool striped = attribute && attribute->x == e.x && attribute->y == e.y;
-  const bool dark = striped && formulas::stripe_shade(attribute->attribute) < 1;
+  const formulas::Shade shade = formulas::shading_of(t.scene, t.conventions).shade;
+  const bool gouraud = shade == formulas::Shade::gouraud, checker = shade == formulas::Shade::checker;
+  const bool dark = striped && (checker ? formulas::checker_shade(t.machine.components[0], t.machine.components[1])
+                                        : formulas::stripe_shade(attribute->attribute)) < 1;
+  const std::string part = checker ? "square of u and v" : "stripe of a";
   t.say(fmt::format("Pixel ({}, {}) takes the colour {}, {}, {}{}.", e.x, e.y, e.r8, e.g8, e.b8,
                     partly ? fmt::format(": {} of the light reaches its polygon", share->share == 1 ? "all" : "a part")
-                    : shaded  ? ": its polygon is in shadow"
-                    : dark    ? ": its polygon is in a dark stripe of a"
-                    : striped ? ": its polygon is in a bright stripe of a"
-                              : ""));
+                    : shaded             ? ": its polygon is in shadow"
+                    : striped && gouraud ? ": 255 times the colour that was interpolated"
+                    : dark               ? ": its polygon is in a dark " + part
+                    : striped            ? ": its polygon is in a bright " + part
+                                         : ""));
   t.formula(fmt::format("frame[{},{}] = ({}, {}, {})", e.x, e.y, e.r8, e.g8, e.b8));
 }
 

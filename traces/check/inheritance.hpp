@@ -7,6 +7,7 @@
 
 #include "traces/enumeration.hpp"
 #include "traces/formulas/half_space.hpp"
+#include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/situation.hpp"
 
 namespace zstep {
@@ -75,7 +76,9 @@ void for_each_place_written(const E& e, const formulas::Situation& at, Set&& set
   if constexpr (std::is_same_v<E, SampleDepth>)
     if (e.nearer) set(at.sample_place(e.x, e.y, e.sample));
   if constexpr (is_of_fragment(at_pixel<E>)) set(Place{In::fragment, 0});
-  if constexpr (std::is_same_v<E, AttributeInterpolate>) set(Place{In::attribute, 0});
+  if constexpr (std::is_same_v<E, AttributeInterpolate>)
+    set(Place{In::attribute, formulas::detail::component_at_work(
+                                 at, formulas::shading_of(at.scene, at.header.conventions), e.x, e.y)});
   if constexpr (has(at_pixel<E>, AtPixel::keeps)) set(at.depth_place(e.x, e.y));
   if constexpr (has(at_pixel<E>, AtPixel::verdict))
     if (e.nearer && at.method().compares_write) set(at.depth_place(e.x, e.y));

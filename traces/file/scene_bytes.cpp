@@ -147,12 +147,30 @@ std::size_t count_of_points(ByteReader& in) {
 }
 
 /// What most scenes do not have stands at the end, and is missing where a scene has none of it: light, surface and fit
-/// as JSON, then the materials, as runs of polygons that have the same, the placements, and the points as their files
-/// have them.
+/// as JSON, then the materials, as runs of polygons that have the same, the placements, the points as their files have
+/// them, and the attributes of vertices.
 bool has_extras(const Scene& scene) {
-  return scene.light || scene.surface || scene.fit || !scene.placements.empty() ||
+  return scene.light || scene.surface || scene.fit || !scene.placements.empty() || !scene.attributes.empty() ||
          std::any_of(scene.polygons.begin(), scene.polygons.end(),
                      [](const Polygon& polygon) { return polygon.material != Material{}; });
+}
+
+void put_attribute(Bytes& out, const VertexAttribute& attribute) {
+  put_text(out, attribute.name);
+  put_varint(out, static_cast<std::uint64_t>(attribute.components));
+  put_varint(out, attribute.values.size());
+  for (const double value : attribute.values) put_u64(out, bits_of(value));
+  const auto put_column = [&](const std::vector<std::int32_t>& column) {
+    put_varint(out, column.size());
+    Runs runs;
+    for (const std::int32_t value : column) runs.put(value);
+    runs.end(out);
+  };
+  put_column(attribute.lines), put_column(attribute.of_point);
+  put_varint(out, attribute.own.size());
+  std::array<std::uint32_t, 3> last{};
+  for (const auto& [polygon, point, value] : attribute.own)
+    put_whole(out, polygon, last[0]), put_whole(out, point, last[1]), put_whole(out, value, last[2]);
 }
 
 void put_extras(Bytes& out, const Scene& scene) {
@@ -180,6 +198,32 @@ void put_extras(Bytes& out, const Scene& scene) {
   }
   put_varint(out, scene.file_points.size());
   for (int axis = 0; axis < 3; ++axis) put_coordinates(out, scene.file_points, axis);
+  for (const VertexAttribute& attribute : scene.attributes) put_attribute(out, attribute);
+}
+
+VertexAttribute take_attribute(ByteReader& in) {
+  // Held to its limit before memory is asked for.
+  const auto count = [&](std::int64_t limit, std::size_t least_bytes) {
+    const std::uint64_t value = in.varint();
+    if (value > static_cast<std::uint64_t>(limit)) throw MalformedBytes("more of a kind than a scene can have");
+    if (value > in.left() / std::max<std::size_t>(1, least_bytes) && least_bytes > 0)
+      throw MalformedBytes("a count larger than the data");
+    return static_cast<std::size_t>(value);
+  };
+  VertexAttribute attribute;
+  attribute.name = in.text();
+  attribute.components = static_cast<std::int32_t>(count(most_components, 0));
+  attribute.values.resize(count(most_values * most_components, sizeof(double)));
+  for (double& value : attribute.values) value = double_of(in.u64());
+  for (std::vector<std::int32_t>* column : {&attribute.lines, &attribute.of_point}) {
+    column->resize(count(most_values, 0));
+    take_runs(in, column->size(), [&](std::size_t i, std::int32_t value) { (*column)[i] = value; });
+  }
+  attribute.own.resize(count(most_corners, 3));
+  std::array<std::uint32_t, 3> last{};
+  for (auto& [polygon, point, value] : attribute.own)
+    polygon = take_whole(in, last[0]), point = take_whole(in, last[1]), value = take_whole(in, last[2]);
+  return attribute;
 }
 
 void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
@@ -206,6 +250,10 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
   }
   scene.file_points.resize(count_of_points(in));
   for (int axis = 0; axis < 3; ++axis) take_coordinates(in, scene.file_points, axis);
+  while (!in.empty()) {
+    if (std::ssize(scene.attributes) == most_attributes) throw MalformedBytes("more of a kind than a scene can have");
+    scene.attributes.push_back(take_attribute(in));
+  }
 }
 
 }  // namespace
@@ -312,7 +360,6 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   std::uint32_t last = 0;
   for (std::int32_t& corner : scene.corners) corner = take_whole(in, last);
   if (!in.empty()) take_extras(in, document(), scene);
-  if (!in.empty()) throw MalformedBytes("the scene is followed by something");
   check_scene(scene);
   return scene;
 }

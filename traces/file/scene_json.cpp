@@ -206,6 +206,42 @@ Fit fit_from_json(const json& in) {
   return {vector_from(member(in, "centre"), "centre"), real(in, "radius")};
 }
 
+namespace {
+
+ordered_json attribute_to_json(const VertexAttribute& attribute) {
+  ordered_json out{{"name", attribute.name}, {"components", attribute.components}};
+  ordered_json values = ordered_json::array();
+  for (const double value : attribute.values) values.push_back(real_to_json(value));
+  out["values"] = std::move(values);
+  if (!attribute.lines.empty()) out["lines"] = attribute.lines;
+  out["of_point"] = attribute.of_point;
+  if (attribute.own.empty()) return out;
+  ordered_json own = ordered_json::array();
+  for (const auto& [polygon, point, value] : attribute.own) own.push_back({polygon, point, value});
+  out["own"] = std::move(own);
+  return out;
+}
+
+VertexAttribute attribute_from_json(const json& in) {
+  known_keys(in, "an attribute", {"name", "components", "values", "lines", "of_point", "own"});
+  VertexAttribute attribute;
+  attribute.name = text(in, "name");
+  attribute.components = whole(in, "components");
+  for (const json& value : list(in, "values")) attribute.values.push_back(real_from_json(value, "values"));
+  if (in.contains("lines"))
+    for (const json& line : list(in, "lines")) attribute.lines.push_back(whole_from(line, "lines"));
+  for (const json& value : list(in, "of_point")) attribute.of_point.push_back(whole_from(value, "of_point"));
+  if (!in.contains("own")) return attribute;
+  for (const json& entry : list(in, "own")) {
+    if (!entry.is_array() || entry.size() != 3)
+      throw MalformedJson("an entry of \"own\" is not a polygon, a point and a value");
+    attribute.own.push_back({whole_from(entry[0], "own"), whole_from(entry[1], "own"), whole_from(entry[2], "own")});
+  }
+  return attribute;
+}
+
+}  // namespace
+
 ordered_json scene_to_json(const Scene& scene) {
   ordered_json out;
   out["name"] = scene.name;
@@ -252,13 +288,18 @@ ordered_json scene_to_json(const Scene& scene) {
     facets.push_back(std::move(entry));
   }
   out["facets"] = std::move(facets);
+  if (!scene.attributes.empty()) {
+    ordered_json attributes = ordered_json::array();
+    for (const VertexAttribute& attribute : scene.attributes) attributes.push_back(attribute_to_json(attribute));
+    out["attributes"] = std::move(attributes);
+  }
   return out;
 }
 
 Scene scene_from_json(const json& in) {
   known_keys(in, "the scene",
              {"name", "source", "raster", "camera", "background", "light", "surface", "points", "placements", "fit",
-              "file_points", "point_lines", "polygons", "facets"});
+              "file_points", "point_lines", "polygons", "facets", "attributes"});
   Scene scene;
   scene.name = text_or(in, "name", "scene");
   scene.source = text_or(in, "source", "");
@@ -290,6 +331,9 @@ Scene scene_from_json(const json& in) {
     const json& corners = list(entry, "points");
     scene.facets.push_back({whole(entry, "polygon"), size32(scene.corners), size32(corners)});
     for (const json& corner : corners) scene.corners.push_back(whole_from(corner, "points"));
+  }
+  if (in.contains("attributes")) {
+    for (const json& entry : list(in, "attributes")) scene.attributes.push_back(attribute_from_json(entry));
   }
   check_scene(scene);
   return scene;
@@ -333,6 +377,43 @@ void check_surface(const Surface& surface, std::size_t points) {
   if (samples != static_cast<std::int64_t>(points))
     wrong_scene(
         fmt::format("the surface has {} x {} samples, but there are {} points", surface.columns, surface.rows, points));
+}
+
+void check_attribute(const Scene& scene, const VertexAttribute& attribute) {
+  const auto wrong = [&](std::string_view what) {
+    wrong_scene(fmt::format("the attribute \"{}\" {}", attribute.name, what));
+  };
+  if (attribute.name.empty()) wrong("has no name");
+  if (attribute.components < 1 || attribute.components > most_components)
+    wrong(fmt::format("has {} components (there are 1 to {})", attribute.components, most_components));
+  const std::size_t count = attribute.values.size() / attribute.components;
+  if (attribute.values.size() % attribute.components != 0) wrong("has a value with too few numbers");
+  if (count > static_cast<std::size_t>(most_values)) wrong(fmt::format("has more than {} values", most_values));
+  for (const double value : attribute.values)
+    if (!(std::abs(value) <= largest_value)) wrong(fmt::format("has the number {}", value));
+  if (!attribute.lines.empty() && attribute.lines.size() != count) wrong("has lines, but not one for each value");
+  if (attribute.of_point.size() != scene.points.size()) wrong("does not have a value, or -1, for each point");
+  for (const std::int32_t value : attribute.of_point)
+    if (value < no_value || value >= std::ssize(attribute.values) / attribute.components)
+      wrong(fmt::format("has no value {}", value));
+  if (attribute.own.size() > static_cast<std::size_t>(most_corners)) wrong("has more values than corners");
+  for (std::size_t i = 0; i < attribute.own.size(); ++i) {
+    const auto& [polygon, point, value] = attribute.own[i];
+    if (polygon < 0 || polygon >= std::ssize(scene.polygons) || point < 0 || point >= std::ssize(scene.points) ||
+        value < 0 || static_cast<std::size_t>(value) >= count)
+      wrong("has a value of a polygon or a point that does not exist");
+    if (i > 0 && !(attribute.own[i - 1] < attribute.own[i])) wrong("has values of polygons that are not in order");
+  }
+}
+
+void check_attributes(const Scene& scene) {
+  if (scene.attributes.size() > static_cast<std::size_t>(most_attributes))
+    wrong_scene(fmt::format("{} attributes, of which there can be {}", scene.attributes.size(), most_attributes));
+  for (const VertexAttribute& attribute : scene.attributes) {
+    check_attribute(scene, attribute);
+    if (attribute_named(scene, attribute.name) != &attribute)
+      wrong_scene(fmt::format("there are two attributes called \"{}\"", attribute.name));
+  }
 }
 
 bool is_finite(const glm::dvec3& point) {
@@ -393,6 +474,7 @@ void check_scene(const Scene& scene) {
     if (corner < 0 || corner >= std::ssize(scene.points)) wrong_scene(fmt::format("there is no point {}", corner));
   }
   check_materials(scene.polygons);
+  check_attributes(scene);
   if (scene.light) check_light(*scene.light);
   if (scene.surface) check_surface(*scene.surface, scene.points.size());
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -149,7 +150,7 @@ inline std::int32_t shade_of(std::int32_t recorded, double value) {
 }  // namespace detail
 
 /// A curve's ink, light on the way back along a ray, the shares of a pixel, or a polygon's colour where the light does
-/// not reach it or in a stripe of its attribute.
+/// not reach it or as its attribute shades it.
 template <class Out>
 void derive(const ColorWrite& e, const Situation& at, Out& out) {
   const auto& tree = at.method().rays.tree;
@@ -197,12 +198,15 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
       for (std::size_t k = 0; k < 3; ++k)
         if (std::abs(recorded[k] - shades[k]) < 2) shades[k] = recorded[k];
   } else if (attribute && attribute->x == e.x && attribute->y == e.y) {
-    out.reads(Place{Place::In::attribute, 0});
+    const Shading shading = shading_of(at.scene, at.header.conventions);
+    std::span<const double> a = at.method().components;
+    if (shading.shade == Shade::stripes) a = std::span(&attribute->attribute, 1);
+    else if (at.method().component + 1 != shading.components) return;
+    for (std::int32_t k = 0; k < shading.components; ++k) out.reads(Place{Place::In::attribute, k});
     const std::size_t polygon = at.before.picture.polygon[at.pixel(e.x, e.y)];
-    if (polygon >= at.scene.polygons.size() || at_stripe_edge(attribute->attribute)) return;
+    if (polygon >= at.scene.polygons.size() || at_shade_edge(shading.shade, a)) return;
     out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
-    shades = detail::channels(at.scene.polygons[polygon].color);
-    for (double& shade : shades) shade *= stripe_shade(attribute->attribute);
+    shades = shaded(shading.shade, at.scene.polygons[polygon].color, a);
   } else {
     return;
   }

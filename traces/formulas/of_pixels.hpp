@@ -258,14 +258,35 @@ void derive(const PixelWrite& e, const Situation& at, Out& out) {
 
 namespace detail {
 
-/// The attribute of a vertex and where its formula finds it, with the viewing depth; nothing before it was viewed.
+/// Which number of the attribute the next one at this pixel is: they come one after the other.
+inline std::int32_t component_at_work(const Situation& at, const Shading& shading, std::int32_t x, std::int32_t y) {
+  const std::int32_t next = next_component(at.method(), x, y);
+  return next < shading.components ? next : 0;
+}
+/// As attribute_of(), for the facet at work.
+inline double attribute_at(const Situation& at, const Shading& shading, std::int32_t component, std::int32_t vertex,
+                           const glm::dvec3& view) {
+  return attribute_of(at.scene, shading, component, at.method().facet, vertex, view, [&](std::int32_t point) {
+    const VertexStages* stages = at.vertex(point);
+    return stages ? stages->view : glm::dvec3(0);
+  });
+}
+
+/// A component of a vertex's attribute and where its formula finds it, with the viewing depth; nothing before it was
+/// viewed.
 template <class Out>
-auto over_depth_of_vertex(Out& out, const Situation& at, std::int32_t vertex, const std::string& suffix) {
+auto over_depth_of_vertex(Out& out, const Situation& at, const AttributeInterpolate& e, std::int32_t vertex,
+                          const std::string& suffix) {
   using T = typename Out::Number;
   const VertexStages* stages = at.viewed(vertex);
   if (!stages && !at.on_screen()) return std::optional<OverDepth<T>>();
-  const double value = attribute_of(at.scene, vertex, stages ? stages->view : glm::dvec3(0));
-  const T a = out.number("a_" + suffix, value, at.is_point(vertex) ? Place{Place::In::point, vertex, "x_w"} : Place{});
+  const Shading shading = shading_of(at.scene, at.header.conventions);
+  if (!shading.is_known() || (shading.attribute && !at.is_facet(at.method().facet)))
+    return std::optional<OverDepth<T>>();
+  const std::int32_t component = component_at_work(at, shading, e.x, e.y);
+  const double value = attribute_at(at, shading, component, vertex, stages ? stages->view : glm::dvec3(0));
+  const std::string_view name = shading.attribute ? component_name(shading.shade, component) : "x_w";
+  const T a = out.number("a_" + suffix, value, at.is_point(vertex) ? Place{Place::In::point, vertex, name} : Place{});
   if (!attribute_over_depth(at.scene, at.header.conventions)) return std::optional(OverDepth<T>{a, T(1)});
   const Place seen{Place::In::vertex, vertex, "z_v"};
   return std::optional(over_depth(a, out.number("z_" + suffix, stages->view.z, seen)));
@@ -273,18 +294,18 @@ auto over_depth_of_vertex(Out& out, const Situation& at, std::int32_t vertex, co
 
 /// Along an edge to the scan line at work.
 template <class Out>
-auto over_depth_on_edge(Out& out, const Situation& at, std::int32_t edge, std::int32_t line, const char* suffix_0,
-                        const char* suffix_1) {
+auto over_depth_on_edge(Out& out, const Situation& at, const AttributeInterpolate& e, std::int32_t edge,
+                        const char* suffix_0, const char* suffix_1) {
   using T = typename Out::Number;
   const EdgeTableInsert* entry = at.edge(edge);
   if (!entry) return std::optional<OverDepth<T>>();
-  const auto p_0 = over_depth_of_vertex(out, at, entry->vertex_0, suffix_0),
-             p_1 = over_depth_of_vertex(out, at, entry->vertex_1, suffix_1);
+  const auto p_0 = over_depth_of_vertex(out, at, e, entry->vertex_0, suffix_0),
+             p_1 = over_depth_of_vertex(out, at, e, entry->vertex_1, suffix_1);
   const auto from = at.on_raster(entry->vertex_0), to = at.on_raster(entry->vertex_1);
   if (!p_0 || !p_1 || !from || !to) return std::optional<OverDepth<T>>();
   const T y_0 = out.number(std::string("y_") + suffix_0, from->y, Place{Place::In::vertex, entry->vertex_0, "y_s"}),
           y_1 = out.number(std::string("y_") + suffix_1, to->y, Place{Place::In::vertex, entry->vertex_1, "y_s"});
-  return std::optional(on_line(*p_0, *p_1, out.number("y", line, Place{}), y_0, y_1));
+  return std::optional(on_line(*p_0, *p_1, out.number("y", e.y, Place{}), y_0, y_1));
 }
 
 }  // namespace detail
@@ -293,12 +314,13 @@ namespace detail {
 
 /// The same from the vertices of a triangle, by the weights of the pixel.
 template <class Out>
-void derive_attribute_by_weights(const BarycentricWeights& weights, bool divides, const Situation& at, Out& out) {
+void derive_attribute_by_weights(const AttributeInterpolate& e, const BarycentricWeights& weights, bool divides,
+                                 const Situation& at, Out& out) {
   const auto& setup = at.method().triangle.setup;
   if (!setup || (divides && !attribute_over_depth(at.scene, at.header.conventions))) return;
-  const auto p_0 = over_depth_of_vertex(out, at, setup->vertex_0, "0"),
-             p_1 = over_depth_of_vertex(out, at, setup->vertex_1, "1"),
-             p_2 = over_depth_of_vertex(out, at, setup->vertex_2, "2");
+  const auto p_0 = over_depth_of_vertex(out, at, e, setup->vertex_0, "0"),
+             p_1 = over_depth_of_vertex(out, at, e, setup->vertex_1, "1"),
+             p_2 = over_depth_of_vertex(out, at, e, setup->vertex_2, "2");
   if (!p_0 || !p_1 || !p_2) return;
   const auto w = weight_numbers(out, weights);
   out.gives(&AttributeInterpolate::over_z, by_weights(p_0->over_z, w[0], p_1->over_z, w[1], p_2->over_z));
@@ -324,15 +346,15 @@ void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
   out.gives(&AttributeInterpolate::attribute,
             divides ? above / out.number("1/z", e.one_over_z, event["one_over_z"]) : above);
   if (const BarycentricWeights* weights = detail::weights_at(at, e.x, e.y))
-    return detail::derive_attribute_by_weights(*weights, divides, at, out);
+    return detail::derive_attribute_by_weights(e, *weights, divides, at, out);
   const auto span = at.span_of(e);
   if (!span) return;
   out.rule(Rule::pixel_in_span, Situation::covers(*span.span, e.x, e.y));
   if (span->y != e.y || span.is_of_other(at)) return;
   // Of points on the screen only the program knows z_v.
   if (divides && !attribute_over_depth(at.scene, at.header.conventions)) return;
-  const auto left = detail::over_depth_on_edge(out, at, span->left_edge, e.y, "0", "1"),
-             right = detail::over_depth_on_edge(out, at, span->right_edge, e.y, "2", "3");
+  const auto left = detail::over_depth_on_edge(out, at, e, span->left_edge, "0", "1"),
+             right = detail::over_depth_on_edge(out, at, e, span->right_edge, "2", "3");
   if (!left || !right) return;
   const Place& place = span.place;
   const auto here = span->x_right == span->x_left ? *left

@@ -260,6 +260,8 @@ struct Situation {
   bool on_screen() const { return scene.camera.kind == Camera::Kind::screen; }
   bool is_point(std::int32_t vertex) const { return vertex >= 0 && vertex < std::ssize(scene.points); }
 
+  bool is_facet(std::int32_t facet) const { return facet >= 0 && facet < std::ssize(scene.facets); }
+
   /// A vertex on its way; nullptr where there is none.
   const VertexStages* vertex(std::int32_t number) const {
     const std::size_t at = number;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "traces/formulas/attributes.hpp"
+#include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/walk.hpp"
 #include "traces/oracle/exact_geometry.hpp"
 
@@ -72,19 +73,21 @@ class AttributeJudge {
  private:
   void find_ends(const Situation& at, const AttributeInterpolate& e) {
     const Situation::SpanOfPixel span = at.span_of(e);
-    if (span && span.span == tried_) return;
-    tried_ = span.span;
+    const formulas::Shading shading = formulas::shading_of(at.scene, at.header.conventions);
+    const std::int32_t component = formulas::detail::component_at_work(at, shading, e.x, e.y);
+    if (span && span.span == tried_ && component == component_) return;
+    tried_ = span.span, shading_ = shading, component_ = component;
     on_polygon_ = ends(at, span, e.y, in_perspective_);
     as_run_ = divides_ != in_perspective_ ? ends(at, span, e.y, divides_) : std::nullopt;
   }
-  static std::optional<Ends> ends(const Situation& at, const Situation::SpanOfPixel& span, std::int32_t y,
-                                  bool divides) {
+  std::optional<Ends> ends(const Situation& at, const Situation::SpanOfPixel& span, std::int32_t y,
+                           bool divides) const {
     if (!span || span->y != y || span.is_of_other(at)) return std::nullopt;
     const auto left = on_edge(at, span->left_edge, y, divides), right = on_edge(at, span->right_edge, y, divides);
     if (!left || !right) return std::nullopt;
     return Ends{left->over_depth, right->over_depth, left->x, right->x};
   }
-  static std::optional<OnEdge> on_edge(const Situation& at, std::int32_t edge, std::int32_t y, bool divides) {
+  std::optional<OnEdge> on_edge(const Situation& at, std::int32_t edge, std::int32_t y, bool divides) const {
     const EdgeTableInsert* entry = at.edge(edge);
     if (!entry) return std::nullopt;
     const auto from = at.on_raster(entry->vertex_0), to = at.on_raster(entry->vertex_1);
@@ -95,10 +98,12 @@ class AttributeJudge {
     return OnEdge{formulas::on_line(*p_0, *p_1, line, y_0, y_1),
                   formulas::on_line(exactly(from->x), exactly(to->x), line, y_0, y_1)};
   }
-  static std::optional<OverDepth> of_vertex(const Situation& at, std::int32_t vertex, bool divides) {
+  std::optional<OverDepth> of_vertex(const Situation& at, std::int32_t vertex, bool divides) const {
     const VertexStages* stages = at.viewed(vertex);
     if (!stages && !at.on_screen()) return std::nullopt;
-    const Rational a = exactly(formulas::attribute_of(at.scene, vertex, stages ? stages->view : glm::dvec3(0)));
+    if (!shading_.is_known() || (shading_.attribute && !at.is_facet(at.method().facet))) return std::nullopt;
+    const Rational a = exactly(
+        formulas::detail::attribute_at(at, shading_, component_, vertex, stages ? stages->view : glm::dvec3(0)));
     if (!divides) return OverDepth{a, 1};
     if (stages->view.z == 0) return std::nullopt;
     return formulas::over_depth(a, exactly(stages->view.z));
@@ -106,6 +111,8 @@ class AttributeJudge {
 
   bool in_perspective_, divides_;
   const SpanBegin* tried_ = nullptr;  ///< the span whose ends these are
+  formulas::Shading shading_;
+  std::int32_t component_ = 0;  ///< of the attribute, whose ends these are
   std::optional<Ends> on_polygon_, as_run_;
   AttributeErrors errors_;
 };

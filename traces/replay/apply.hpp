@@ -154,7 +154,11 @@ inline void apply_method_state(const EdgeSwap& event, MethodState& machine) {
     throw Impossible(fmt::format("the active edge list has no places {} and {}", event.place, event.place + 1));
   std::swap(machine.active[event.place], machine.active[static_cast<std::size_t>(event.place) + 1]);
 }
-inline void apply_method_state(const AttributeInterpolate& event, MethodState& machine) { machine.attribute = event; }
+inline void apply_method_state(const AttributeInterpolate& event, MethodState& machine) {
+  machine.component = next_component(machine, event.x, event.y);
+  machine.components[static_cast<std::size_t>(machine.component)] = event.attribute;
+  machine.attribute = event;
+}
 inline void apply_method_state(const PlaneSlopes& event, MethodState& machine) { machine.slopes = event; }
 inline void apply_method_state(const SpanBegin& event, MethodState& machine) {
   if (machine.edges_told) {

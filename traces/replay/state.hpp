@@ -212,6 +212,8 @@ struct MethodState {
   SharedChunks<std::vector<formulas::PixelMask>> masks;  ///< by pixel, likewise
   std::optional<Fragment> fragment;
   std::optional<AttributeInterpolate> attribute;  ///< the last one of the polygon at work
+  std::int32_t component = 0;                     ///< which number of its pixel that is
+  std::array<double, 3> components{};             ///< those of the pixel so far
 
   // The whole run.
   bool keeps_all = false;       ///< edges, vertices and pieces of all polygons are kept (tables_begin)
@@ -254,12 +256,18 @@ struct MethodState {
 
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,
-                    scan_line, slopes, span, triangle, samples, masks, fragment, attribute, keeps_all, compares_write,
-                    edges_told, enters_told, polygons_told, rays_told, pass, pieces, drawn, list, pair, tree, node,
-                    sweep, areas, area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow,
-                    shadow_bias, neighbours, light_share, saved);
+                    scan_line, slopes, span, triangle, samples, masks, fragment, attribute, component, components,
+                    keeps_all, compares_write, edges_told, enters_told, polygons_told, rays_told, pass, pieces, drawn,
+                    list, pair, tree, node, sweep, areas, area, bins, boxes, grid, cells, rays, horizon, lines, line,
+                    against, shadow, shadow_bias, neighbours, light_share, saved);
   }
 };
+
+/// Which number of the pixel's attribute the next one there is: those of a pixel come one after the other.
+inline std::int32_t next_component(const MethodState& machine, std::int32_t x, std::int32_t y) {
+  const bool same = machine.attribute && machine.attribute->x == x && machine.attribute->y == y;
+  return same && machine.component + 1 < std::ssize(machine.components) ? machine.component + 1 : 0;
+}
 
 /// By piece: it was the n-th to be drawn, from 0; -1 where it was not drawn yet.
 std::vector<std::int32_t> draw_places(const MethodState& machine);

@@ -31,7 +31,9 @@ struct PassedOver {
 
 /// What any format may hold and zstep does not draw. Readers count it; finish_soup says it.
 struct Losses {
-  PassedOver vertex_colors, textures, opacities;
+  PassedOver textures, opacities;
+  PassedOver values;      ///< of attributes that are no finite number, or that a corner names and the file lacks
+  PassedOver components;  ///< of an attribute, or whole attributes, beyond what a scene keeps
   PassedOver clamped_colors;
   PassedOver unplaced;  ///< polygons left out, as a vertex of theirs is no finite number
 };
@@ -49,6 +51,7 @@ struct PolygonSoup {
   std::vector<std::optional<Color>> colors;  ///< one a polygon, or none at all
   std::vector<Material> materials;           ///< one a polygon, or none at all
   std::vector<std::string> names;            ///< one a polygon, or none at all
+  std::vector<VertexAttribute> attributes;   ///< of_point may be shorter than points until finish_soup was called
   std::vector<std::string> notes;            ///< what was passed over, one sentence each
   Losses losses;
 
@@ -77,6 +80,42 @@ struct PolygonSoup {
     if (std::ssize(corners) == most_corners) too_much(where(), "corners", most_corners);
     corners.push_back(static_cast<std::int32_t>(point));
   }
+
+  /// The attribute of this name, made where there is none; nullptr, and counted as a loss, where a scene has no room.
+  template <class Where>
+  VertexAttribute* attribute(std::string_view name, std::int32_t components, Where&& where) {
+    for (VertexAttribute& known : attributes)
+      if (known.name == name) return &known;
+    if (std::ssize(attributes) == most_attributes) {
+      losses.components.add(where);
+      return nullptr;
+    }
+    attributes.push_back({std::string(name), components, {}, {}, {}, {}});
+    return &attributes.back();
+  }
+  /// Adds a value, of as many numbers as the attribute has. What is no finite number becomes 0, and is counted.
+  template <class Where>
+  void add_value(VertexAttribute& to, std::span<const double> numbers, std::int32_t line, Where&& where) {
+    if (std::ssize(to.values) >= most_values * to.components) too_much(where(), "values of an attribute", most_values);
+    bool sound = true;
+    for (std::int32_t k = 0; k < to.components; ++k) {
+      const double number = k < std::ssize(numbers) ? numbers[k] : 0;
+      const bool is_value = std::abs(number) <= largest_value;
+      sound = sound && is_value;
+      to.values.push_back(is_value ? number : 0);
+    }
+    if (!sound) losses.values.add(where);
+    if (line > 0) to.lines.push_back(line);
+  }
+  /// The same, for the last point.
+  template <class Where>
+  void add_value_of_point(VertexAttribute& to, std::span<const double> numbers, std::int32_t line, Where&& where) {
+    add_value(to, numbers, line, where);
+    to.of_point.resize(points.size(), no_value);
+    to.of_point.back() = static_cast<std::int32_t>(std::ssize(to.values) / to.components - 1);
+  }
+  /// Values by corner, no_value where one has none: what most polygons have at a point is the point's.
+  void give_to_corners(VertexAttribute& to, std::span<const std::int32_t> value_of_corner);
 
   /// A colour by numbers of 0 … 255. What lies beyond is taken as the nearest of them, and counted.
   template <class Where>

@@ -1,10 +1,12 @@
 // Wavefront OBJ, as in appendix B1 of the Advanced Visualizer manual (Wavefront Technologies, 1989–1995), polygons
 // only.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -25,10 +27,9 @@ struct Look {
 };
 using Looks = std::map<std::string, Look, std::less<>>;
 
-constexpr std::array<std::string_view, 24> passed_over{
-    "vt",       "vn",       "vp",     "g",      "o",      "s",          "mg",        "bevel",
-    "c_interp", "d_interp", "lod",    "maplib", "usemap", "shadow_obj", "trace_obj", "deg",
-    "bmat",     "step",     "cstype", "ctech",  "stech",  "call",       "csh",       "con"};
+constexpr std::array<std::string_view, 22> passed_over{
+    "vp",         "g",         "o",   "s",    "mg",   "bevel",  "c_interp", "d_interp", "lod",  "maplib", "usemap",
+    "shadow_obj", "trace_obj", "deg", "bmat", "step", "cstype", "ctech",    "stech",    "call", "csh",    "con"};
 
 template <std::size_t N>
 bool one_of(const std::array<std::string_view, N>& words, std::string_view word) {
@@ -119,6 +120,8 @@ class Reader {
       const std::string_view word = file_.next_in_line();
       if (word.empty()) continue;
       if (word == "v") vertex();
+      else if (word == "vt") value(texture_);
+      else if (word == "vn") value(normal_);
       else if (word == "f" || word == "fo") face();  // fo: an old spelling of f
       else if (word == "usemtl") material_ = std::string(file_.rest_of_line());
       else if (word == "mtllib") library();
@@ -127,6 +130,7 @@ class Reader {
       else if (!one_of(passed_over, word) && !one_of(free_form_, word)) unknown(word);
     } while (file_.next_line());
     check_forward_references();
+    for (OfCorners* of : {&texture_, &normal_}) give_to_corners(*of);
     // Beside polygons they are left out; without any the file is another one than was meant.
     if (soup_.outlines.empty() && free_forms_.count > 0)
       throw InputError(free_forms_.where, "free-form curves and surfaces are not read", "export the mesh as polygons");
@@ -170,10 +174,58 @@ class Reader {
     const std::int32_t line = file_.line();
     point.y = file_.coordinate_or_nan(file_.next_in_line(), "y");
     point.z = file_.coordinate_or_nan(file_.next_in_line(), "z");
-    int more = 0;  // w or a colour, which do not move the point
-    while (!file_.next_in_line().empty()) ++more;
-    if (more >= 3) soup_.losses.vertex_colors.add([&] { return where(); });
+    const std::vector<double> more = numbers();  // w or a colour, which do not move the point
     soup_.add_point(point, line, [&] { return where(); });
+    if (more.size() < 3) return;
+    if (VertexAttribute* colors = soup_.attribute(color_attribute, 3, [&] { return where(); }))
+      soup_.add_value_of_point(*colors, more, line, [&] { return where(); });
+  }
+
+  /// What is left of the line; nan for what is no number.
+  std::vector<double> numbers() {
+    std::vector<double> all;
+    for (std::string_view token = file_.next_in_line(); !token.empty(); token = file_.next_in_line())
+      all.push_back(parse_number(token).value_or(std::nan("")));
+    return all;
+  }
+
+  /// Values that corners name by their numbers: vt, vn.
+  struct OfCorners {
+    VertexAttribute attribute;
+    std::vector<std::int64_t> named = {};  ///< by corner, from 0; no_value where it names none
+  };
+  void value(OfCorners& of) {
+    const std::int32_t line = file_.line();
+    const std::vector<double> all = numbers();
+    soup_.add_value(of.attribute, all, line, [&] { return where(); });
+    if (std::ssize(all) > of.attribute.components && all[of.attribute.components] != 0)
+      soup_.losses.components.add([&] { return where(); });
+  }
+  /// The value that a corner names, in the part of its token behind so many slashes.
+  void name_value(OfCorners& of, std::string_view token, int slashes) {
+    for (; slashes > 0 && !token.empty(); --slashes)
+      token = token.substr(std::min(token.size(), token.find('/') == token.npos ? token.size() : token.find('/') + 1));
+    const std::string_view digits = token.substr(0, token.find('/'));
+    std::int64_t number = no_value;
+    const std::int64_t count = std::ssize(of.attribute.values) / of.attribute.components;
+    if (!digits.empty()) {
+      const auto index = parse_integer(digits).value_or(0);
+      number = index > 0 ? index - 1 : index < 0 ? count + index : no_value;
+      if (index == 0 || number < 0) number = no_value, soup_.losses.values.add([&] { return where(); });
+    }
+    of.named.push_back(number);
+  }
+  /// A face may stand before its values, too.
+  void give_to_corners(OfCorners& of) {
+    const std::int64_t count = std::ssize(of.attribute.values) / of.attribute.components;
+    std::vector<std::int32_t> values;
+    for (const std::int64_t number : of.named) {
+      if (number >= count) soup_.losses.values.add([&] { return file_.name(); });
+      values.push_back(number >= count ? no_value : static_cast<std::int32_t>(number));
+    }
+    soup_.give_to_corners(of.attribute, values);
+    if (count > 0 && std::ssize(soup_.attributes) < most_attributes)
+      soup_.attributes.push_back(std::move(of.attribute));
   }
 
   void face() {
@@ -198,6 +250,7 @@ class Reader {
         furthest_where_ = where();
       }
       soup_.add_corner(*index > 0 ? *index - 1 : count + *index, [&] { return where(); });
+      name_value(texture_, token, 1), name_value(normal_, token, 2);
     }
     Look look;
     if (const auto found = looks_.find(material_); found != looks_.end()) look = found->second;
@@ -254,6 +307,7 @@ class Reader {
   const MaterialFiles& files_;
   PolygonSoup soup_;
   Looks looks_;
+  OfCorners texture_{{uv_attribute, 2, {}, {}, {}, {}}}, normal_{{normal_attribute, 3, {}, {}, {}, {}}};
   std::string material_;
   std::int64_t furthest_ = 0;
   std::string furthest_where_;

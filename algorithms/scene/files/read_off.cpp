@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -21,8 +23,9 @@ namespace {
 
 struct Kind {
   bool homogeneous = false;  ///< a weight w follows x y z
-  bool colored = false;      ///< then a colour, r g b a
-  int more_numbers = 0;      ///< then texture coordinates or a normal
+  bool colored = false;      ///< a colour, r g b a
+  bool has_normal = false;   ///< a normal comes before that
+  bool has_texture = false;  ///< texture coordinates come after it
   std::string_view rest;     ///< of the word: some programs write the first count right behind it
 };
 
@@ -47,8 +50,31 @@ std::optional<Kind> kind_of_keyword(std::string_view word) {
   const auto has = [&](std::size_t prefix) { return prefixes[prefix].empty(); };
   kind.homogeneous = has(3);
   kind.colored = has(1);
-  kind.more_numbers = (has(0) ? 2 : 0) + (has(2) ? 3 : 0);
+  kind.has_normal = has(2);
+  kind.has_texture = has(0);
   return kind;
+}
+
+/// What stands behind a vertex's place: a normal, a colour, texture coordinates, as far as there are any.
+void add_values(PolygonSoup& soup, const Kind& kind, std::span<const double> numbers, bool whole, std::int32_t line,
+                auto&& where) {
+  const auto add = [&](const char* name, std::span<const double> value, std::size_t components) {
+    if (value.size() < components) return soup.losses.values.add(where);
+    if (VertexAttribute* to = soup.attribute(name, static_cast<std::int32_t>(components), where))
+      soup.add_value_of_point(*to, value.first(components), line, where);
+  };
+  if (kind.has_normal)
+    add(normal_attribute, numbers, 3), numbers = numbers.subspan(std::min<std::size_t>(3, numbers.size()));
+  const std::size_t texture = kind.has_texture ? 2 : 0;
+  const std::span color = numbers.first(numbers.size() - std::min(texture, numbers.size()));
+  if (color.size() >= 3) {
+    std::array<double, 3> rgb{color[0], color[1], color[2]};
+    if (whole)
+      for (double& channel : rgb) channel /= 255;
+    add(color_attribute, rgb, 3);
+    if (color.size() > 3 && color[3] != (whole ? 255 : 1)) soup.losses.components.add(where);
+  }
+  if (kind.has_texture) add(uv_attribute, numbers.last(std::min(texture, numbers.size())), 2);
 }
 
 /// The point of x, y, z and a weight that is not 0.
@@ -124,9 +150,10 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name, std::si
       if (std::isfinite(point[axis])) checked_coordinate(point[axis], where(), "a coordinate of a vertex");
     }
     if (kind.homogeneous) point = divided(point, file.take<float>(), where());
-    if (kind.colored) soup.losses.vertex_colors.add(where);
-    for (int k = 0; k < kind.more_numbers + (kind.colored ? 4 : 0); ++k) file.take<float>();
+    std::vector<double> more((kind.has_normal ? 3 : 0) + (kind.colored ? 4 : 0) + (kind.has_texture ? 2 : 0));
+    for (double& number : more) number = file.take<float>();
     soup.add_point(point, 0, where);
+    add_values(soup, kind, more, false, 0, where);
   }
   for (std::int32_t i = 0; i < faces; ++i) {
     const std::int32_t corners = count("corners of a face", 4);
@@ -189,8 +216,8 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
                           declared_faces, left - 1),
               "correct the counts, or get the file again if it was cut short");
 
-  const bool more_follow =
-      kind.colored || kind.more_numbers > 0 || colors_follow(file, kind, declared_points + declared_faces);
+  const bool announced = kind.colored || kind.has_normal || kind.has_texture;
+  const bool more_follow = announced || colors_follow(file, kind, declared_points + declared_faces);
   for (std::int64_t i = 0; i < declared_points; ++i) {
     glm::dvec3 point;
     point.x = file.coordinate_or_nan(file.next(), "x of a vertex");
@@ -198,16 +225,19 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
     point.y = file.coordinate_or_nan(file.next(), "y of a vertex");
     point.z = file.coordinate_or_nan(file.next(), "z of a vertex");
     if (kind.homogeneous) point = divided(point, file.coordinate_or_nan(file.next(), "w of a vertex"), where());
+    std::vector<double> more;
+    bool whole = true;
     if (more_follow) {
-      int numbers = 0;
-      while (!file.next_in_line().empty()) ++numbers;
-      const bool announced = kind.colored || kind.more_numbers > 0;
-      if (!announced && numbers != 0 && numbers != 3 && numbers != 4)
-        file.fail(fmt::format("after x, y and z of a vertex stand {} more numbers", numbers),
+      for (std::string_view next = file.next_in_line(); !next.empty(); next = file.next_in_line()) {
+        more.push_back(parse_number(next).value_or(std::nan("")));
+        whole = whole && parse_integer(next).has_value();
+      }
+      if (!announced && !more.empty() && more.size() != 3 && more.size() != 4)
+        file.fail(fmt::format("after x, y and z of a vertex stand {} more numbers", more.size()),
                   "a colour is r g b or r g b a; put 4 before OFF for a weight, N for a normal, ST for a texture");
-      if (numbers >= kind.more_numbers + 3) soup.losses.vertex_colors.add(where);
     }
     soup.add_point(point, line, where);
+    if (!more.empty()) add_values(soup, kind, more, whole, line, where);
   }
   for (std::int64_t i = 0; i < declared_faces; ++i) {
     const std::string_view first = file.next();

@@ -365,6 +365,7 @@ class PlyReader {
     std::vector<Use> uses;
     for (const PlyProperty& property : element.properties) uses.push_back(use_in(element, property));
     const bool vertex = element.name == "vertex", face = element.name == "face", colored = is_colored(element);
+    const std::vector<Slot> slots = vertex ? slots_of(element) : std::vector<Slot>(uses.size());
     const auto where = [&] { return values_.where(); };
     for (std::int64_t i = 0; i < element.count; ++i) {
       glm::dvec3 point(0), color(0);
@@ -373,18 +374,70 @@ class PlyReader {
       for (std::size_t k = 0; k < uses.size(); ++k) {
         const PlyProperty& property = element.properties[k];
         if (property.list) read_list(property, uses[k]);
-        else read_value(property, uses[k], point, color, alpha);
+        else if (const double value = read_value(property, uses[k], point, color, alpha); slots[k].attribute >= 0)
+          numbers_[slots[k].attribute][slots[k].component] = slots[k].is_color ? value / 255 : value;
         if (k == 0) line = values_.line();
       }
       if (vertex) soup_.add_point(point, line, where);
-      if (vertex && colored) soup_.losses.vertex_colors.add(where);
+      if (vertex)
+        for (std::size_t a = 0; a < soup_.attributes.size(); ++a)
+          soup_.add_value_of_point(soup_.attributes[a], numbers_[a], line, where);
       if (!face) continue;
       if (colored && alpha != 255) soup_.losses.opacities.add(where);
       soup_.close_outline(line, colored ? std::optional(soup_.color_of(color, where)) : std::nullopt, where);
     }
   }
 
-  void read_value(const PlyProperty& property, Use use, glm::dvec3& point, glm::dvec3& color, double& alpha) {
+  /// Where a number of a vertex goes.
+  struct Slot {
+    std::int32_t attribute = -1;
+    std::size_t component = 0;
+    bool is_color = false;
+  };
+  /// An attribute for each property that is no coordinate: those of one thing together, the others by themselves.
+  std::vector<Slot> slots_of(const PlyElement& element) {
+    struct Known {
+      std::string_view property;
+      const char* attribute;
+      std::size_t component;
+      std::int32_t components;
+    };
+    constexpr std::array<Known, 9> known{{{"nx", normal_attribute, 0, 3},
+                                          {"ny", normal_attribute, 1, 3},
+                                          {"nz", normal_attribute, 2, 3},
+                                          {"u", uv_attribute, 0, 2},
+                                          {"v", uv_attribute, 1, 2},
+                                          {"s", uv_attribute, 0, 2},
+                                          {"t", uv_attribute, 1, 2},
+                                          {"texture_u", uv_attribute, 0, 2},
+                                          {"texture_v", uv_attribute, 1, 2}}};
+    const bool colored = is_colored(element);
+    const auto where = [&] { return values_.where(); };
+    std::vector<Slot> slots;
+    for (const PlyProperty& property : element.properties) {
+      const Use use = use_in(element, property);
+      Slot slot;
+      std::string_view name = property.name;
+      std::int32_t components = 1;
+      if (property.list || use == Use::x || use == Use::y || use == Use::z) {
+        if (property.list && element.count > 0) soup_.losses.components.add(where);
+        slots.push_back(slot);
+        continue;
+      }
+      const auto color = static_cast<std::size_t>(static_cast<int>(use) - static_cast<int>(Use::red));
+      if (colored && color < 3) name = color_attribute, components = 3, slot.component = color, slot.is_color = true;
+      for (const Known& one : known)
+        if (one.property == name) name = one.attribute, components = one.components, slot.component = one.component;
+      const VertexAttribute* attribute = soup_.attribute(name, components, where);
+      slot.attribute = attribute && slot.component < static_cast<std::size_t>(attribute->components)
+                           ? static_cast<std::int32_t>(attribute - soup_.attributes.data())
+                           : -1;
+      slots.push_back(slot);
+    }
+    return slots;
+  }
+
+  double read_value(const PlyProperty& property, Use use, glm::dvec3& point, glm::dvec3& color, double& alpha) {
     const double value = values_.next(property.type);
     const double of_255 = is_fraction(property.type) ? 255 * value : value;
     switch (use) {
@@ -406,6 +459,7 @@ class PlyReader {
       default:
         break;
     }
+    return use == Use::red || use == Use::green || use == Use::blue ? of_255 : value;
   }
 
   void read_list(const PlyProperty& property, Use use) {
@@ -459,6 +513,7 @@ class PlyReader {
   Values values_;
   PolygonSoup soup_;
   std::int64_t declared_points_ = 0;
+  std::array<std::array<double, most_components>, most_attributes> numbers_{};  ///< of the vertex at work
 };
 
 }  // namespace

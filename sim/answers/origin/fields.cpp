@@ -303,6 +303,7 @@ struct Source {
     using In = Place::In;
     const In in = operand.place.in;
     if (in == In::event) return own();
+    if (in == In::point && holds<AttributeInterpolate>(event) && field != "x_w") return work.attribute(number, field);
     if (in == In::point) return work.world(number, axis_of(field));
     if (in == In::vertex) return of_vertex();
     if (in == In::edge_table) return written_by(work.step_of_edge(number));

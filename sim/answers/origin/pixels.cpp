@@ -98,8 +98,19 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& 
   }
   if (m.attribute && m.attribute->x == e.x && m.attribute->y == e.y) {
     const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
-    const Step found = work.last<AttributeInterpolate>(step);
-    if (found) work.later(*found, "attribute");
+    const formulas::Shading shading = formulas::shading_of(work.scene, work.conventions);
+    std::array<Step, 3> found{};  // of the numbers that were interpolated, the last one first
+    for (std::int32_t k = shading.components; k-- > 0;) {
+      found[k] = work.last<AttributeInterpolate>(k + 1 < shading.components ? *found[k + 1] - 1 : step);
+      if (!found[k]) break;
+    }
+    if (shading.shade == formulas::Shade::gouraud)
+      return datum.is("round(255*a)", {{"a", work.field(found[which], "attribute", m.components[which])}});
+    for (std::int32_t k = 0; k < shading.components; ++k)
+      if (found[k]) work.later(*found[k], "attribute");
+    if (shading.shade == formulas::Shade::checker)
+      return datum.is("round(colour*square)", {{"colour", work.color_of(polygon, which)},
+                                               {"square", formulas::checker_shade(m.components[0], m.components[1])}});
     return datum.is("round(colour*stripe)", {{"colour", work.color_of(polygon, which)},
                                              {"stripe", formulas::stripe_shade(m.attribute->attribute)}});
   }

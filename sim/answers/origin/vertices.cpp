@@ -4,6 +4,7 @@
 
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/formulas/attributes.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::answers {
@@ -56,6 +57,23 @@ void tell_placement(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
 bool is_split(const Work& work, const Step& made) { return made && holds<SplitVertex>(work.trace.event(*made).event); }
 
 }  // namespace
+
+Number Work::attribute(std::int32_t vertex, std::string_view component) {
+  const formulas::Shading shading = formulas::shading_of(scene, conventions);
+  const std::int32_t polygon = machine().polygon;
+  const std::int32_t value = shading.attribute ? shading.attribute->value_of(polygon, vertex) : no_value;
+  const std::string what = fmt::format("{} at vertex {}", component, vertex_name(vertex));
+  std::int32_t number = 0;
+  while (number + 1 < shading.components && formulas::component_name(shading.shade, number) != component) ++number;
+  if (value == no_value)
+    return derived(0, what, what, std::string(component), 0, [](Datum& datum) { datum.note("the vertex has none"); });
+  const double known = formulas::component_of(*shading.attribute, polygon, vertex, number);
+  return derived(0, fmt::format("{} {}", shading.attribute->name, value), what, std::string(component), known,
+                 [&](Datum& datum) {
+                   datum.given();
+                   datum.at_source(source_of_value(*shading.attribute, value, vertex));
+                 });
+}
 
 Number Work::world(std::int32_t vertex, Axis3 axis) {
   const std::size_t number = vertex;

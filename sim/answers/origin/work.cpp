@@ -98,13 +98,19 @@ std::string Work::source_of_polygon(std::int32_t polygon) const {
   const Polygon* found = entry(scene.polygons, polygon);
   return source_line(found ? found->source_line : 0);
 }
-std::string Work::source_of_point(std::int32_t point) const {
-  const std::int32_t* known = entry(scene.point_lines, point);
-  const std::int32_t line = known ? *known : 0;
+std::string Work::source_at(std::int32_t point, std::int32_t line) const {
   const Placement* placement = placement_of(scene, point);
   if (placement == nullptr) return source_line(line);
   const std::string file = std::filesystem::path(placement->source).filename().string();
   return line > 0 ? fmt::format("{}:{}", file, line) : file;
+}
+std::string Work::source_of_point(std::int32_t point) const {
+  const std::int32_t* known = entry(scene.point_lines, point);
+  return source_at(point, known ? *known : 0);
+}
+std::string Work::source_of_value(const VertexAttribute& attribute, std::int32_t value, std::int32_t vertex) const {
+  const std::int32_t* known = entry(attribute.lines, value);
+  return source_at(vertex, known ? *known : 0);
 }
 
 std::int32_t Work::link_of(std::int64_t step, const std::string& subject, const std::string& what) {

@@ -194,7 +194,9 @@ class Work {
 
   // --- What many numbers come from (vertices.cpp, fields.cpp, orders.cpp)
 
-  Number world(std::int32_t vertex, Axis3 axis);               ///< as the scene, or cutting in the world, has it
+  Number world(std::int32_t vertex, Axis3 axis);  ///< as the scene, or cutting in the world, has it
+  Number attribute(std::int32_t vertex,
+                   std::string_view component);                ///< a number besides its place, as its file has it
   Number in_scene(std::int32_t vertex, Axis3 axis);            ///< before the scene was fitted
   Number in_file(std::int32_t vertex, Axis3 axis);             ///< before the scene's file placed it
   Number viewed(std::int32_t vertex, Axis3 axis);              ///< x_v, y_v, z_v
@@ -214,6 +216,9 @@ class Work {
   std::string source_of_polygon(std::int32_t polygon) const;
   std::string source_of_point(std::int32_t point) const;
   std::string source_line(std::int32_t line) const;
+  std::string source_at(std::int32_t point, std::int32_t line) const;  ///< a line of the file that the point is from
+  /// The same of a value of an attribute, which stands in the file of the vertex.
+  std::string source_of_value(const VertexAttribute& attribute, std::int32_t value, std::int32_t vertex) const;
 
  private:
   friend class Datum;

@@ -87,7 +87,7 @@ TEST_CASE("scene: one without materials, light and surface says nothing of them"
   const Scene plain = some_scene();
   const std::string text = scene_to_json(plain).dump();
   for (const char* key :
-       {"opacity", "reflectance", "refraction", "light", "surface", "placements", "fit", "file_points"})
+       {"opacity", "reflectance", "refraction", "light", "surface", "placements", "fit", "file_points", "attributes"})
     CHECK(text.find(key) == std::string::npos);
   Scene lit = plain;
   lit.light = Light{{1, 2, 8}, {0, 0, 0}, 1, 1, 2};

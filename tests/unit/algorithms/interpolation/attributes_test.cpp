@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -42,6 +45,34 @@ Scene clipped_floor() {
   ViewOptions view;
   view.width = 30, view.height = 22, view.near = 2.5;
   return look_at_scene(load_scene(test::in_checkout("lessons/scenes/floor.toml")).scene, view);
+}
+
+/// The floor with colours and texture coordinates at its vertices, and a seam between its triangles.
+Scene colored_floor() {
+  Scene scene = clipped_floor();
+  VertexAttribute color{color_attribute, 3, {}, {}, {}, {}}, uv{uv_attribute, 2, {}, {}, {}, {}};
+  for (std::int32_t point = 0; point < size32(scene.points); ++point) {
+    const double part = point / 4.0;
+    color.values.insert(color.values.end(), {part, 1 - part, 0.5});
+    uv.values.insert(uv.values.end(), {scene.points[point].x, scene.points[point].y});
+    color.of_point.push_back(point), uv.of_point.push_back(point);
+  }
+  const Facet& last = scene.facets.back();
+  uv.values.insert(uv.values.end(), {0.25, 3});
+  uv.own.push_back({last.polygon, scene.corners[last.first_corner], size32(scene.points)});
+  scene.attributes = {color, uv};
+  return scene;
+}
+
+/// All numbers that a run interpolates, by pixel.
+std::map<std::pair<std::int32_t, std::int32_t>, std::vector<double>> numbers_of(const Trace& trace) {
+  std::map<std::pair<std::int32_t, std::int32_t>, std::vector<double>> numbers;
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (const auto* write = get_if<PixelWrite>(&recorded.event)) numbers[{write->x, write->y}].clear();
+    if (const auto* e = get_if<AttributeInterpolate>(&recorded.event)) numbers[{e->x, e->y}].push_back(e->attribute);
+    return true;
+  });
+  return numbers;
 }
 
 /// Between two vertices: their attributes and depths, and a place t of the way from one to the other.
@@ -218,4 +249,56 @@ TEST_CASE("attributes: fixed-point numbers are refused, and other methods have n
   CHECK_THROWS_AS(check_run(method("scan-line"), small("cyclic"), c), InputError);
   c.number_format = NumberFormat::fixed16;
   CHECK_THROWS_AS(check_run(method("z-buffer"), small("cyclic"), c), InputError);
+}
+
+TEST_CASE("attributes of the scene: recorded, replayed and never doubted, and edges and half-planes agree in them") {
+  const Scene scene = colored_floor();
+  for (const char* shade : {"gouraud", "checker"})
+    for (const Attribute attribute : {Attribute::linear, Attribute::perspective})
+      for (const NumberFormat format : {NumberFormat::float64, NumberFormat::float32}) {
+        CAPTURE(shade);
+        Conventions c;
+        c.attribute = attribute, c.number_format = format, c.options["shade"] = shade;
+        std::map<std::pair<std::int32_t, std::int32_t>, std::vector<double>> by_edges;
+        for (const char* name : {"z-buffer", "half-space"}) {
+          CAPTURE(name);
+          check_run(method(name), scene, c);
+          const Trace trace = test::recorded_by(name, scene, c);
+          CHECK(trace.scene() == scene);
+          CHECK(check(trace).causes.empty());
+          NullRecorder nothing;
+          Replay replay(trace);
+          replay.go_to(trace.size());
+          if (name == std::string("z-buffer")) CHECK(replay.state().picture == interpolation::run(scene, c, nothing));
+          const auto numbers = numbers_of(trace);
+          CHECK(numbers.size() > 25);
+          if (by_edges.empty()) by_edges = numbers;
+          for (const auto& [pixel, values] : numbers) {
+            REQUIRE(values.size() == (shade == std::string("gouraud") ? 3u : 2u));
+            // Linearly, what clipping made bends the attribute, and triangles are cut another way.
+            if (attribute == Attribute::linear || !by_edges.contains(pixel)) continue;
+            for (std::size_t k = 0; k < values.size(); ++k)
+              CHECK(values[k] ==
+                    doctest::Approx(by_edges[pixel][k]).epsilon(format == NumberFormat::float64 ? 1e-9 : 1e-3));
+          }
+        }
+      }
+}
+
+TEST_CASE("attributes of the scene: one number wrong is found, and where a scene lacks them the run is refused") {
+  const Scene scene = colored_floor();
+  Conventions linear, declared;
+  linear.attribute = Attribute::linear, declared.attribute = Attribute::perspective;
+  linear.options["shade"] = declared.options["shade"] = "gouraud";
+  for (const char* name : {"z-buffer", "half-space"}) {
+    TraceRecorder recorder(header_for(method(name), declared), scene);
+    method(name).record(scene, linear, recorder);
+    recorder.finish();
+    const CheckReport report = check(Trace::from_bytes(recorder.take_bytes(), "linear"));
+    REQUIRE(!report.causes.empty());
+    CHECK(report.causes.front().first.field == "over_z");
+  }
+  CHECK_THROWS_AS(interpolation::check(clipped_floor(), declared), InputError);
+  declared.attribute = Attribute::none;
+  CHECK_THROWS_AS(interpolation::check(scene, declared), InputError);
 }

@@ -117,14 +117,18 @@ TEST_SUITE("meshes of other programs") {
     CHECK(read_off("C4OFF\n1 0 0\n2 0 0 2 255 0 0 255\n", "t").points[0] == glm::dvec3(1, 0, 0));
   }
 
-  TEST_CASE("OFF: colours of vertices have a note, also without the C that announces them") {
+  TEST_CASE("OFF: colours of vertices are kept, also without the C that announces them") {
     for (const char* color : {" 255 0 0", " 255 0 0 255", " 1.0 0.5 0 1"})
       for (const char* word : {"OFF", "COFF"}) {
         const auto vertex = [&](const char* point) { return point + std::string(color) + "\n"; };
         const PolygonSoup soup = read_off(
             word + std::string("\n3 1 0\n") + vertex("0 0 0") + vertex("1 0 0") + vertex("0 1 0") + "3 0 1 2\n", "t");
         CHECK(soup.points[2] == glm::dvec3(0, 1, 0));
-        CHECK(contains(note_of(soup), "t:3: 3 vertices have colours; only colours of faces are drawn"));
+        CHECK(soup.notes.empty());
+        REQUIRE(soup.attributes.size() == 1);
+        CHECK(soup.attributes[0].name == "color");
+        CHECK(soup.attributes[0].values[6] == 1);
+        CHECK(soup.attributes[0].lines == std::vector<std::int32_t>{3, 4, 5});
       }
     CHECK(
         contains(error_of(MeshFormat::off, "OFF\n1 0 0\n0 0 0 1\n"), "t:3: after x, y and z of a vertex stand 1 more"));
@@ -238,15 +242,39 @@ TEST_SUITE("meshes of other programs") {
     CHECK(obj_with("newmtl\nKd 1 0 0\n").notes.empty());
   }
 
-  TEST_CASE("OBJ: textures, colours of vertices, and a Tr that hides all have a note") {
+  TEST_CASE("OBJ: textures, and a Tr that hides all, have a note; colours of vertices are kept") {
     CHECK(contains(note_of(obj_with("newmtl r\nmap_Kd a.png\nbump b.png\n")), "a.mtl:2: 2 textures are not drawn"));
     CHECK(contains(note_of(obj_with("newmtl r\nTr 1.0\n")), "a.mtl:2: 1 material is invisible by Tr 1"));
     for (const char* text : {"newmtl r\nTr 1\nd 1\n", "newmtl r\nd 1\nTr 1\n"}) {
       CHECK(obj_with(text).materials.empty());
       CHECK(obj_with(text).notes.empty());
     }
-    CHECK(contains(note_of(read_mesh_bytes(MeshFormat::obj, "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1\nf 1 2 3\n", "t")),
-                   "t:1: 2 vertices have colours; only colours of faces are drawn"));
+    const PolygonSoup soup =
+        read_mesh_bytes(MeshFormat::obj, "v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 1\nf 1 2 3\n", "t");
+    REQUIRE(soup.attributes.size() == 1);
+    CHECK(soup.attributes[0].values == std::vector<double>{1, 0, 0, 0, 0.5, 0});
+    CHECK(soup.attributes[0].of_point == std::vector<std::int32_t>{0, 1, no_value});
+  }
+
+  TEST_CASE("OBJ: texture coordinates and normals are those of corners, and have their lines") {
+    const PolygonSoup soup = read_mesh_bytes(MeshFormat::obj,
+                                             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 0.5 0.5\n"
+                                             "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf 2/4 4/-1 3/3\n",
+                                             "t");
+    CHECK(soup.notes.empty());
+    REQUIRE(soup.attributes.size() == 2);
+    const VertexAttribute& uv = soup.attributes[0];
+    CHECK(uv.name == "uv");
+    CHECK(uv.lines == std::vector<std::int32_t>{5, 6, 7, 8});
+    CHECK(uv.value_of(0, 1) == 1);
+    CHECK(uv.value_of(1, 1) == 3);  // a seam
+    CHECK(uv.value_of(1, 2) == 2);
+    CHECK(uv.value_of(1, 3) == 3);
+    CHECK(soup.attributes[1].value_of(0, 0) == 0);
+    CHECK(soup.attributes[1].value_of(1, 3) == no_value);
+    const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 nan\n";
+    for (const char* face : {"f 1/9 2/1 3/1\n", "f 1/0 2/1 3/1\n", "f 1/-7 2/1 3/1\n", "f 1/x 2/1 3/1\n"})
+      CHECK(contains(note_of(read_mesh_bytes(MeshFormat::obj, head + face, "t")), "t:4: 2 values of vertices are"));
   }
 
   TEST_CASE("OBJ: a blank may stand before the slash of a corner") {
@@ -309,7 +337,7 @@ TEST_SUITE("meshes of other programs") {
     CHECK(note_of(read_ply(unknown, "t")) == "t:9: 1 of element 'label' are not read");
   }
 
-  TEST_CASE("PLY: colours of vertices, alpha and textures have a note, and a colour out of range is clamped") {
+  TEST_CASE("PLY: colours of vertices are kept, alpha and textures have a note, and a colour out of range is clamped") {
     const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     std::string vertices =
         "ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement vertex 3\nproperty float x\n"
@@ -318,9 +346,11 @@ TEST_SUITE("meshes of other programs") {
         "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 2 3\n"
         "1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n";
     const PolygonSoup soup = read_ply(vertices, "t");
-    REQUIRE(soup.notes.size() == 2);
-    CHECK(contains(soup.notes[0], "t:14: 3 vertices have colours; only colours of faces are drawn"));
-    CHECK(contains(soup.notes[1], "t:3: 1 texture is not drawn"));
+    REQUIRE(soup.notes.size() == 1);
+    CHECK(contains(soup.notes[0], "t:3: 1 texture is not drawn"));
+    REQUIRE(soup.attributes.size() == 1);
+    CHECK(soup.attributes[0].values[1] == 2.0 / 255);
+    CHECK(soup.attributes[0].lines == std::vector<std::int32_t>{14, 15, 16});
     std::string faces = ply("property list uchar int vertex_indices\n", colors + "property uchar alpha\n");
     faces.replace(faces.size() - 1, 1, " 300 0 0 128\n");
     const PolygonSoup faded = read_ply(faces, "t");
