@@ -55,6 +55,8 @@ inline constexpr std::int64_t most_corners_of_polygon = 20'000;  ///< the active
 inline constexpr std::int64_t most_values = 6'000'000;           ///< of one attribute, as one a corner
 inline constexpr std::int32_t most_components = 4;               ///< of one attribute
 inline constexpr std::int32_t most_attributes = 8;
+inline constexpr std::int32_t most_textures = 64;
+inline constexpr std::int64_t most_texels = 1 << 20;                   ///< of all textures together
 inline constexpr double largest_value = 1e30;                          ///< of an attribute
 inline constexpr double least_refraction = 0.1, most_refraction = 10;  ///< diamond has 2.4
 inline constexpr std::int64_t most_surface_samples = 250'000;          ///< columns times rows
@@ -105,11 +107,22 @@ struct Color {
   bool operator==(const Color&) const = default;
 };
 
-/// What light does at a polygon beside giving it its colour. Only methods that follow light read it.
+/// An image that polygons carry, the top row first.
+struct Texture {
+  std::string source;  ///< its file
+  std::int32_t width = 0, height = 0;
+  std::vector<Color> texels;  ///< [height*width]
+  bool operator==(const Texture&) const = default;
+};
+inline constexpr std::int32_t no_texture = -1;
+
+/// What light does at a polygon beside giving it its colour. Only methods that follow light read it, and of the texture
+/// only those that interpolate.
 struct Material {
   double opacity = 1;      ///< 0…1, the part of what lies behind that it hides; 0 is not to be seen at all
   double reflectance = 0;  ///< 0…1, the part of the colour that comes along the mirrored ray
   double refraction = 1;   ///< index of refraction n of what lies behind the face, against n = 1 before it
+  std::int32_t texture = no_texture;  ///< of Scene::textures
   bool operator==(const Material&) const = default;
 };
 
@@ -249,6 +262,7 @@ struct Scene {
   std::vector<Facet> facets;
   std::vector<std::int32_t> corners;        ///< indices into points
   std::vector<VertexAttribute> attributes;  ///< each of another name
+  std::vector<Texture> textures;            ///< that polygons' materials name
   Color background{255, 255, 255};
   Camera camera;
   Raster raster;

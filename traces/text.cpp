@@ -99,6 +99,8 @@ void make_printable(Scene& scene) {
     if (!polygon.name.is_usual()) polygon.name = printable(*polygon.name);
   for (auto& placement : scene.placements) mend(placement.source);
   if (scene.surface) mend(scene.surface->formula);
+  for (VertexAttribute& attribute : scene.attributes) mend(attribute.name);
+  for (Texture& texture : scene.textures) mend(texture.source);
 }
 
 namespace {

@@ -379,6 +379,7 @@ void make_change(const Method& method, const Change& change, Scene& scene, Conve
                    "there are " + names + (scene.surface ? "and no more" : "and vertex 0 to the last"));
     }
     others.options[change.name] = change.value;
+    give_normals(other, others);
   }
   if (follow) other = look_at_scene(std::move(other), {});
   check_run(method, other, others, who.empty() ? change.name + " = " + change.value : who);

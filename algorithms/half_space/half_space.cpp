@@ -359,7 +359,7 @@ class Drawing {
   /// The numbers of the attribute by the same weights: a/z_v and 1/z_v, or a itself, one after the other.
   void shade(const Triangle<T>& triangle, std::int32_t x, std::int32_t y, const Values<T>& w) {
     std::array<double, 3> values{};
-    for (std::int32_t k = 0; k < shading_.components; ++k) {
+    for (std::int32_t k = 0; k < shading_.components(); ++k) {
       Values<T> over_z, one_over_z;
       for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3& view = vertices_[triangle.corners[i]].view;
@@ -374,7 +374,7 @@ class Drawing {
       values[k] = a;
     }
 
-    const Color ink = interpolation::shaded(shading_, scene_.polygons[polygon_].color, values);
+    const Color ink = interpolation::shaded(scene_, shading_, polygon_, values);
     picture_.ink[picture_.at(x, y)] = ink_of(ink);
     record_(interpolation::step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});
   }

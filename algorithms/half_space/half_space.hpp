@@ -41,7 +41,7 @@ namespace zstep::half_space {
 
 enum class Stepping { products, increments };
 
-inline constexpr std::array<Option, 6> options{
+inline constexpr std::array<Option, 7> options{
     {{"stepping", "products|increments", "products",
       "edge functions evaluated at each pixel, or stepped by A from pixel to pixel and by B from line to line"},
      {"tiles", "off|8", "off", "8x8 tiles, accepted or rejected as a whole where an edge function's corners allow it"},

@@ -67,7 +67,7 @@ class Attributes {
   const formulas::Shading& shading() const { return shading_; }
   void begin_facet(std::int32_t facet) { facet_ = facet; }
   void begin(const EdgeOf<T>& left, const EdgeOf<T>& right, std::int32_t y) {
-    for (std::int32_t k = 0; k < shading_.components; ++k)
+    for (std::int32_t k = 0; k < shading_.components(); ++k)
       left_[k] = on_edge(left, k, y), right_[k] = on_edge(right, k, y);
     x_left_ = left.x, x_right_ = right.x;
   }
@@ -196,7 +196,7 @@ class Drawing {
   void shade(std::int32_t x, std::int32_t y, std::size_t pixel) {
     const formulas::Shading& shading = attributes_.shading();
     std::array<double, 3> values{};
-    for (std::int32_t k = 0; k < shading.components; ++k) {
+    for (std::int32_t k = 0; k < shading.components(); ++k) {
       const formulas::OverDepth<T> here = attributes_.at(k, x);
       const T a = attributes_.value(here);
       record_(step::attribute, AttributeInterpolate{x, y, here.over_z, here.one_over_z, a});
@@ -204,7 +204,7 @@ class Drawing {
       each_.attribute(pixel, a);
     }
 
-    const Color ink = shaded(shading, scene_.polygons[polygon_].color, values);
+    const Color ink = shaded(scene_, shading, polygon_, values);
     picture_.ink[pixel] = ink_of(ink);
     record_(step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});
   }
@@ -355,8 +355,9 @@ Bounds bounds_of(const Scene& scene, const Conventions& conventions) {
   });
 }
 
-Color shaded(const formulas::Shading& shading, const Color& color, const std::array<double, 3>& a) {
-  const auto [red, green, blue] = formulas::shaded(shading.shade, color, a);
+Color shaded(const Scene& scene, const formulas::Shading& shading, std::int32_t polygon,
+             const std::array<double, 3>& a) {
+  const auto [red, green, blue] = formulas::shaded(scene, shading, polygon, a);
   return {nearest_byte(red), nearest_byte(green), nearest_byte(blue)};
 }
 
@@ -415,10 +416,10 @@ void check(const Scene& scene, const Conventions& c) {
   if (shading.shade != formulas::Shade::stripes && c.attribute == Conventions::Attribute::none)
     throw InputError(shade, "is of an attribute, and none is interpolated", "give --attribute perspective, or linear");
   if (!shading.is_known())
-    throw InputError(shade,
-                     fmt::format("needs {} at the vertices, and this scene has none",
-                                 shading.shade == formulas::Shade::gouraud ? "colours" : "texture coordinates"),
-                     "take a mesh with such, or give --option shade=stripes");
+    throw InputError(
+        shade,
+        fmt::format("needs {} at the vertices, and this scene has none", formulas::ingredients[shading.shade].called),
+        "take a mesh with such, or give --option shade=stripes");
   if (c.rounding == Conventions::Rounding::down && bits_of(c.number_format) == 0)
     throw InputError("--rounding down", "is of fixed-point numbers", "give --number-format fixed16, or fixed32");
 }

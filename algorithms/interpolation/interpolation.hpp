@@ -13,6 +13,7 @@
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "algorithms/scan_conversion/numbers.hpp"
 #include "traces/formulas/attributes.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 
@@ -33,9 +34,10 @@ inline constexpr Option ties_option{"ties", "first|last", "first",
                                     "which of two equal depths stays: the one drawn first, or the one drawn last",
                                     false};
 inline constexpr Option shade_option{
-    formulas::shade_key, "stripes|gouraud|checker", "stripes",
-    "what --attribute interpolates: x_w as stripes, the mesh's colours at vertices, or its texture coordinates as a "
-    "checker",
+    formulas::shade_key, "stripes|scalar|colors|gouraud|phong|checker|nearest|bilinear", "stripes",
+    "what --attribute interpolates: x_w or another number as stripes, colours of the vertices, light at them "
+    "(gouraud), "
+    "their normals (phong), or texture coordinates, for a checker or the texels of an image",
     false};
 inline constexpr std::array<Option, 3> options{nearer_option, ties_option, shade_option};
 Comparison comparison_of(const Conventions& conventions);
@@ -72,8 +74,9 @@ Page page_for(const Conventions& conventions);
 /// the conventions have it.
 Page page_with(Page page, const Conventions& conventions);
 
-/// What a polygon's colour becomes where its attribute is `a`.
-Color shaded(const formulas::Shading& shading, const Color& color, const std::array<double, 3>& a);
+/// What becomes of a polygon's colour where what is interpolated is `a`.
+Color shaded(const Scene& scene, const formulas::Shading& shading, std::int32_t polygon,
+             const std::array<double, 3>& a);
 
 /// Throws InputError where these conventions do not go together, or not with the scene's camera.
 void check(const Scene& scene, const Conventions& conventions);

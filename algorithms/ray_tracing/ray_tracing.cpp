@@ -78,7 +78,8 @@ struct Tracer {
     const glm::dvec3 point = ray.at(nearest.t), along = glm::normalize(ray.along);
     const glm::dvec3 normal = ray_casting::target_of(scene, nearest.facet).plane.normal();
     const Polygon& polygon = polygon_of(nearest.facet);
-    const auto& [opacity, reflectance, refraction] = *polygon.material;
+    const double opacity = polygon.material->opacity, reflectance = polygon.material->reflectance,
+                 refraction = polygon.material->refraction;
 
     glm::dvec3 own = light_of(polygon.color);
     if (scene.light && !lit(point, nearest.facet, number, at)) own *= shadow_buffer::in_shadow;

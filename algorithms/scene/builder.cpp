@@ -269,8 +269,10 @@ void SceneBuilder::add_points(PolygonSoup& soup, const std::string& where, const
 }
 
 /// Values of the soup's attributes behind those of the same names; what has none of a name has no value of it.
-void SceneBuilder::add_attributes(PolygonSoup& soup, const std::string& where) {
+void SceneBuilder::add_attributes(PolygonSoup& soup, const std::string& where, const Style& style) {
   Scene& scene = file_.scene;
+  // Normals go with the planes that they stand on.
+  const glm::dmat3 turned = glm::transpose(glm::inverse(style.placement.linear));
   const auto first_point = size32(scene.points), first_polygon = size32(scene.polygons);
   for (VertexAttribute& from : soup.attributes) {
     const auto known = std::find_if(scene.attributes.begin(), scene.attributes.end(),
@@ -298,6 +300,12 @@ void SceneBuilder::add_attributes(PolygonSoup& soup, const std::string& where) {
       to.lines.insert(to.lines.end(), from.lines.begin(), from.lines.end());
       to.lines.resize(first_value + from.values.size() / from.components);
     }
+    if (from.name == normal_attribute && from.components == 3 && style.placement.linear != glm::dmat3(1))
+      for (std::size_t k = 0; k + 2 < from.values.size(); k += 3) {
+        const glm::dvec3 n = turned * glm::dvec3(from.values[k], from.values[k + 1], from.values[k + 2]);
+        for (int axis = 0; axis < 3; ++axis)
+          if (std::abs(n[axis]) <= largest_value) from.values[k + static_cast<std::size_t>(axis)] = n[axis];
+      }
     to.values.insert(to.values.end(), from.values.begin(), from.values.end());
     to.of_point.resize(first_point, no_value);
     for (const std::int32_t value : from.of_point)
@@ -309,6 +317,32 @@ void SceneBuilder::add_attributes(PolygonSoup& soup, const std::string& where) {
     attribute.of_point.resize(scene.points.size() + soup.points.size(), no_value);
 }
 
+/// Makes the numbers of the soup's textures those of the scene.
+void SceneBuilder::add_textures(PolygonSoup& soup, const std::string& where) {
+  std::vector<Texture>& known = file_.scene.textures;
+  std::int64_t left = most_texels;
+  for (const Texture& texture : known) left -= std::ssize(texture.texels);
+  std::vector<std::int32_t> number_of;
+  for (Texture& texture : soup.textures) {
+    const auto found = std::find(known.begin(), known.end(), texture);
+    const bool fits = std::ssize(known) < most_textures && std::ssize(texture.texels) <= left;
+    number_of.push_back(found != known.end() || fits ? index32(static_cast<std::size_t>(found - known.begin()))
+                                                     : no_texture);
+    if (found != known.end()) continue;
+    if (!fits) {
+      file_.notes.push_back(fmt::format("{}: {} is left out: a scene has up to {} textures, of {} texels together",
+                                        where, texture.source, most_textures, most_texels));
+      continue;
+    }
+    left -= std::ssize(texture.texels);
+    known.push_back(std::move(texture));
+  }
+  for (Material& material : soup.materials)
+    material.texture = material.texture >= 0 && material.texture < std::ssize(number_of)
+                           ? number_of[static_cast<std::size_t>(material.texture)]
+                           : no_texture;
+}
+
 void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& style) {
   check_limits(soup, where);
   cut_ = too_few_corners_ = no_area_ = 0;
@@ -318,7 +352,8 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
   scene.polygons.reserve(scene.polygons.size() + soup.outlines.size());
   scene.facets.reserve(scene.facets.size() + soup.outlines.size());
   scene.corners.reserve(scene.corners.size() + soup.corners.size());
-  add_attributes(soup, where);
+  add_attributes(soup, where, style);
+  add_textures(soup, where);
   add_points(soup, where, style);
   for (std::string& note : soup.notes) file_.notes.push_back(std::move(note));
 
@@ -339,6 +374,8 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
     if (!soup.colors.empty() && soup.colors[k]) polygon.color = *soup.colors[k];
     else if (style.bare == Bare::shaded) polygon.color = shaded(style.bare_color, normal);
     else polygon.color = palette[scene.polygons.size() % palette.size()];
+    const bool is_shaded = style.bare == Bare::shaded && (soup.colors.empty() || !soup.colors[k]);
+    file_.unlit_colors.push_back(is_shaded ? style.bare_color : polygon.color);
 
     polygon.material = style.material.over(soup.materials.empty() ? Material{} : soup.materials[k]);
     const auto id = size32(scene.polygons);

@@ -53,7 +53,8 @@ void put_in_order(Scene& scene, std::span<const std::int32_t> place_of);
 struct MaterialKeys {
   std::optional<double> opacity, reflectance, refraction;
   Material over(const Material& own) const {
-    return {opacity.value_or(own.opacity), reflectance.value_or(own.reflectance), refraction.value_or(own.refraction)};
+    return {opacity.value_or(own.opacity), reflectance.value_or(own.reflectance), refraction.value_or(own.refraction),
+            own.texture};
   }
 };
 
@@ -85,7 +86,8 @@ class SceneBuilder {
  private:
   void check_limits(const PolygonSoup& soup, const std::string& where) const;
   void keep_origins(const PolygonSoup& soup, const std::string& where, const Style& style);
-  void add_attributes(PolygonSoup& soup, const std::string& where);
+  void add_attributes(PolygonSoup& soup, const std::string& where, const Style& style);
+  void add_textures(PolygonSoup& soup, const std::string& where);
   void add_points(PolygonSoup& soup, const std::string& where, const Style& style);
   void note_topology(const PolygonSoup& soup, const std::string& where, const Style& style);
   void add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where,

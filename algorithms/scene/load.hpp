@@ -25,7 +25,8 @@ struct ViewOptions {
 /// light's window may be 0, which means "from the extent".
 struct SceneFile {
   Scene scene;
-  Conventions conventions;         ///< the scene's own, where it states any
+  Conventions conventions;            ///< the scene's own, where it states any
+  std::vector<Color> unlit_colors{};  ///< of each polygon, before what has no colour was lit to be told apart
   std::vector<std::string> notes;  ///< what a user should know about it, a sentence each: holes, polygons not drawn, …
 };
 
@@ -40,6 +41,12 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
 
 /// Whether a scene's name is a formula: "y = …".
 bool names_formula(std::string_view name);
+
+/// Where light is computed at vertices or pixels (the shade of these conventions), gives vertices without a normal the
+/// mean of those of the polygons round them, by their areas.
+void give_normals(Scene& scene, const Conventions& conventions);
+/// The same, and polygons have their colours before any light.
+void prepare_for_shade(SceneFile& file, const Conventions& conventions);
 
 /// Applies the options and completes the camera (view matrix, eye, near and far) and the light. What the algorithms
 /// may run on.

@@ -26,13 +26,6 @@ std::string literal(const std::string& path) {
   return path.find('\'') == path.npos ? "'" + path + "'" : '"' + path + '"';
 }
 
-/// The path of a mesh as a scene file in another folder has to name it.
-std::string seen_from(const fs::path& folder, const fs::path& file) {
-  std::error_code error;
-  const fs::path relative = fs::relative(fs::absolute(file), fs::absolute(folder.empty() ? "." : folder), error);
-  return (error || relative.empty() ? fs::absolute(file) : relative).generic_string();
-}
-
 /// What the scene was read from, as the text of a scene file at `to`; empty where there is none.
 std::string origin_of(const Scene& scene, const fs::path& to) {
   const fs::path source(scene.source);
@@ -61,7 +54,7 @@ std::string origin_of(const Scene& scene, const fs::path& to) {
 }
 
 bool says(const TomlText& text, const Wanted& wanted) {
-  const SceneFile file = read_scene_text(text.text(), wanted.path);
+  const SceneFile file = read_as_wanted(text, wanted);
   Conventions conventions = wanted.conventions;
   conventions.options.clear();
   return file.conventions == conventions && runs_alike(look_at_scene(file.scene, {}), wanted.scene);
@@ -99,13 +92,42 @@ std::optional<std::string> with_polygons_written(const std::string& origin, cons
 
 }  // namespace
 
+namespace {
+
+/// Have both scenes the same numbers at the vertices of their polygons? Where these stand in their files is all one.
+bool carry_alike(const Scene& a, const Scene& b) {
+  const auto numbers = [](const VertexAttribute& of, std::int32_t polygon, std::int32_t point) {
+    const std::int32_t value = of.value_of(polygon, point);
+    const auto first = of.values.begin() + std::ptrdiff_t{value} * of.components;
+    return value == no_value ? std::vector<double>() : std::vector<double>(first, first + of.components);
+  };
+  return a.attributes.size() == b.attributes.size() &&
+         std::all_of(a.attributes.begin(), a.attributes.end(), [&](const VertexAttribute& one) {
+           const VertexAttribute* other = attribute_named(b, one.name);
+           if (other == nullptr || other->components != one.components) return false;
+           for (const Facet& facet : a.facets)
+             for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+               const std::int32_t point = a.corners[static_cast<std::size_t>(facet.first_corner + k)];
+               if (numbers(one, facet.polygon, point) != numbers(*other, facet.polygon, point)) return false;
+             }
+           return true;
+         });
+}
+
+}  // namespace
+
 bool runs_alike(const Scene& a, const Scene& b) {
   const auto alike = [](const Polygon& p, const Polygon& q) {
     return *p.name == *q.name && p.color == q.color && *p.material == *q.material;
   };
   return a.points == b.points && a.facets == b.facets && a.corners == b.corners && a.background == b.background &&
          a.camera == b.camera && a.raster == b.raster && a.light == b.light && a.surface == b.surface &&
-         std::equal(a.polygons.begin(), a.polygons.end(), b.polygons.begin(), b.polygons.end(), alike);
+         std::equal(a.polygons.begin(), a.polygons.end(), b.polygons.begin(), b.polygons.end(), alike) &&
+         std::equal(a.textures.begin(), a.textures.end(), b.textures.begin(), b.textures.end(),
+                    [](const Texture& s, const Texture& t) {
+                      return s.width == t.width && s.height == t.height && s.texels == t.texels;
+                    }) &&
+         carry_alike(a, b);
 }
 
 SceneText text_of_scene(const Scene& scene, const Conventions& conventions, const fs::path& to) {

@@ -91,8 +91,9 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
 Trace run_lesson(Lesson& lesson) {
   const Method& run = method(lesson.method);
   SceneFile file = load_scene(scene_path(lesson));
-  const Scene scene = look_at_scene(std::move(file.scene), lesson.view);
   const Conventions conventions = with_options(file.conventions, lesson.conventions);
+  prepare_for_shade(file, conventions);
+  const Scene scene = look_at_scene(std::move(file.scene), lesson.view);
   check_run(run, scene, conventions, lesson.path.string());
   if (lesson.conventions.cull && !can_cull(run, scene))
     throw InputError(lesson.path.string(), "cull means nothing for this method and scene",

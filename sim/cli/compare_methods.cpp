@@ -19,7 +19,7 @@
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/table.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 
 #if ZSTEP_HAS_VIEWER

@@ -7,7 +7,7 @@
 
 #include "sim/cli/run_options.hpp"
 #include "sim/cost/comparison.hpp"
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::cli {

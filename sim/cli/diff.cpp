@@ -21,7 +21,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/cost/bounds.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "sim/pages/page.hpp"
 #include "sim/pages/pictures.hpp"
 #include "sim/words/escaped.hpp"

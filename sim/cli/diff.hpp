@@ -7,7 +7,7 @@
 
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "traces/diff/buffers.hpp"
 #include "traces/diff/diff.hpp"
 #include "traces/file/trace.hpp"

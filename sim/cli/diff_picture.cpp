@@ -22,8 +22,9 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/cost/bounds.hpp"
-#include "sim/image/bmp_tga.hpp"
-#include "sim/image/tables.hpp"
+#include "traces/image/exr.hpp"
+#include "traces/image/read_image.hpp"
+#include "traces/image/tables.hpp"
 #include "sim/pages/pictures.hpp"
 #include "sim/pages/page.hpp"
 #include "sim/words/escaped.hpp"
@@ -64,24 +65,15 @@ std::string ending_of(const std::string& path) {
 Table read_table(const std::string& path) {
   Table table;
   const std::string extension = ending_of(path);
-  if (extension == ".exr")
-    throw InputError(path, "is a picture of OpenEXR, which zstep does not read",
-                     "convert it: depths with \"oiiotool FILE.exr --ch Z -o FILE.pfm\", colours to .png");
   const auto grey = extension == ".png" ? read_grey16(path) : std::nullopt;
   if (grey) {
     table.width = grey->width, table.height = grey->height, table.shares = true;
     for (const std::uint16_t value : grey->values) table.numbers.push_back(value / most_grey);
-  } else if (extension == ".ppm" || extension == ".pgm" || extension == ".pnm") {
-    Image image = read_pnm(path);
+  } else if (is_image(path)) {
+    Image image = read_image(path);
     table.width = image.width, table.height = image.height, table.rgb = std::move(image.rgb);
-  } else if (extension == ".png") {
-    Image image = read_png(path);
-    table.width = image.width, table.height = image.height, table.rgb = std::move(image.rgb);
-  } else if (extension == ".tga" || extension == ".bmp") {
-    Image image = read_bmp_or_tga(path);
-    table.width = image.width, table.height = image.height, table.rgb = std::move(image.rgb);
-  } else if (extension == ".pfm") {
-    const Pfm pfm = read_pfm(path);
+  } else if (extension == ".pfm" || extension == ".exr") {
+    const Pfm pfm = extension == ".pfm" ? read_pfm(path) : read_exr(path);
     table.width = pfm.width, table.height = pfm.height, table.float32 = true;
     table.numbers.assign(pfm.values.begin(), pfm.values.end());
   } else {
@@ -105,9 +97,8 @@ double to_depths(Table& table, const Scene& scene, Conventions::Depth depth) {
 }  // namespace
 
 bool is_picture(const std::string& path) {
-  constexpr std::array<std::string_view, 9> extensions{".png", ".ppm", ".pgm", ".pnm", ".tga",
-                                                       ".bmp", ".npy", ".pfm", ".exr"};
-  return std::find(extensions.begin(), extensions.end(), ending_of(path)) != extensions.end();
+  constexpr std::array<std::string_view, 3> extensions{".npy", ".pfm", ".exr"};
+  return is_image(path) || std::find(extensions.begin(), extensions.end(), ending_of(path)) != extensions.end();
 }
 
 int diff_with_picture(const DiffOptions& options) {

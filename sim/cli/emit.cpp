@@ -15,7 +15,7 @@
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/homework/emitters.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
 

@@ -21,7 +21,7 @@
 #include "sim/homework/pictures.hpp"
 #include "sim/homework/report_words.hpp"
 #include "sim/homework/reports.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "sim/pages/page.hpp"
 #include "sim/words/escaped.hpp"
 #include "sim/words/numbers.hpp"

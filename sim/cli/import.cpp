@@ -22,7 +22,7 @@
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/file/check_events.hpp"

@@ -22,7 +22,7 @@
 #include "sim/cli/table.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/file/written.hpp"
 #include "traces/events/fields.hpp"
 #include "traces/file/jsonl.hpp"

@@ -9,8 +9,8 @@
 
 #include "sim/cli/messages.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/image/file.hpp"
-#include "sim/image/tables.hpp"
+#include "traces/image/file.hpp"
+#include "traces/image/tables.hpp"
 #include "sim/pages/page.hpp"
 #include "sim/pages/pictures.hpp"
 #include "sim/scenes/save_scene.hpp"

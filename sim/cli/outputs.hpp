@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "algorithms/catalog/catalog.hpp"
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::cli {

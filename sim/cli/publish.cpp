@@ -15,7 +15,7 @@
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "sim/pages/page.hpp"
 #include "traces/error.hpp"
 #include "traces/file/container.hpp"

@@ -270,6 +270,9 @@ Run prepare_with(const RunOptions& options, bool notes) {
     view.y_up = like->y_up;
   }
   const bool has_camera = file.scene.camera.kind != Camera::Kind::screen;
+  Conventions asked = file.conventions;
+  asked.options = options.options;
+  prepare_for_shade(file, asked);
   Run run{look_at_scene(std::move(file.scene), view), file.conventions, &method(options.algorithm), options.written};
   if (like != likes.end()) {
     if (has_camera) run.conventions.depth = like->depth;

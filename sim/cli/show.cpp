@@ -14,7 +14,7 @@
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "sim/places/typed_place.hpp"
 #include "sim/words/escaped.hpp"
 #include "sim/words/numbers.hpp"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 #include "traces/text.hpp"
 

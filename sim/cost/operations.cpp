@@ -9,6 +9,7 @@
 
 #include "traces/events/fields.hpp"
 #include "traces/formulas/attributes.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/formulas/of_edges.hpp"
 #include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/walk.hpp"
@@ -189,11 +190,12 @@ Operations operations_of(const Trace& trace) {
 Operations attribute_operations_of(const Trace& trace) {
   Operations all;
   const AttributeCosts costs(formulas::attribute_over_depth(trace.scene(), trace.header().conventions));
+  const std::int32_t components = formulas::shading_of(trace.scene(), trace.header().conventions).components();
   bool narrow = false;
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
     if (const auto* span = get_if<SpanBegin>(&recorded.event)) {
       narrow = span->x_left == span->x_right;
-      add(all, costs.of_span);
+      for (std::int32_t k = 0; k < components; ++k) add(all, costs.of_span);
     } else if (holds<AttributeInterpolate>(recorded.event)) {
       ++all.pixels;
       add(all, narrow ? costs.of_narrow_pixel : costs.of_pixel);

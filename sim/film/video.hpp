@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "traces/file/files.hpp"
 
 namespace zstep {

@@ -13,7 +13,7 @@
 #include "sim/homework/pictures.hpp"
 #include "sim/homework/reports.hpp"
 #include "sim/homework/run_programs.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "sim/words/escaped.hpp"
 #include "traces/error.hpp"
 #include "traces/file/container.hpp"

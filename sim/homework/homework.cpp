@@ -14,6 +14,7 @@
 #include "algorithms/scene/scene_file/toml_text.hpp"
 #include "sim/homework/new_homework.hpp"
 #include "sim/homework/plain_scene.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/error.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/text.hpp"
@@ -195,6 +196,9 @@ class Reader {
       fail_at(at, file_, fmt::format("the scene {} has {}x{} pixels", task.name, raster.width, raster.height),
               fmt::format("make its raster smaller: a homework's has at most {}", most_scene_pixels));
     check_run(*homework_.method, scene, task.conventions, file_);
+    if (formulas::shading_of(scene, task.conventions).shade != formulas::Shade::stripes)
+      fail_at(at, file_, fmt::format("{} shades by more than programs are told of a scene", formulas::shade_key),
+              "leave it out, or write shade = \"stripes\"");
     if (const std::string why = why_not_plain(*homework_.method, scene); !why.empty())
       fail_at(at, file_, fmt::format("the scene {} {}", task.name, why),
               "give it another camera, or take it out: programs could not be told");

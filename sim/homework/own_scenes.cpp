@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/events/vocabulary.hpp"

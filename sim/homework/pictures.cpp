@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "algorithms/catalog/catalog.hpp"
-#include "sim/image/png.hpp"
-#include "sim/image/tables.hpp"
+#include "traces/image/png.hpp"
+#include "traces/image/tables.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/check/precision.hpp"
 #include "traces/diff/buffers.hpp"

@@ -70,6 +70,7 @@ class Builder {
       : from_(from), asked_(asked), lens_(from.camera, from.raster, conventions.depth), cull_(conventions.cull) {
     scene_.name = from.name, scene_.source = from.source;
     scene_.background = from.background, scene_.raster = from.raster;
+    scene_.textures = from.textures;
     if (on_screen()) {
       NullRecorder nothing;
       vertices_ = viewing::view_vertices(from, lens_, nothing);

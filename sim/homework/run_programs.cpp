@@ -5,7 +5,7 @@
 #include <span>
 
 #include "sim/homework/new_homework.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "sim/words/escaped.hpp"
 #include "traces/error.hpp"
 #include "traces/file/files.hpp"

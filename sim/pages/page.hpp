@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/pages/packed.hpp"
 
 namespace zstep {

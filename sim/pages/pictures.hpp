@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep {

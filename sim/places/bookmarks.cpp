@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/classroom/expression.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 #include "traces/text.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/save.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "sim/words/escaped.hpp"
 
 namespace zstep {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/viewer/board.hpp"
 #include "traces/events/fields.hpp"
 

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/viewer/charts/chart.hpp"
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/draw/fonts.hpp"

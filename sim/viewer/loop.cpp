@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/image/file.hpp"
-#include "sim/image/png.hpp"
+#include "traces/image/file.hpp"
+#include "traces/image/png.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/description.hpp"
 #include "sim/viewer/settings.hpp"

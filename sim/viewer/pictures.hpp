@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/classroom/lesson.hpp"
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/viewer/viewer.hpp"
 #include "sim/words/judged.hpp"
 #include "traces/file/trace.hpp"

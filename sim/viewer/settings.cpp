@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "algorithms/scene/files/read_mesh.hpp"
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "sim/places/bookmarks.hpp"
 #include "sim/viewer/commands.hpp"
 #include "traces/error.hpp"

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/draw/renderer.hpp"
 #include "sim/words/escaped.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/viewer/description.hpp"
 #include "sim/viewer/loop.hpp"
 #include "sim/viewer/pictures.hpp"

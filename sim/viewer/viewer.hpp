@@ -12,7 +12,7 @@
 #include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/lesson.hpp"
 #include "sim/cost/growth.hpp"
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/words/judged.hpp"
 #include "traces/file/trace.hpp"
 

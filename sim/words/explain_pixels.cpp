@@ -7,6 +7,7 @@
 #include "sim/words/explain_parts.hpp"
 #include "traces/file/header.hpp"
 #include "traces/formulas/attributes.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/formulas/half_space.hpp"
 #include "traces/formulas/of_shadows.hpp"
 
@@ -298,9 +299,9 @@ void tell(Telling& t, const PixelWrite& e) {
 void tell(Telling& t, const AttributeInterpolate& e) {
   const bool divides = formulas::attribute_over_depth(t.scene, t.conventions);
   const formulas::Shading shading = formulas::shading_of(t.scene, t.conventions);
-  const std::int32_t component = shading.shade == formulas::Shade::stripes ? 0 : t.machine.component;
+  const bool known = shading.is_known() && t.machine.component < shading.components();
   const std::string_view name =
-      component < shading.components ? formulas::component_name(shading.shade, component) : "a";
+      known && shading.components() > 1 ? shading.name(t.machine.component) : std::string_view("a");
   t.say(divides ? fmt::format("At pixel ({}, {}) {} = {}: a/z and 1/z are linear on the picture, a itself is not.", e.x,
                               e.y, name, number(e.attribute))
                 : fmt::format("At pixel ({}, {}) {} = {}, interpolated as it stands.", e.x, e.y, name,
@@ -409,6 +410,47 @@ void tell(Telling& t, const LightShare& e) {
   t.gives("share", Shown("lit", static_cast<double>(lit)) / Shown("k²", across * across), e.share);
 }
 
+namespace {
+
+/// What makes a pixel's colour of the numbers that were interpolated there.
+std::string by_shade(const Telling& t, const ColorWrite& e) {
+  using formulas::Shade;
+  const formulas::Shading shading = formulas::shading_of(t.scene, t.conventions);
+  const std::int32_t polygon = t.after.picture.polygon[t.after.picture.at(e.x, e.y)];
+  if (!shading.is_known() || polygon == no_polygon) return "";
+  const std::array<double, 3>& a = t.machine.components;
+  const Texture* const texture = formulas::texture_of(t.scene, polygon);
+  const auto in = [](bool dark, const char* part) {
+    return fmt::format(": its polygon is in a {} {}", dark ? "dark" : "bright", part);
+  };
+  const auto lit = [](const formulas::Reflected& light) {
+    return fmt::format(": {} of its polygon's colour, and {} of white", number(light.diffuse), number(light.highlight));
+  };
+  switch (shading.shade) {
+    case Shade::stripes:
+    case Shade::scalar:
+      return in(formulas::stripe_shade(a[0]) < 1, "stripe of a");
+    case Shade::checker:
+      return in(formulas::checker_shade(a[0], a[1]) < 1, "square of u and v");
+    case Shade::colors:
+      return ": 255 times the colour that was interpolated";
+    case Shade::gouraud:
+      return lit({a[0], a[1]});
+    case Shade::phong:
+      return lit(formulas::reflected(shading.lighting, {a[0], a[1], a[2]}));
+    case Shade::nearest:
+    case Shade::bilinear:
+      break;
+  }
+  if (texture == nullptr) return ", that of its polygon, which has no texture";
+  const auto [column, row] = formulas::on_texture(*texture, a[0], a[1]);
+  return shading.shade == Shade::nearest
+             ? fmt::format(": that of texel ({}, {}) of its texture", std::floor(column), std::floor(row))
+             : fmt::format(": mixed of the four texels round ({}, {})", number(column), number(row));
+}
+
+}  // namespace
+
 void tell(Telling& t, const ColorWrite& e) {
   const bool shaded =
       t.machine.shadow && !t.machine.shadow->lit && t.machine.shadow->x == e.x && t.machine.shadow->y == e.y;
@@ -416,18 +458,11 @@ void tell(Telling& t, const ColorWrite& e) {
   const bool partly = share && share->x == e.x && share->y == e.y && share->share > 0;
   const auto& attribute = t.machine.attribute;
   const bool striped = attribute && attribute->x == e.x && attribute->y == e.y;
-  const formulas::Shade shade = formulas::shading_of(t.scene, t.conventions).shade;
-  const bool gouraud = shade == formulas::Shade::gouraud, checker = shade == formulas::Shade::checker;
-  const bool dark = striped && (checker ? formulas::checker_shade(t.machine.components[0], t.machine.components[1])
-                                        : formulas::stripe_shade(attribute->attribute)) < 1;
-  const std::string part = checker ? "square of u and v" : "stripe of a";
   t.say(fmt::format("Pixel ({}, {}) takes the colour {}, {}, {}{}.", e.x, e.y, e.r8, e.g8, e.b8,
                     partly ? fmt::format(": {} of the light reaches its polygon", share->share == 1 ? "all" : "a part")
-                    : shaded             ? ": its polygon is in shadow"
-                    : striped && gouraud ? ": 255 times the colour that was interpolated"
-                    : dark               ? ": its polygon is in a dark " + part
-                    : striped            ? ": its polygon is in a bright " + part
-                                         : ""));
+                    : shaded  ? ": its polygon is in shadow"
+                    : striped ? by_shade(t, e)
+                              : ""));
   t.formula(fmt::format("frame[{},{}] = ({}, {}, {})", e.x, e.y, e.r8, e.g8, e.b8));
 }
 

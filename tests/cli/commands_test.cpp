@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/image/png.hpp"
-#include "sim/image/tables.hpp"
+#include "traces/image/png.hpp"
+#include "traces/image/tables.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/where.hpp"
 

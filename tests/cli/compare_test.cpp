@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/where.hpp"
 

@@ -1,6 +1,7 @@
 // zstep diff, as a person runs it.
 #include <doctest/doctest.h>
 
+#include <cstring>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "tests/cli/program.hpp"
+#include "tests/exr_bytes.hpp"
 #include "tests/where.hpp"
 
 using namespace zstep::test;
@@ -349,15 +351,25 @@ TEST_CASE("diff: where nothing draws a picture the nearest is named, or none") {
   CHECK(has(run(folder, "diff noise.npy pyramid-behind --size 48x36 --no-cull").out, "nor half of it."));
 }
 
-TEST_CASE("diff: depths are held to the number format that is given, and OpenEXR is refused with the way out") {
+TEST_CASE("diff: depths are held to the number format that is given, also those of a .exr") {
   const Folder folder;
   REQUIRE(run(folder, "render cyclic --number-format float32 --save-depth-raw z.npy").code == 0);
   CHECK(run(folder, "diff z.npy cyclic").code == 1);
   CHECK(run(folder, "diff z.npy cyclic --number-format float32").code == 0);
-  write_text(folder / "a.exr", "v/1\1");
-  const Outcome refused = run(folder, "diff a.exr cyclic");
+  // The same numbers, in the format that they were computed in.
+  const std::string npy = text_of(folder / "z.npy");
+  std::string rows;
+  for (std::size_t at = npy.size() - 32 * 32 * sizeof(double); at < npy.size(); at += sizeof(double)) {
+    double depth = 0;
+    std::memcpy(&depth, npy.data() + at, sizeof depth);
+    rows += zstep::test::bytes_in(static_cast<float>(depth));
+  }
+  write_text(folder / "z.exr", zstep::test::exr_of(32, 32, "Z", rows));
+  CHECK(run(folder, "diff z.exr cyclic").code == 0);
+  write_text(folder / "cut.exr", "v/1\1");
+  const Outcome refused = run(folder, "diff cut.exr cyclic");
   CHECK(refused.code == 2);
-  CHECK(has(refused.err, "a.exr: is a picture of OpenEXR, which zstep does not read; convert it"));
+  CHECK(has(refused.err, "cut.exr: is no .exr; write its depths as .pfm or .npy"));
 }
 
 TEST_CASE("diff: what cannot be held against a scene says so") {

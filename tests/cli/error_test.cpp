@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace zstep::test;

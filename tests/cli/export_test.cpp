@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "sim/answers/pixel_counts.hpp"
-#include "sim/image/png.hpp"
-#include "sim/image/tables.hpp"
+#include "traces/image/png.hpp"
+#include "traces/image/tables.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/where.hpp"
 #include "traces/replay/replay.hpp"

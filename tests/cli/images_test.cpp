@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/image/file.hpp"
-#include "sim/image/png.hpp"
-#include "sim/image/tables.hpp"
+#include "traces/image/file.hpp"
+#include "traces/image/png.hpp"
+#include "traces/image/tables.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace zstep::test;

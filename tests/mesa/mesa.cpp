@@ -84,8 +84,9 @@ double linearised(const Camera& camera, double depth) {
 
 }  // namespace
 
-Picture drawn_by_opengl(const Scene& scene, bool cull, const OnFacet& on_facet) {
-  Canvas canvas(scene.raster.width, scene.raster.height);
+namespace {
+
+void set_up(const Scene& scene, bool cull) {
   glViewport(0, 0, scene.raster.width, scene.raster.height);
   const Camera& camera = scene.camera;
   glMatrixMode(GL_PROJECTION);
@@ -102,6 +103,59 @@ Picture drawn_by_opengl(const Scene& scene, bool cull, const OnFacet& on_facet) 
   glClearColor(0, 0, 0, 0);
   glClearDepth(1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void use(const Texture& texture, bool mixed) {
+  std::vector<std::uint8_t> upwards;  // the lowest row first
+  for (std::int32_t row = texture.height; row-- > 0;)
+    for (std::int32_t column = 0; column < texture.width; ++column) {
+      const Color& texel = texture.texels[pixel_at(column, row, texture.width)];
+      upwards.insert(upwards.end(), {texel.red, texel.green, texel.blue});
+    }
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, texture.width, texture.height, 0, GL_RGB, GL_UNSIGNED_BYTE, upwards.data());
+  for (const GLenum when : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D, when, mixed ? GL_LINEAR : GL_NEAREST);
+  for (const GLenum along : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(GL_TEXTURE_2D, along, GL_REPEAT);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  glEnable(GL_TEXTURE_2D);
+}
+
+}  // namespace
+
+std::vector<Color> colors_by_opengl(const Scene& scene, bool cull, const Texture* texture, bool mixed) {
+  const std::int32_t width = scene.raster.width, height = scene.raster.height;
+  Canvas canvas(width, height);
+  set_up(scene, cull);
+  if (texture != nullptr) use(*texture, mixed);
+  glShadeModel(GL_SMOOTH);
+  const VertexAttribute& attribute = *attribute_named(scene, texture != nullptr ? uv_attribute : color_attribute);
+  for (const Facet& facet : scene.facets) {
+    glBegin(GL_POLYGON);
+    for (std::int32_t i = 0; i < facet.corner_count; ++i) {
+      const std::int32_t corner = scene.corners[static_cast<std::size_t>(facet.first_corner + i)];
+      const std::int32_t value = attribute.value_of(facet.polygon, corner);
+      const double* const numbers = attribute.values.data() + std::ptrdiff_t{value} * attribute.components;
+      if (texture != nullptr) glTexCoord2dv(numbers);
+      else glColor3dv(numbers);
+      glVertex3dv(glm::value_ptr(scene.points[static_cast<std::size_t>(corner)]));
+    }
+    glEnd();
+  }
+  glFinish();
+  if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL reports an error");
+  std::vector<Color> colors;
+  for (std::int32_t y = height; y-- > 0;)
+    for (std::int32_t x = 0; x < width; ++x) {
+      const std::uint8_t* rgba = &canvas.rgba[pixel_at(x, y, width) * 4];
+      colors.push_back({rgba[0], rgba[1], rgba[2]});
+    }
+  return colors;
+}
+
+Picture drawn_by_opengl(const Scene& scene, bool cull, const OnFacet& on_facet) {
+  Canvas canvas(scene.raster.width, scene.raster.height);
+  set_up(scene, cull);
   for (std::size_t facet = 0; facet < scene.facets.size(); ++facet) {
     draw_facet(scene, scene.facets[facet]);
     if (on_facet)

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "traces/scene.hpp"
 
@@ -17,6 +18,11 @@ Picture drawn_by_opengl(const Scene& scene, bool cull, const OnFacet& on_facet =
 /// The scene as OpenGL draws it through the same camera: polygon index by pixel, and z_v recovered from OpenGL's depth
 /// (+inf where nothing was drawn). Row 0 on top. Convex facets only. Throws std::runtime_error if Mesa fails.
 Picture draw_with_mesa(const Scene& scene, bool cull);
+
+/// The colours of that picture where each vertex has its attribute "color", or, with a texture, of its "uv" in it, each
+/// texel by itself or mixed with its neighbours. Black where nothing was drawn. Row 0 on top.
+std::vector<Color> colors_by_opengl(const Scene& scene, bool cull, const Texture* texture = nullptr,
+                                    bool mixed = false);
 
 /// Which Mesa, and which of its drivers.
 std::string mesa_version();

@@ -11,12 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/half_space/half_space.hpp"
+#include "algorithms/interpolation/interpolation.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "sim/truth/explain_difference.hpp"
@@ -239,6 +241,68 @@ TEST_SUITE("mesa") {
     CHECK(sum.at_edges < sum.drawn / 5000);
     CHECK(sum.ties < sum.drawn / 100000);
     CHECK(sum.steep < sum.drawn / 100000);
+  }
+
+  TEST_CASE("colours and texture coordinates of vertices, perspective-correct, and an image by texels and mixed") {
+    // A box whose inside is seen, with other coordinates on its two triangles of a side, and an image of noise.
+    test::Numbers random(19);
+    Scene scene = test::cube(1);
+    scene.raster = {320, 240, false};
+    test::look(scene, Camera::Kind::perspective, {0.7, -0.5, 0.3}, {-0.6, 0.5, -0.2}, 0.1, 4);
+    VertexAttribute color{color_attribute, 3, {}, {}, {}, {}}, uv{uv_attribute, 2, {}, {}, {}, {}};
+    for (std::int32_t point = 0; point < size32(scene.points); ++point) {
+      const glm::dvec3 any = random.in_box(0.5) + glm::dvec3(0.5);
+      color.values.insert(color.values.end(), {any.x, any.y, any.z});
+      uv.values.insert(uv.values.end(), {2 * any.x, 2 * any.y - 1});
+      color.of_point.push_back(point), uv.of_point.push_back(point);
+    }
+    scene.attributes = {color, uv};
+    Texture noise{"noise.ppm", 16, 8, {}};
+    const auto byte = [&] { return static_cast<std::uint8_t>(128 + 127 * random.in_box(1).x); };
+    for (int k = 0; k < 16 * 8; ++k) noise.texels.push_back({byte(), byte(), byte()});
+    scene.textures = {noise};
+    Material textured;
+    textured.texture = 0;
+    for (Polygon& polygon : scene.polygons) polygon.material = textured;
+
+    const compare::Truth truth(scene, false);
+    const Picture mesas = test::draw_with_mesa(scene, false);
+    struct Way {
+      const char* shade;
+      int most_off;  // of 255
+    };
+    // Mesa mixes texels by 8 bits of a fraction, and has coordinates in float32.
+    for (const Way way : {Way{"colors", 1}, Way{"nearest", 0}, Way{"bilinear", 3}})
+      for (const char* name : {"z-buffer", "half-space"}) {
+        CAPTURE(way.shade);
+        CAPTURE(name);
+        Conventions conventions;
+        conventions.cull = false, conventions.attribute = Conventions::Attribute::perspective;
+        conventions.options["shade"] = way.shade;
+        check_run(method(name), scene, conventions);
+        NullRecorder record;
+        const Picture ours = name == std::string("z-buffer") ? interpolation::run(scene, conventions, record)
+                                                             : half_space::run(scene, conventions, record);
+        const bool colors = way.shade == std::string("colors");
+        const std::vector<Color> theirs =
+            test::colors_by_opengl(scene, false, colors ? nullptr : &noise, way.shade == std::string("bilinear"));
+        int drawn = 0, off = 0, largest = 0;
+        for (std::int32_t y = 0; y < ours.height; ++y)
+          for (std::int32_t x = 0; x < ours.width; ++x) {
+            const std::size_t pixel = ours.at(x, y);
+            if (ours.polygon[pixel] == no_polygon || ours.polygon[pixel] != mesas.polygon[pixel] ||
+                at_edge(truth, x, y))
+              continue;
+            const Color a = color_at(ours, scene, pixel), b = theirs[pixel];
+            const int by = std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
+            ++drawn, off += by > way.most_off, largest = std::max(largest, by);
+          }
+        MESSAGE(name, ", ", way.shade, ": ", drawn, " pixels, ", off, " of them off by more than ", way.most_off,
+                ", at most by ", largest);
+        CHECK(drawn > 50'000);
+        // Where a centre lies between two texels, 256ths of a pixel decide.
+        CHECK(off <= (way.shade == std::string("nearest") ? drawn / 100 : 0));
+      }
   }
 
   TEST_CASE("the eye inside a cube, and polygons through each other, clipped by all planes") {

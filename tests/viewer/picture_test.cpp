@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "tests/viewer/drive.hpp"
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;

@@ -51,6 +51,8 @@ nlohmann::ordered_json surface_to_json(const Surface& surface);
 Surface surface_from_json(const nlohmann::json& json);
 nlohmann::ordered_json fit_to_json(const Fit& fit);
 Fit fit_from_json(const nlohmann::json& json);
+nlohmann::ordered_json textures_to_json(const std::vector<Texture>& textures);
+std::vector<Texture> textures_from_json(const nlohmann::json& json);
 
 /// Parses JSON that may be made to fill the machine: long texts only as deep as ours are. Throws MalformedJson for
 /// that, nlohmann::json::exception for what is no JSON.

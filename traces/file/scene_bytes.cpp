@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "traces/events/slots.hpp"
 #include "traces/file/header_json.hpp"
@@ -146,9 +147,9 @@ std::size_t count_of_points(ByteReader& in) {
   return points;
 }
 
-/// What most scenes do not have stands at the end, and is missing where a scene has none of it: light, surface and fit
-/// as JSON, then the materials, as runs of polygons that have the same, the placements, the points as their files have
-/// them, and the attributes of vertices.
+/// What most scenes do not have stands at the end, and is missing where a scene has none of it: light, surface, fit and
+/// textures, with the runs of polygons that have the same, as JSON, then the rest of the materials, as such runs, the
+/// placements, the points as their files have them, and the attributes of vertices.
 bool has_extras(const Scene& scene) {
   return scene.light || scene.surface || scene.fit || !scene.placements.empty() || !scene.attributes.empty() ||
          std::any_of(scene.polygons.begin(), scene.polygons.end(),
@@ -178,11 +179,21 @@ void put_extras(Bytes& out, const Scene& scene) {
   if (scene.light) document["light"] = light_to_json(*scene.light);
   if (scene.surface) document["surface"] = surface_to_json(*scene.surface);
   if (scene.fit) document["fit"] = fit_to_json(*scene.fit);
-  put_text(out, document.dump());
   const std::vector<Polygon>& polygons = scene.polygons;
+  if (!scene.textures.empty()) {
+    document["textures"] = textures_to_json(scene.textures);
+    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+    for (std::size_t first = 0, end = 1; first < polygons.size(); first = end++) {
+      while (end < polygons.size() && polygons[end].material->texture == polygons[first].material->texture) ++end;
+      runs.push_back({end - first, polygons[first].material->texture});
+    }
+    document["texture_of"] = std::move(runs);
+  }
+  put_text(out, document.dump());
   for (std::size_t first = 0, end = 1; first < polygons.size(); first = end++) {
     const Material& material = *polygons[first].material;
-    while (end < polygons.size() && polygons[end].material == material) ++end;
+    const auto of_light = [](const Material& m) { return std::tie(m.opacity, m.reflectance, m.refraction); };
+    while (end < polygons.size() && of_light(*polygons[end].material) == of_light(material)) ++end;
     put_varint(out, end - first);
     for (const double value : {material.opacity, material.reflectance, material.refraction})
       put_u64(out, bits_of(value));
@@ -201,7 +212,7 @@ void put_extras(Bytes& out, const Scene& scene) {
   for (const VertexAttribute& attribute : scene.attributes) put_attribute(out, attribute);
 }
 
-VertexAttribute take_attribute(ByteReader& in) {
+VertexAttribute take_attribute(ByteReader& in, std::int64_t points) {
   // Held to its limit before memory is asked for.
   const auto count = [&](std::int64_t limit, std::size_t least_bytes) {
     const std::uint64_t value = in.varint();
@@ -215,15 +226,32 @@ VertexAttribute take_attribute(ByteReader& in) {
   attribute.components = static_cast<std::int32_t>(count(most_components, 0));
   attribute.values.resize(count(most_values * most_components, sizeof(double)));
   for (double& value : attribute.values) value = double_of(in.u64());
-  for (std::vector<std::int32_t>* column : {&attribute.lines, &attribute.of_point}) {
-    column->resize(count(most_values, 0));
-    take_runs(in, column->size(), [&](std::size_t i, std::int32_t value) { (*column)[i] = value; });
-  }
+  const auto take_column = [&](std::vector<std::int32_t>& column, std::int64_t most) {
+    column.resize(count(most, 0));
+    take_runs(in, column.size(), [&](std::size_t i, std::int32_t value) { column[i] = value; });
+  };
+  take_column(attribute.lines, std::ssize(attribute.values));
+  take_column(attribute.of_point, points);
   attribute.own.resize(count(most_corners, 3));
   std::array<std::uint32_t, 3> last{};
   for (auto& [polygon, point, value] : attribute.own)
     polygon = take_whole(in, last[0]), point = take_whole(in, last[1]), value = take_whole(in, last[2]);
   return attribute;
+}
+
+void take_textures(const nlohmann::json& document, Scene& scene) {
+  if (!document.contains("textures")) return;
+  scene.textures = textures_from_json(document.at("textures"));
+  std::size_t first = 0;
+  for (const nlohmann::json& run : document.at("texture_of")) {
+    const auto length = run.at(0).get<std::uint64_t>();
+    if (length == 0 || length > scene.polygons.size() - first) throw MalformedBytes("a texture of no polygon");
+    for (const std::size_t end = first + static_cast<std::size_t>(length); first < end; ++first) {
+      Material material = *scene.polygons[first].material;
+      material.texture = run.at(1).get<std::int32_t>();
+      scene.polygons[first].material = material;
+    }
+  }
 }
 
 void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
@@ -238,6 +266,7 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
     for (const std::size_t end = first + static_cast<std::size_t>(length); first < end; ++first)
       scene.polygons[first].material = material;
   }
+  take_textures(document, scene);
   for (std::uint64_t left = in.varint(); left > 0; --left) {
     Placement placement;
     for (std::int32_t* whole : {&placement.first_point, &placement.point_count})
@@ -252,7 +281,7 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
   for (int axis = 0; axis < 3; ++axis) take_coordinates(in, scene.file_points, axis);
   while (!in.empty()) {
     if (std::ssize(scene.attributes) == most_attributes) throw MalformedBytes("more of a kind than a scene can have");
-    scene.attributes.push_back(take_attribute(in));
+    scene.attributes.push_back(take_attribute(in, std::ssize(scene.points)));
   }
 }
 

@@ -1,4 +1,6 @@
+#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <glm/geometric.hpp>
@@ -240,7 +242,60 @@ VertexAttribute attribute_from_json(const json& in) {
   return attribute;
 }
 
+std::string hexadecimal(const Texture& texture) {
+  std::string out;
+  out.reserve(6 * texture.texels.size());
+  for (const Color& texel : texture.texels)
+    fmt::format_to(std::back_inserter(out), "{:02x}{:02x}{:02x}", texel.red, texel.green, texel.blue);
+  return out;
+}
+
+std::vector<Color> texels_from(const std::string& digits, std::size_t count) {
+  if (digits.size() != 6 * count)
+    throw MalformedJson(
+        fmt::format("\"texels\" has {} digits, and {} texels have {}", digits.size(), count, 6 * count));
+  const auto byte_at = [&](std::size_t at) {
+    std::uint8_t value = 0;
+    const char* const end = digits.data() + at + 2;
+    if (std::from_chars(digits.data() + at, end, value, 16).ptr != end)
+      throw MalformedJson("\"texels\" has something that is no hexadecimal digit");
+    return value;
+  };
+  std::vector<Color> texels(count);
+  for (std::size_t k = 0; k < count; ++k) texels[k] = {byte_at(6 * k), byte_at(6 * k + 2), byte_at(6 * k + 4)};
+  return texels;
+}
+
 }  // namespace
+
+ordered_json textures_to_json(const std::vector<Texture>& textures) {
+  ordered_json out = ordered_json::array();
+  for (const Texture& texture : textures)
+    out.push_back({{"source", texture.source},
+                   {"width", texture.width},
+                   {"height", texture.height},
+                   {"texels", hexadecimal(texture)}});
+  return out;
+}
+
+std::vector<Texture> textures_from_json(const json& in) {
+  std::vector<Texture> textures;
+  std::int64_t left = most_texels;
+  for (const json& entry : in) {
+    known_keys(entry, "a texture", {"source", "width", "height", "texels"});
+    Texture texture{text_or(entry, "source", ""), whole(entry, "width"), whole(entry, "height"), {}};
+    if (std::ssize(textures) == most_textures)
+      throw MalformedJson(fmt::format("there are more than {} textures", most_textures));
+    const bool has_size = texture.width > 0 && texture.height > 0;
+    left -= has_size ? std::int64_t{texture.width} * texture.height : 0;
+    if (!has_size || left < 0)
+      throw MalformedJson(fmt::format("a texture has {} x {} texels (all together have 1 to {})", texture.width,
+                                      texture.height, most_texels));
+    texture.texels = texels_from(text(entry, "texels"), pixel_count(texture.width, texture.height));
+    textures.push_back(std::move(texture));
+  }
+  return textures;
+}
 
 ordered_json scene_to_json(const Scene& scene) {
   ordered_json out;
@@ -276,6 +331,7 @@ ordered_json scene_to_json(const Scene& scene) {
     if (material.opacity != 1) entry["opacity"] = real_to_json(material.opacity);
     if (material.reflectance != 0) entry["reflectance"] = real_to_json(material.reflectance);
     if (material.refraction != 1) entry["refraction"] = real_to_json(material.refraction);
+    if (material.texture != no_texture) entry["texture"] = material.texture;
     polygons.push_back(std::move(entry));
   }
   out["polygons"] = std::move(polygons);
@@ -293,13 +349,14 @@ ordered_json scene_to_json(const Scene& scene) {
     for (const VertexAttribute& attribute : scene.attributes) attributes.push_back(attribute_to_json(attribute));
     out["attributes"] = std::move(attributes);
   }
+  if (!scene.textures.empty()) out["textures"] = textures_to_json(scene.textures);
   return out;
 }
 
 Scene scene_from_json(const json& in) {
   known_keys(in, "the scene",
              {"name", "source", "raster", "camera", "background", "light", "surface", "points", "placements", "fit",
-              "file_points", "point_lines", "polygons", "facets", "attributes"});
+              "file_points", "point_lines", "polygons", "facets", "attributes", "textures"});
   Scene scene;
   scene.name = text_or(in, "name", "scene");
   scene.source = text_or(in, "source", "");
@@ -320,9 +377,9 @@ Scene scene_from_json(const json& in) {
     for (const json& line : list(in, "point_lines")) scene.point_lines.push_back(whole_from(line, "point_lines"));
   }
   for (const json& entry : list(in, "polygons")) {
-    known_keys(entry, "a polygon", {"name", "color", "line", "opacity", "reflectance", "refraction"});
+    known_keys(entry, "a polygon", {"name", "color", "line", "opacity", "reflectance", "refraction", "texture"});
     const Material material{real_or(entry, "opacity", 1), real_or(entry, "reflectance", 0),
-                            real_or(entry, "refraction", 1)};
+                            real_or(entry, "refraction", 1), whole_or(entry, "texture", no_texture)};
     scene.polygons.push_back({text_or(entry, "name", ""), color_from(text_or(entry, "color", "#999999")),
                               whole_or(entry, "line", 0), material});
   }
@@ -335,6 +392,7 @@ Scene scene_from_json(const json& in) {
   if (in.contains("attributes")) {
     for (const json& entry : list(in, "attributes")) scene.attributes.push_back(attribute_from_json(entry));
   }
+  if (in.contains("textures")) scene.textures = textures_from_json(list(in, "textures"));
   check_scene(scene);
   return scene;
 }
@@ -343,9 +401,11 @@ namespace {
 
 [[noreturn]] void wrong_scene(const std::string& what) { throw MalformedJson("its scene is wrong: " + what); }
 
-void check_materials(const std::vector<Polygon>& polygons) {
+void check_materials(const std::vector<Polygon>& polygons, std::int64_t textures) {
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    const auto [opacity, reflectance, refraction] = *polygons[i].material;
+    const auto [opacity, reflectance, refraction, texture] = *polygons[i].material;
+    if (texture < no_texture || texture >= textures)
+      wrong_scene(fmt::format("polygon {} has a texture {} that does not exist", i, texture));
     const auto part = [](double value) { return value >= 0 && value <= 1; };
     if (!part(opacity)) wrong_scene(fmt::format("polygon {} has an opacity of {}, not from 0 to 1", i, opacity));
     if (!part(reflectance))
@@ -473,7 +533,7 @@ void check_scene(const Scene& scene) {
   for (const std::int32_t corner : scene.corners) {
     if (corner < 0 || corner >= std::ssize(scene.points)) wrong_scene(fmt::format("there is no point {}", corner));
   }
-  check_materials(scene.polygons);
+  check_materials(scene.polygons, std::ssize(scene.textures));
   check_attributes(scene);
   if (scene.light) check_light(*scene.light);
   if (scene.surface) check_surface(*scene.surface, scene.points.size());

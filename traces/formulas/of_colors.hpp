@@ -10,7 +10,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "traces/formulas/attributes.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/formulas/of_curves.hpp"
 #include "traces/formulas/of_light.hpp"
 #include "traces/formulas/of_rays.hpp"
@@ -200,13 +200,16 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
   } else if (attribute && attribute->x == e.x && attribute->y == e.y) {
     const Shading shading = shading_of(at.scene, at.header.conventions);
     std::span<const double> a = at.method().components;
-    if (shading.shade == Shade::stripes) a = std::span(&attribute->attribute, 1);
-    else if (at.method().component + 1 != shading.components) return;
-    for (std::int32_t k = 0; k < shading.components; ++k) out.reads(Place{Place::In::attribute, k});
+    if (!shading.is_known()) return;
+    if (shading.components() == 1) a = std::span(&attribute->attribute, 1);
+    else if (at.method().component + 1 != shading.components()) return;
+    for (std::int32_t k = 0; k < shading.components(); ++k) out.reads(Place{Place::In::attribute, k});
     const std::size_t polygon = at.before.picture.polygon[at.pixel(e.x, e.y)];
-    if (polygon >= at.scene.polygons.size() || at_shade_edge(shading.shade, a)) return;
+    if (polygon >= at.scene.polygons.size()) return;
+    const std::int32_t number = index32(polygon);
+    if (at_shade_edge(at.scene, shading, number, a)) return;
     out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
-    shades = shaded(shading.shade, at.scene.polygons[polygon].color, a);
+    shades = shaded(at.scene, shading, number, a);
   } else {
     return;
   }

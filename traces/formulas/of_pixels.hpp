@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "traces/formulas/attributes.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/formulas/half_space.hpp"
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/rounding.hpp"
@@ -261,7 +262,7 @@ namespace detail {
 /// Which number of the attribute the next one at this pixel is: they come one after the other.
 inline std::int32_t component_at_work(const Situation& at, const Shading& shading, std::int32_t x, std::int32_t y) {
   const std::int32_t next = next_component(at.method(), x, y);
-  return next < shading.components ? next : 0;
+  return next < shading.components() ? next : 0;
 }
 /// As attribute_of(), for the facet at work.
 inline double attribute_at(const Situation& at, const Shading& shading, std::int32_t component, std::int32_t vertex,
@@ -285,7 +286,7 @@ auto over_depth_of_vertex(Out& out, const Situation& at, const AttributeInterpol
     return std::optional<OverDepth<T>>();
   const std::int32_t component = component_at_work(at, shading, e.x, e.y);
   const double value = attribute_at(at, shading, component, vertex, stages ? stages->view : glm::dvec3(0));
-  const std::string_view name = shading.attribute ? component_name(shading.shade, component) : "x_w";
+  const std::string_view name = shading.name(component);
   const T a = out.number("a_" + suffix, value, at.is_point(vertex) ? Place{Place::In::point, vertex, name} : Place{});
   if (!attribute_over_depth(at.scene, at.header.conventions)) return std::optional(OverDepth<T>{a, T(1)});
   const Place seen{Place::In::vertex, vertex, "z_v"};

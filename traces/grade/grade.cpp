@@ -214,12 +214,18 @@ Scene numbered_from_1(Scene scene, Numbering numbering) {
     Facet none = scene.facets.front();
     none.polygon = 0;
     scene.facets.insert(scene.facets.begin(), none);
+    for (VertexAttribute& attribute : scene.attributes)
+      for (VertexAttribute::Own& own : attribute.own) ++own.polygon;
   }
   if (numbering == Numbering::vertices_from_1 && !scene.points.empty()) {
     scene.points.insert(scene.points.begin(), scene.points.front());
     if (!scene.point_lines.empty()) scene.point_lines.insert(scene.point_lines.begin(), 0);
     if (!scene.file_points.empty()) scene.file_points.insert(scene.file_points.begin(), scene.file_points.front());
     for (std::int32_t& corner : scene.corners) ++corner;
+    for (VertexAttribute& attribute : scene.attributes) {
+      attribute.of_point.insert(attribute.of_point.begin(), no_value);
+      for (VertexAttribute::Own& own : attribute.own) ++own.point;
+    }
   }
   return scene;
 }

@@ -7,6 +7,7 @@
 
 #include "traces/formulas/attributes.hpp"
 #include "traces/formulas/of_pixels.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/formulas/walk.hpp"
 #include "traces/oracle/exact_geometry.hpp"
 

@@ -112,7 +112,8 @@ PolygonSoup finish_soup(PolygonSoup soup, const std::string& name) {
   soup.note(lost.components, "number of a vertex is", "numbers of vertices are",
             fmt::format(" not kept: a scene has {} attributes at most, texture coordinates u and v, no weight",
                         most_attributes));
-  soup.note(lost.textures, "texture is", "textures are", " not drawn: a polygon is of one colour");
+  soup.note(lost.textures, "texture is", "textures are",
+            " not kept: of a material only the image of its colour is (map_Kd)");
   soup.note(lost.opacities, "polygon has", "polygons have",
             " an alpha that is not used; a scene file's [[mesh]] can give opacity");
   soup.note(lost.clamped_colors, "colour is", "colours are",

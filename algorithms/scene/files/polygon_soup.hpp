@@ -52,7 +52,14 @@ struct PolygonSoup {
   std::vector<Material> materials;           ///< one a polygon, or none at all
   std::vector<std::string> names;            ///< one a polygon, or none at all
   std::vector<VertexAttribute> attributes;   ///< of_point may be shorter than points until finish_soup was called
-  std::vector<std::string> notes;            ///< what was passed over, one sentence each
+  /// What materials' textures stand for: files that the mesh names, and once load_textures() has read them, images.
+  struct NamedTexture {
+    std::string named, where;  ///< as the file has it, and where
+    auto operator<=>(const NamedTexture&) const = default;
+  };
+  std::vector<NamedTexture> named_textures;
+  std::vector<Texture> textures;
+  std::vector<std::string> notes;  ///< what was passed over, one sentence each
   Losses losses;
 
   /// Adds a point; throws InputError at `where()` beyond the limit. `line` 0: the file has no lines.
@@ -62,11 +69,15 @@ struct PolygonSoup {
     points.push_back(point);
     if (line > 0) point_lines.push_back(line);
   }
+  /// Of the polygon that is being read.
+  std::int32_t first_corner() const {
+    return outlines.empty() ? 0 : outlines.back().first_corner + outlines.back().corner_count;
+  }
   /// Adds a polygon whose corners were pushed to `corners` since the last one; throws InputError beyond the limit.
   template <class Where>
   void close_outline(std::int32_t line, std::optional<Color> color, Where&& where) {
     if (std::ssize(outlines) == most_polygons) too_much(where(), "polygons", most_polygons);
-    const std::int32_t first = outlines.empty() ? 0 : outlines.back().first_corner + outlines.back().corner_count;
+    const std::int32_t first = first_corner();
     const auto polygon = size32(outlines);
     if (std::ssize(corners) - first > most_corners_of_polygon)
       too_much(where(), "corners of one polygon", most_corners_of_polygon);
@@ -79,6 +90,18 @@ struct PolygonSoup {
   void add_corner(std::int64_t point, Where&& where) {
     if (std::ssize(corners) == most_corners) too_much(where(), "corners", most_corners);
     corners.push_back(static_cast<std::int32_t>(point));
+  }
+
+  /// The number of a texture that the file names.
+  std::int32_t texture(std::string_view named, std::string_view where) {
+    for (std::size_t k = 0; k < named_textures.size(); ++k)
+      if (named_textures[k].named == named) return static_cast<std::int32_t>(k);
+    if (std::ssize(named_textures) == most_textures) {
+      losses.textures.add([&] { return std::string(where); });
+      return no_texture;
+    }
+    named_textures.push_back({std::string(named), std::string(where)});
+    return static_cast<std::int32_t>(named_textures.size() - 1);
   }
 
   /// The attribute of this name, made where there is none; nullptr, and counted as a loss, where a scene has no room.

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "algorithms/scene/files/bytes.hpp"
+#include "algorithms/scene/files/tokens.hpp"
 #include "traces/error.hpp"
 #include "traces/file/files.hpp"
+#include "traces/image/read_image.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::scene {
@@ -38,7 +40,7 @@ PolygonSoup read_mesh_bytes(MeshFormat format, std::string_view bytes, const std
 
 namespace {
 
-/// Textures belong to a mesh, too, though they are not drawn: they must not be written over.
+/// All images belong to a mesh, also those that are not read: they must not be written over.
 void note_textures(const std::filesystem::path& folder, std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
@@ -76,8 +78,8 @@ bool is_within(const fs::path& folder, const fs::path& top) {
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
-/// A file that a mesh names, in the mesh's folder or below: a mesh from the net must not make zstep open files
-/// elsewhere. A name that leads elsewhere, as the full path where the mesh was made, is looked for by its last part.
+}  // namespace
+
 std::optional<fs::path> beside_mesh(const fs::path& folder, std::string_view named) {
   if (named.size() >= 2 && named.front() == '"' && named.back() == '"') named = named.substr(1, named.size() - 2);
   std::string slashes(named);
@@ -100,12 +102,53 @@ std::optional<fs::path> beside_mesh(const fs::path& folder, std::string_view nam
   return found_at(plain.filename());
 }
 
-}  // namespace
-
 bool is_texture(std::string_view statement) {
   constexpr std::array<std::string_view, 6> beginnings{"map_", "bump", "disp", "decal", "norm", "refl"};
   return std::any_of(beginnings.begin(), beginnings.end(),
                      [&](std::string_view word) { return statement.starts_with(word); });
+}
+
+namespace {
+
+/// Throws InputError where it cannot be read, or has more texels than are left.
+Texture read_texture(const fs::path& path, std::int64_t left) {
+  if (!is_image(path)) throw InputError(path.string(), "is no picture that is read", "convert it to .png");
+  const Image image = read_image(path);
+  if (std::int64_t{image.width} * image.height > left)
+    throw InputError(path.string(),
+                     fmt::format("has {} x {} texels, and the scene's textures {} at most together", image.width,
+                                 image.height, most_texels),
+                     "make it smaller");
+  Texture texture{path.string(), image.width, image.height, {}};
+  texture.texels.reserve(image.rgb.size() / 3);
+  for (std::size_t k = 0; k + 2 < image.rgb.size(); k += 3)
+    texture.texels.push_back({image.rgb[k], image.rgb[k + 1], image.rgb[k + 2]});
+  return texture;
+}
+
+}  // namespace
+
+void load_textures(PolygonSoup& soup, const ImageFinder& find) {
+  std::vector<std::int32_t> number_of(soup.named_textures.size(), no_texture);
+  std::int64_t left = most_texels;
+  for (std::size_t k = 0; k < number_of.size(); ++k) {
+    const auto& [named, where] = soup.named_textures[k];
+    try {
+      const auto path = find(named);
+      if (!path)
+        throw InputError(where, fmt::format("the image {} is not in the mesh's folder", in_quotes(named)),
+                         "put it there");
+      note_input(*path);
+      soup.textures.push_back(read_texture(*path, left));
+      left -= std::ssize(soup.textures.back().texels);
+      number_of[k] = index32(soup.textures.size() - 1);
+    } catch (const InputError& error) {
+      soup.notes.push_back(fmt::format("{}; nothing has this texture", error.what()));
+    }
+  }
+  soup.named_textures.clear();
+  for (Material& material : soup.materials)
+    if (material.texture != no_texture) material.texture = number_of[static_cast<std::size_t>(material.texture)];
 }
 
 PolygonSoup read_mesh(const std::filesystem::path& path) {
@@ -127,6 +170,8 @@ PolygonSoup read_mesh(const std::filesystem::path& path) {
   } else {
     soup = read_mesh_bytes(*format, bytes, path.string());
   }
+  // A material file may lie in a folder below: its images are looked for from the mesh's.
+  load_textures(soup, [&](std::string_view named) { return beside_mesh(path.parent_path(), named); });
   if (soup.outlines.empty())
     throw InputError(path.string(),
                      soup.points.empty()

@@ -31,16 +31,26 @@ bool is_texture(std::string_view statement);
 // `bytes`: at FILE:LINE in text, at FILE:byte N in binary. Time and memory are bounded by the number of bytes, never by
 // a count that the file declares.
 
-/// OBJ: v, f with negative indices and with texture and normal indices (which are passed over), usemtl with the Kd of
-/// its mtllib, whose faults are notes. Points and lines (p, l) are passed over; free-form surfaces are an error.
+/// OBJ: v, vt, vn, f with negative indices, usemtl with Kd, d, Ni and map_Kd of its mtllib, whose faults are notes.
+/// Points and lines (p, l) are passed over; free-form surfaces are an error.
 PolygonSoup read_obj(std::string_view bytes, const std::string& name, const MaterialFiles& materials);
-/// OFF with the prefixes C, N, ST (whose extra numbers are passed over) and 4, and colours of faces.
+/// OFF with the prefixes C, N, ST and 4, and colours of faces.
 PolygonSoup read_off(std::string_view bytes, const std::string& name);
-/// PLY 1.0, ascii and binary of both byte orders; red, green, blue of faces.
+/// PLY 1.0, ascii and binary of both byte orders; red, green, blue and texcoord of faces, all numbers of vertices, and
+/// the first TextureFile of its comments.
 PolygonSoup read_ply(std::string_view bytes, const std::string& name);
 /// STL, ascii and binary, with colours of its triangles. Equal points become one, so that neighbours share their
 /// vertices.
 PolygonSoup read_stl(std::string_view bytes, const std::string& name);
+
+/// Reads the images that the soup's materials name, found by `find` from the names as they stand. What cannot be had is
+/// a note, and those materials have no texture then.
+using ImageFinder = std::function<std::optional<std::filesystem::path>(std::string_view named)>;
+void load_textures(PolygonSoup& soup, const ImageFinder& find);
+
+/// A file that a mesh or a scene names, in its folder or below: one from the net must not make zstep open files
+/// elsewhere. A name that leads elsewhere, as the full path where it was made, is looked for by its last part.
+std::optional<std::filesystem::path> beside_mesh(const std::filesystem::path& folder, std::string_view named);
 
 /// The readers by format; an OBJ without materials.
 PolygonSoup read_mesh_bytes(MeshFormat format, std::string_view bytes, const std::string& name);

@@ -48,6 +48,7 @@ class MaterialReader {
     do {
       const std::string_view word = file_.next_in_line();
       if (word == "newmtl") material();
+      else if (look_ != nullptr && same_word(word, "map_Kd")) texture();
       else if (is_texture(word)) soup_.losses.textures.add([&] { return file_.where(); });
       else if (look_ != nullptr && word == "Kd") color();
       else if (look_ != nullptr && (word == "d" || word == "Tr")) opacity(word);
@@ -70,6 +71,13 @@ class MaterialReader {
     const auto g = green.empty() ? r : number(green, "green of Kd");
     const auto b = green.empty() ? r : number(file_.next_in_line(), "blue of Kd");
     if (r && g && b) look_->color = soup_.color_of(255.0 * glm::dvec3(*r, *g, *b), [&] { return file_.where(); });
+  }
+
+  /// Options stand before the name, which may hold blanks.
+  void texture() {
+    std::string_view name = file_.rest_of_line();
+    if (name.starts_with('-')) name = name.substr(std::min(name.size(), name.find_last_of(" \t") + 1));
+    if (!name.empty()) look_->material.texture = soup_.texture(name, file_.where());
   }
 
   void opacity(std::string_view word) {

@@ -43,9 +43,10 @@ struct PlyHeader {
   enum class Encoding : std::uint8_t { ascii, little_endian, big_endian };
   Encoding encoding = Encoding::ascii;
   std::vector<PlyElement> elements;
-  PassedOver textures;     ///< that comments name
-  std::size_t size = 0;    ///< bytes of the head: the data begin here
-  std::int32_t lines = 0;  ///< lines of the head
+  std::string texture, texture_where;  ///< that a comment names, and where; the first one
+  PassedOver textures;                 ///< the others
+  std::size_t size = 0;                ///< bytes of the head: the data begin here
+  std::int32_t lines = 0;              ///< lines of the head
 };
 
 /// Bytes that a value of this type takes in a binary file.
@@ -128,8 +129,10 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
   for (;;) {
     if (!file.next_line()) file.fail("the file ends before end_header", "get the file again: it was cut short");
     const std::string word = lower_case(file.next_in_line());
-    if (word == "comment" && same_word(file.next_in_line(), "texturefile"))
-      header.textures.add([&] { return file.where(); });
+    if (word == "comment" && same_word(file.next_in_line(), "texturefile")) {
+      if (header.texture.empty()) header.texture = file.rest_of_line(), header.texture_where = file.where();
+      else header.textures.add([&] { return file.where(); });
+    }
     if (word.empty() || word[0] == '#' || word == "comment" || word == "obj_info") continue;
     if (word == "end_header") break;
     if (word == "format") {
@@ -280,7 +283,7 @@ class BinaryValues {
 };
 
 /// What a property of a vertex or a face means to us.
-enum class Use : std::uint8_t { none, x, y, z, red, green, blue, alpha, corners, strip };
+enum class Use : std::uint8_t { none, x, y, z, red, green, blue, alpha, corners, strip, texture };
 
 Use use_of_name(std::string_view name) {
   if (name == "red" || name == "diffuse_red" || name == "r") return Use::red;
@@ -307,6 +310,7 @@ const PlyProperty* list_of_vertices(const PlyElement& element) {
 Use use_in(const PlyElement& element, const PlyProperty& property) {
   const std::string_view name = property.name;
   if (property.list) {
+    if (element.name == "face" && name == "texcoord") return Use::texture;
     if (&property != list_of_vertices(element)) return Use::none;
     return element.name == "face" ? Use::corners : element.name == "tristrips" ? Use::strip : Use::none;
   }
@@ -347,10 +351,25 @@ class PlyReader {
     if (std::none_of(last, header_.elements.end(), takes_bytes))
       if (std::string rest = values_.rest(); !rest.empty()) soup_.notes.push_back(std::move(rest));
     note_unread(name);
+    give_texture();
     return finish_soup(std::move(soup_), name);
   }
 
  private:
+  /// The image of the head is that of all polygons.
+  void give_texture() {
+    if (!at_corners_.values.empty() && std::ssize(soup_.attributes) < most_attributes) {
+      value_of_corner_.resize(soup_.corners.size(), no_value);
+      std::erase_if(soup_.attributes, [](const VertexAttribute& known) { return known.name == uv_attribute; });
+      soup_.give_to_corners(at_corners_, value_of_corner_);
+      soup_.attributes.push_back(std::move(at_corners_));
+    }
+    if (header_.texture.empty()) return;
+    Material material;
+    material.texture = soup_.texture(header_.texture, header_.texture_where);
+    soup_.materials.assign(soup_.outlines.size(), material);
+  }
+
   static bool takes_bytes(const PlyElement& element) { return element.count > 0 && !element.properties.empty(); }
 
   void note_unread(const std::string& name) {
@@ -383,9 +402,27 @@ class PlyReader {
         for (std::size_t a = 0; a < soup_.attributes.size(); ++a)
           soup_.add_value_of_point(soup_.attributes[a], numbers_[a], line, where);
       if (!face) continue;
+      keep_texture_coordinates(line);
       if (colored && alpha != 255) soup_.losses.opacities.add(where);
       soup_.close_outline(line, colored ? std::optional(soup_.color_of(color, where)) : std::nullopt, where);
     }
+  }
+
+  /// Of the corners of the face that was read: u and v of each.
+  void keep_texture_coordinates(std::int32_t line) {
+    if (texture_coordinates_.empty()) return;
+    const auto where = [&] { return values_.where(); };
+    const std::size_t first = static_cast<std::size_t>(soup_.first_corner());
+    if (texture_coordinates_.size() == 2 * (soup_.corners.size() - first)) {
+      value_of_corner_.resize(first, no_value);
+      for (std::size_t k = 0; k < texture_coordinates_.size(); k += 2) {
+        value_of_corner_.push_back(static_cast<std::int32_t>(std::ssize(at_corners_.values) / 2));
+        soup_.add_value(at_corners_, std::span(texture_coordinates_).subspan(k, 2), line, where);
+      }
+    } else {
+      soup_.losses.values.add(where);
+    }
+    texture_coordinates_.clear();
   }
 
   /// Where a number of a vertex goes.
@@ -478,6 +515,8 @@ class PlyReader {
         else extend(strip, checked(index));
       } else if (use == Use::corners) {
         soup_.add_corner(checked(index), [&] { return values_.where(); });
+      } else if (use == Use::texture) {
+        texture_coordinates_.push_back(index);
       }
     }
   }
@@ -514,6 +553,9 @@ class PlyReader {
   PolygonSoup soup_;
   std::int64_t declared_points_ = 0;
   std::array<std::array<double, most_components>, most_attributes> numbers_{};  ///< of the vertex at work
+  std::vector<double> texture_coordinates_;                                     ///< of the face at work
+  VertexAttribute at_corners_{uv_attribute, 2, {}, {}, {}, {}};
+  std::vector<std::int32_t> value_of_corner_;
 };
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "algorithms/scene/builder.hpp"
 #include "algorithms/scene/built_in/built_in.hpp"
 #include "algorithms/scene/files/polygon_soup.hpp"
+#include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
@@ -291,7 +292,7 @@ class Reader {
     top_.finish();
     if (surface != nullptr) {
       result = read_surface_scene(*surface, std::move(result));
-      if (order != nullptr) put_in_order_of(*order, result.scene);
+      if (order != nullptr) put_in_order_of(*order, result);
       return result;
     }
 
@@ -300,13 +301,14 @@ class Reader {
     read_in_file_order(polygons, meshes, builder);
     if (builder.size() == 0) throw InputError(file_, "the scene has no polygons", "add a [[polygon]] or a [[mesh]]");
     result = builder.finish();
-    if (order != nullptr) put_in_order_of(*order, result.scene);
+    if (order != nullptr) put_in_order_of(*order, result);
     return result;
   }
 
  private:
   /// order = ["B", "A"]: each polygon once, by its name.
-  void put_in_order_of(const toml::array& order, Scene& scene) const {
+  void put_in_order_of(const toml::array& order, SceneFile& file) const {
+    Scene& scene = file.scene;
     std::map<std::string_view, std::size_t> by_name;
     for (std::size_t k = 0; k < scene.polygons.size(); ++k) by_name.try_emplace(*scene.polygons[k].name, k);
     std::vector<std::int32_t> place_of(scene.polygons.size(), -1);
@@ -328,6 +330,8 @@ class Reader {
       fail_at(order, file_, fmt::format("the order names {} of {} polygons", next, scene.polygons.size()),
               "give each polygon's name once");
     put_in_order(scene, place_of);
+    const std::vector<Color> unlit = file.unlit_colors;
+    for (std::size_t k = 0; k < unlit.size(); ++k) file.unlit_colors[place_of[k]] = unlit[k];
   }
 
   std::optional<Color> color(Keys& keys, std::string_view key) {
@@ -366,11 +370,16 @@ class Reader {
     });
     PolygonSoup soup;
     PointMerger merger;
+    at_vertices_.clear();
     if (keep_points_)
       for (const SharedPoint& point : shared_points_)
         soup.add_point(point.position, point.line, [&] { return fmt::format("{}:{}", file_, point.line); });
     const auto flush = [&] {
-      if (!soup.outlines.empty()) builder.add(std::exchange(soup, {}), file_, {});
+      if (!soup.outlines.empty()) {
+        give_to_vertices(soup);
+        load_textures(soup, beside_scene());
+        builder.add(std::exchange(soup, {}), file_, {});
+      }
       merger = PointMerger();
     };
     for (const Part& part : parts) {
@@ -401,6 +410,8 @@ class Reader {
     }
     const auto polygon_color = color(keys, "color");
     const MaterialKeys material = read_material(keys, file_);
+    const auto texture = keys.text("texture");
+    const toml::table* at_vertices = keys.table("at_vertices");
     keys.not_both("points", "corners", "keep one: points are coordinates, corners are indices into the scene's points");
     const auto where = [&] { return fmt::format("{}:{}", file_, line); };
     const toml::array* points = keys.array("points");
@@ -427,7 +438,77 @@ class Reader {
       }
     soup.close_outline(line, polygon_color, where);
     soup.materials.push_back(material.over({}));
+    if (texture) soup.materials.back().texture = soup.texture(*texture, at_line(*keys.find("texture")));
     soup.names.push_back(std::move(name));
+    if (at_vertices != nullptr) read_at_vertices(*at_vertices, soup);
+  }
+
+  std::string at_line(const toml::node& node) const { return fmt::format("{}:{}", file_, line_of(node)); }
+
+  /// at_vertices = { uv = [[0, 0], [1, 0], [1, 1]], heat = [1, 2, 3] }: lists of as many values as the polygon, the
+  /// last one, has corners.
+  void read_at_vertices(const toml::table& table, PolygonSoup& soup) {
+    const Facet outline = soup.outlines.back();
+    for (const auto& [key, node] : table) {
+      const std::string name(key.str());
+      const toml::array* list = node.as_array();
+      if (list == nullptr || std::ssize(*list) != outline.corner_count)
+        fail_at(node, file_, fmt::format("{} is no list of {} values", in_quotes(name), outline.corner_count),
+                "give one for each corner of the polygon");
+      const auto values = values_in(*list, name);
+      const auto [place, is_new] = at_vertices_.try_emplace(name);
+      auto& [attribute, value_of_corner] = place->second;
+      const auto components = static_cast<std::int32_t>(values.front().size());
+      if (is_new) attribute.name = name, attribute.components = components;
+      if (std::ssize(at_vertices_) > most_attributes)
+        fail_at(node, file_, fmt::format("there are more than {} names of values", most_attributes), "leave some out");
+      value_of_corner.resize(static_cast<std::size_t>(outline.first_corner), no_value);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        if (std::ssize(values[k]) != attribute.components)
+          fail_at((*list)[k], file_,
+                  fmt::format("a value of {} has {} numbers, and others have {}", in_quotes(name), values[k].size(),
+                              attribute.components),
+                  "give all as many");
+        value_of_corner.push_back(static_cast<std::int32_t>(std::ssize(attribute.values) / attribute.components));
+        soup.add_value(attribute, values[k], line_of((*list)[k]), [&] { return at_line(node); });
+      }
+    }
+  }
+  /// Numbers, lists of them, or colours by name.
+  std::vector<std::vector<double>> values_in(const toml::array& list, const std::string& name) const {
+    std::vector<std::vector<double>> values;
+    for (const toml::node& node : list) {
+      std::vector<double>& value = values.emplace_back();
+      if (const auto text = node.value<std::string>(); text && name == color_attribute) {
+        const auto known = color_from_text(*text);
+        if (!known) fail_at(node, file_, fmt::format("{} is no colour", in_quotes(*text)), "write #rrggbb");
+        value = {known->red / 255.0, known->green / 255.0, known->blue / 255.0};
+      } else if (const toml::array* numbers = node.as_array()) {
+        for (const toml::node& number : *numbers) value.push_back(number_in(number, file_, name));
+      } else {
+        value.push_back(number_in(node, file_, name));
+      }
+      if (value.empty() || std::ssize(value) > most_components)
+        fail_at(node, file_, fmt::format("a value of {} has {} numbers", in_quotes(name), value.size()),
+                fmt::format("give 1 to {}", most_components));
+      const std::size_t needed = name == color_attribute || name == normal_attribute ? 3 : name == uv_attribute ? 2 : 0;
+      if (needed > 0 && value.size() != needed)
+        fail_at(node, file_, fmt::format("{} has {} numbers", in_quotes(name), value.size()),
+                fmt::format("give {}", needed));
+    }
+    return values;
+  }
+  void give_to_vertices(PolygonSoup& soup) {
+    for (auto& [name, of] : at_vertices_) {
+      of.value_of_corner.resize(soup.corners.size(), no_value);
+      soup.give_to_corners(of.attribute, of.value_of_corner);
+      soup.attributes.push_back(std::move(of.attribute));
+    }
+    at_vertices_.clear();
+  }
+  /// Images lie in the scene's folder or below.
+  ImageFinder beside_scene() const {
+    return [this](std::string_view named) { return beside_mesh(std::filesystem::path(file_).parent_path(), named); };
   }
 
   void read_mesh_entry(const toml::table& table, SceneBuilder& builder) {
@@ -438,6 +519,7 @@ class Reader {
     const auto base = color(keys, "color");
     const MaterialKeys material = read_material(keys, file_);
     const Placement placement = read_placement(keys, file_);
+    const auto texture = keys.text("texture");
     keys.finish();
     if (!path && !built_in)
       fail_at(table, file_, "the mesh has neither 'file' nor 'builtin'", "add file = \"mesh.obj\"");
@@ -450,6 +532,13 @@ class Reader {
         fail_at(*keys.find("builtin"), file_, fmt::format("there is no built-in mesh {}", in_quotes(*built_in)),
                 suggestion(*built_in, built_in_meshes()));
       soup = std::move(*found);
+    }
+    if (texture) {  // that of all, in place of the mesh's own
+      soup.textures.clear();
+      soup.materials.resize(soup.outlines.size());
+      const std::int32_t number = soup.texture(*texture, at_line(*keys.find("texture")));
+      for (Material& one : soup.materials) one.texture = number;
+      load_textures(soup, beside_scene());
     }
     const bool few = soup.outlines.size() <= palette.size() && !base;
     // Polygons have lines of one file, the scene's own: those of a mesh stand at its [[mesh]].
@@ -491,6 +580,12 @@ class Reader {
   bool screen_ = false;
   bool keep_points_ = false;  ///< each of the list is a vertex, under its number there
   std::vector<SharedPoint> shared_points_;
+  /// Values at the vertices of polygons, by name, and which of them each corner of the soup at work has.
+  struct AtVertices {
+    VertexAttribute attribute;
+    std::vector<std::int32_t> value_of_corner;
+  };
+  std::map<std::string, AtVertices> at_vertices_;
   std::map<std::string, std::int32_t> lines_of_names_;
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <map>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "algorithms/scene/builder.hpp"
@@ -16,6 +17,13 @@
 #include "traces/scene.hpp"
 
 namespace zstep::scene {
+
+std::string seen_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path relative = fs::relative(fs::absolute(file), fs::absolute(folder.empty() ? "." : folder), error);
+  return (error || relative.empty() ? fs::absolute(file) : relative).generic_string();
+}
 
 namespace {
 
@@ -146,7 +154,7 @@ std::vector<std::int32_t> corners_of(const Scene& scene, std::span<const Facet> 
 bool edit_polygons(TomlText& text, const Wanted& wanted) {
   // Each colour is a change of its own.
   for (std::size_t round = 0; round <= wanted.scene.polygons.size() + 1; ++round) {
-    const Scene read = read_scene_text(text.text(), wanted.path).scene;
+    const Scene read = read_as_wanted(text, wanted).scene;
     if (read.polygons.size() != wanted.scene.polygons.size()) return false;
     PolygonEdits edits(text, wanted, read);
     if (round == 0) {
@@ -160,6 +168,34 @@ bool edit_polygons(TomlText& text, const Wanted& wanted) {
   }
   return false;
 }
+
+SceneFile read_as_wanted(const TomlText& text, const Wanted& wanted) {
+  SceneFile file = read_scene_text(text.text(), wanted.path);
+  prepare_for_shade(file, wanted.conventions);
+  return file;
+}
+
+namespace {
+
+/// at_vertices of a polygon with these corners; nothing where no attribute has a value at all of them.
+std::string values_at(const Scene& scene, std::int32_t polygon, std::span<const std::int32_t> corners) {
+  std::vector<std::string> lists;
+  for (const VertexAttribute& attribute : scene.attributes) {
+    std::vector<std::string> values;
+    for (const std::int32_t corner : corners) {
+      const std::int32_t value = attribute.value_of(polygon, corner);
+      if (value == no_value) break;
+      const double* const first = attribute.values.data() + std::ptrdiff_t{value} * attribute.components;
+      const auto numbers = fmt::format("{}", fmt::join(first, first + attribute.components, ", "));
+      values.push_back(attribute.components == 1 ? numbers : "[" + numbers + "]");
+    }
+    if (values.size() == corners.size())
+      lists.push_back(fmt::format("{} = [{}]", in_toml(attribute.name), fmt::join(values, ", ")));
+  }
+  return lists.empty() ? "" : fmt::format("at_vertices = {{ {} }}\n", fmt::join(lists, ", "));
+}
+
+}  // namespace
 
 void write_polygons(TomlText& text, const Wanted& wanted) {
   const Scene& scene = wanted.scene;
@@ -188,7 +224,12 @@ void write_polygons(TomlText& text, const Wanted& wanted) {
     if (material.opacity != 1) polygons += fmt::format("opacity = {}\n", material.opacity);
     if (material.reflectance != 0) polygons += fmt::format("reflectance = {}\n", material.reflectance);
     if (material.refraction != 1) polygons += fmt::format("refraction = {}\n", material.refraction);
+    if (material.texture != no_texture) {
+      const std::string& source = scene.textures[static_cast<std::size_t>(material.texture)].source;
+      polygons += fmt::format("texture = {}\n", in_toml(seen_from(wanted.path.parent_path(), source)));
+    }
     polygons += fmt::format("corners = [{}]\n", fmt::join(corners, ", "));
+    polygons += values_at(scene, index32(k), corners);
   }
   text.append(polygons);
 }

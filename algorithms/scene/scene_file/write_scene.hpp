@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "algorithms/scene/load.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
 #include "traces/scene.hpp"
 
@@ -17,6 +18,12 @@ struct Wanted {
 
 /// Points, colours and the order of polygons, each changed where it stands. False where that cannot be.
 bool edit_polygons(TomlText& text, const Wanted& wanted);
+
+/// What the text says, as the wanted scene was made of what its file says.
+SceneFile read_as_wanted(const TomlText& text, const Wanted& wanted);
+
+/// The path of a file as a scene file in this folder has to name it.
+std::string seen_from(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// All points and polygons written out, in place of those of the text.
 void write_polygons(TomlText& text, const Wanted& wanted);

@@ -3,13 +3,16 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <glm/matrix.hpp>
 
 #include "algorithms/viewing/camera.hpp"
 #include "sim/answers/origin/work.hpp"
-#include "traces/formulas/attributes.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/formulas/of_colors.hpp"
 #include "traces/formulas/of_shadows.hpp"
 #include "traces/formulas/viewing.hpp"
@@ -76,6 +79,48 @@ static void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, st
   datum.is(round(formulas::laid_over(alpha, over, under)), of);
 }
 
+/// A channel of a polygon's pixel from what was interpolated there, by the steps `found`.
+static void tell_shade(Datum& datum, Work& work, const formulas::Shading& shading, std::int32_t polygon, int which,
+                       const std::array<Step, 3>& found) {
+  using formulas::Shade;
+  const std::array<double, 3> a = work.machine().components;
+  const auto given = [&](std::int32_t k) { return work.field(found[k], "attribute", a[k]); };
+  const Number color = work.color_of(polygon, which);
+  if (shading.shade == Shade::colors) return datum.is("round(255*a)", {{"a", given(which)}});
+  if (shading.shade == Shade::gouraud)
+    return datum.is("round(min(colour*diffuse + 255*highlight, 255))",
+                    {{"colour", color}, {"diffuse", given(0)}, {"highlight", given(1)}});
+  for (std::int32_t k = 0; k < shading.components(); ++k)
+    if (found[k]) work.later(*found[k], "attribute");
+  if (shading.shade == Shade::phong) {
+    const formulas::Reflected light = formulas::reflected(shading.lighting, {a[0], a[1], a[2]});
+    return datum.is("round(min(colour*diffuse + 255*highlight, 255))",
+                    {{"colour", color}, {"diffuse", light.diffuse}, {"highlight", light.highlight}});
+  }
+  const Texture* const texture =
+      formulas::is_of_texture(shading.shade) ? formulas::texture_of(work.scene, polygon) : nullptr;
+  const std::string image = texture ? std::filesystem::path(texture->source).filename().string() : "";
+  if (texture && shading.shade == Shade::nearest) {
+    const auto [column, row] = formulas::on_texture(*texture, a[0], a[1]);
+    datum.is("texel", {{"texel", channel(formulas::nearest_texel(*texture, a[0], a[1]), which)}});
+    return datum.at_source(fmt::format("{}, texel ({}, {})", image, std::floor(column), std::floor(row)));
+  }
+  if (texture) {
+    const formulas::FourTexels four = formulas::four_texels(*texture, a[0], a[1]);
+    std::vector<Given> operands;
+    for (std::size_t i = 0; i < 4; ++i) {
+      operands.push_back({fmt::format("part_{}", i), four.part[i]});
+      operands.push_back({fmt::format("texel_{}", i), channel(four.color[i], which)});
+    }
+    datum.is("round(part_0*texel_0 + part_1*texel_1 + part_2*texel_2 + part_3*texel_3)", std::move(operands));
+    return datum.at_source(image);
+  }
+  if (formulas::is_of_texture(shading.shade)) return datum.is("colour", {{"colour", color}});
+  if (shading.shade == Shade::checker)
+    return datum.is("round(colour*square)", {{"colour", color}, {"square", formulas::checker_shade(a[0], a[1])}});
+  datum.is("round(colour*stripe)", {{"colour", color}, {"stripe", formulas::stripe_shade(a[0])}});
+}
+
 static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std::string_view field) {
   if (!names_channel(field)) return;
   const int which = channel_of(field);
@@ -100,19 +145,11 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& 
     const std::int32_t polygon = work.buffers().picture.polygon[work.buffers().picture.at(e.x, e.y)];
     const formulas::Shading shading = formulas::shading_of(work.scene, work.conventions);
     std::array<Step, 3> found{};  // of the numbers that were interpolated, the last one first
-    for (std::int32_t k = shading.components; k-- > 0;) {
-      found[k] = work.last<AttributeInterpolate>(k + 1 < shading.components ? *found[k + 1] - 1 : step);
+    for (std::int32_t k = shading.components(); k-- > 0;) {
+      found[k] = work.last<AttributeInterpolate>(k + 1 < shading.components() ? *found[k + 1] - 1 : step);
       if (!found[k]) break;
     }
-    if (shading.shade == formulas::Shade::gouraud)
-      return datum.is("round(255*a)", {{"a", work.field(found[which], "attribute", m.components[which])}});
-    for (std::int32_t k = 0; k < shading.components; ++k)
-      if (found[k]) work.later(*found[k], "attribute");
-    if (shading.shade == formulas::Shade::checker)
-      return datum.is("round(colour*square)", {{"colour", work.color_of(polygon, which)},
-                                               {"square", formulas::checker_shade(m.components[0], m.components[1])}});
-    return datum.is("round(colour*stripe)", {{"colour", work.color_of(polygon, which)},
-                                             {"stripe", formulas::stripe_shade(m.attribute->attribute)}});
+    return tell_shade(datum, work, shading, polygon, which, found);
   }
   if (tell_coverage(datum, work, step, e.x, e.y, which)) return;
   datum.note("the ink of what is drawn there");

@@ -4,7 +4,7 @@
 
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
-#include "traces/formulas/attributes.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::answers {
@@ -64,13 +64,14 @@ Number Work::attribute(std::int32_t vertex, std::string_view component) {
   const std::int32_t value = shading.attribute ? shading.attribute->value_of(polygon, vertex) : no_value;
   const std::string what = fmt::format("{} at vertex {}", component, vertex_name(vertex));
   std::int32_t number = 0;
-  while (number + 1 < shading.components && formulas::component_name(shading.shade, number) != component) ++number;
+  while (number + 1 < shading.components() && shading.name(number) != component) ++number;
   if (value == no_value)
     return derived(0, what, what, std::string(component), 0, [](Datum& datum) { datum.note("the vertex has none"); });
-  const double known = formulas::component_of(*shading.attribute, polygon, vertex, number);
+  const double known = formulas::at_vertex(shading, polygon, vertex, number);
   return derived(0, fmt::format("{} {}", shading.attribute->name, value), what, std::string(component), known,
                  [&](Datum& datum) {
-                   datum.given();
+                   if (shading.shade == formulas::Shade::gouraud) datum.note("light at the vertex, by its normal");
+                   else datum.given();
                    datum.at_source(source_of_value(*shading.attribute, value, vertex));
                  });
 }

@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/viewer/charts/chart.hpp"
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/draw/fonts.hpp"

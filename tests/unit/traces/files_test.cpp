@@ -11,7 +11,7 @@
 #include <unistd.h>
 #endif
 
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 #include "traces/file/files.hpp"
 

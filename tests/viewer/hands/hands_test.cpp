@@ -13,7 +13,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 #include "sim/words/escaped.hpp"
 #include "tests/viewer/hands/hands.hpp"
 #include "tests/where.hpp"

@@ -253,7 +253,7 @@ TEST_CASE("attributes: fixed-point numbers are refused, and other methods have n
 
 TEST_CASE("attributes of the scene: recorded, replayed and never doubted, and edges and half-planes agree in them") {
   const Scene scene = colored_floor();
-  for (const char* shade : {"gouraud", "checker"})
+  for (const char* shade : {"colors", "checker"})
     for (const Attribute attribute : {Attribute::linear, Attribute::perspective})
       for (const NumberFormat format : {NumberFormat::float64, NumberFormat::float32}) {
         CAPTURE(shade);
@@ -274,7 +274,7 @@ TEST_CASE("attributes of the scene: recorded, replayed and never doubted, and ed
           CHECK(numbers.size() > 25);
           if (by_edges.empty()) by_edges = numbers;
           for (const auto& [pixel, values] : numbers) {
-            REQUIRE(values.size() == (shade == std::string("gouraud") ? 3u : 2u));
+            REQUIRE(values.size() == (shade == std::string("colors") ? 3u : 2u));
             // Linearly, what clipping made bends the attribute, and triangles are cut another way.
             if (attribute == Attribute::linear || !by_edges.contains(pixel)) continue;
             for (std::size_t k = 0; k < values.size(); ++k)
@@ -289,7 +289,7 @@ TEST_CASE("attributes of the scene: one number wrong is found, and where a scene
   const Scene scene = colored_floor();
   Conventions linear, declared;
   linear.attribute = Attribute::linear, declared.attribute = Attribute::perspective;
-  linear.options["shade"] = declared.options["shade"] = "gouraud";
+  linear.options["shade"] = declared.options["shade"] = "colors";
   for (const char* name : {"z-buffer", "half-space"}) {
     TraceRecorder recorder(header_for(method(name), declared), scene);
     method(name).record(scene, linear, recorder);

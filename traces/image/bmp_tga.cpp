@@ -1,4 +1,4 @@
-#include "sim/image/bmp_tga.hpp"
+#include "traces/image/bmp_tga.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 
 #if ZSTEP_HAS_STB

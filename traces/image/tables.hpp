@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 
 namespace zstep {
 

@@ -1,4 +1,4 @@
-#include "sim/image/tables.hpp"
+#include "traces/image/tables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 #include "traces/math/portable_math.hpp"
 

@@ -9,10 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/image/bmp_tga.hpp"
-#include "sim/image/file.hpp"
-#include "sim/image/png.hpp"
-#include "sim/image/tables.hpp"
+#include "tests/exr_bytes.hpp"
+#include "traces/image/bmp_tga.hpp"
+#include "traces/image/exr.hpp"
+#include "traces/image/file.hpp"
+#include "traces/image/png.hpp"
+#include "traces/image/tables.hpp"
 #include "traces/error.hpp"
 
 namespace fs = std::filesystem;
@@ -253,4 +255,27 @@ TEST_CASE("a BMP or a TGA that cannot be held against a scene is refused with th
   for (const int kind : {2, 10})
     for (const int bits : {15, 16})
       CHECK(reason("a.tga", tga(kind, bits, row + row)).find("5 or 6 bits for each") != std::string::npos);
+}
+
+TEST_CASE("the depths of a .exr are read, and what has none or is cut off is refused") {
+  const Folder folder;
+  const auto read = [&](const std::string& bytes) {
+    std::ofstream(folder.path / "a.exr", std::ios::binary) << bytes;
+    return read_exr(folder.path / "a.exr");
+  };
+  const std::vector<float> depths{0.5f, 1.25f, std::numeric_limits<float>::infinity(), -3, 0, 7};
+  std::string rows;
+  for (const float depth : depths) rows += test::bytes_in(depth);
+  for (const char* channel : {"Z", "depth.Z", "Y"}) {
+    const Pfm read_depths = read(test::exr_of(3, 2, channel, rows));
+    CHECK(read_depths.width == 3);
+    CHECK(read_depths.height == 2);
+    CHECK(read_depths.values == depths);
+  }
+  const std::string whole = test::exr_of(3, 2, "Z", rows);
+  for (std::size_t length = 0; length < whole.size(); length += 7)
+    CHECK_THROWS_AS(read(whole.substr(0, length)), InputError);
+  std::string large = whole;
+  large.replace(large.find("box2i") + 6 + 4 + 8, 8, test::bytes_in(std::int64_t{0x7fffffff7fffffff}));
+  CHECK_THROWS_AS(read(large), InputError);
 }

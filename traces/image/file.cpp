@@ -1,4 +1,4 @@
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 
 #include <cerrno>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 
 namespace zstep {
 

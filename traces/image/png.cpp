@@ -1,4 +1,4 @@
-#include "sim/image/png.hpp"
+#include "traces/image/png.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include "sim/image/file.hpp"
+#include "traces/image/file.hpp"
 #include "traces/error.hpp"
 
 namespace zstep {
