@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "algorithms/scan_conversion/spans.hpp"
 #include "algorithms/viewing/clip.hpp"
@@ -365,6 +366,29 @@ Page page_for(const Conventions& conventions) {
   return page_with(Ways(conventions).by_plane ? interpolation::page() : z_buffer::page(), conventions);
 }
 
+namespace {
+
+constexpr ByEnum<formulas::Shade, const char*> shade_texts{
+    "frame[x,y] = colour of P, darker in every other stripe of a",
+    "frame[x,y] = colour of P, darker in every other stripe of a",
+    "frame[x,y] = (red, green, blue)",
+    "frame[x,y] = diffuse * colour of P + highlight",
+    "frame[x,y] = colour of P in the light on n",
+    "frame[x,y] = colour of P, darker in every other square",
+    "frame[x,y] = the texel at u, v",
+    "frame[x,y] = the four texels round u, v, mixed"};
+
+std::string attribute_text(formulas::Shade shade, Conventions::Attribute attribute) {
+  const formulas::Ingredients& of = formulas::ingredients[shade];
+  const std::span names(of.names.data(), static_cast<std::size_t>(of.count));
+  const std::string all = fmt::format("{}", fmt::join(names, ", "));
+  if (attribute == Conventions::Attribute::linear) return all + ", interpolated as z is";
+  return of.count == 1 ? "a = (a/z)/(1/z), each interpolated as z is"
+                       : fmt::format("a = (a/z)/(1/z) for a = {}, each interpolated as z is", all);
+}
+
+}  // namespace
+
 Page page_with(Page page, const Conventions& conventions) {
   const Ways ways(conventions);
   const auto shades = [](const StepInfo& line) { return line.id == step::attribute.id || line.id == step::shade.id; };
@@ -372,10 +396,10 @@ Page page_with(Page page, const Conventions& conventions) {
   if (ways.shades)
     for (const StepInfo& line : interpolation::page())
       if (shades(line)) page.push_back(line);
-  if (conventions.attribute == Conventions::Attribute::linear)
-    for (StepInfo& line : page)
-      if (line.id == step::attribute.id) line.text = "a, interpolated as z is";
+  const formulas::Shade shade = formulas::shade_of(conventions);
   for (StepInfo& line : page) {
+    if (line.id == step::attribute.id) line.text = attribute_text(shade, conventions.attribute);
+    if (line.id == step::shade.id) line.text = shade_texts[shade];
     if (line.id == z_buffer::step::clear.id && ways.comparison.nearer == Comparison::Nearer::greater)
       line.text = "frame[x,y] = background, zbuffer[x,y] = \u2212\u221e for all x, y";
     if (line.id == z_buffer::step::compare.id && ways.comparison != Comparison{})

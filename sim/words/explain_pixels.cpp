@@ -424,7 +424,9 @@ std::string by_shade(const Telling& t, const ColorWrite& e) {
     return fmt::format(": its polygon is in a {} {}", dark ? "dark" : "bright", part);
   };
   const auto lit = [](const formulas::Reflected& light) {
-    return fmt::format(": {} of its polygon's colour, and {} of white", number(light.diffuse), number(light.highlight));
+    constexpr double least_seen = 0.5 / 255;
+    return fmt::format(": {} of its polygon's colour{}", number(light.diffuse),
+                       light.highlight < least_seen ? "" : fmt::format(", and {} of white", number(light.highlight)));
   };
   switch (shading.shade) {
     case Shade::stripes:

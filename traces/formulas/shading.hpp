@@ -114,11 +114,15 @@ struct Shading {
   /// Does the scene have what the shade is made of?
   bool is_known() const { return shade == Shade::stripes || attribute != nullptr; }
 };
+inline Shade shade_of(const Conventions& conventions) {
+  const auto given = conventions.options.find(shade_key);
+  return given == conventions.options.end() ? Shade::stripes
+                                            : value_called<Shade>(given->second).value_or(Shade::stripes);
+}
 inline Shading shading_of(const Scene& scene, const Conventions& conventions) {
   Shading shading;
-  const auto given = conventions.options.find(shade_key);
-  if (given == conventions.options.end()) return shading;
-  shading.shade = value_called<Shade>(given->second).value_or(Shade::stripes);
+  shading.shade = shade_of(conventions);
+  if (shading.shade == Shade::stripes) return shading;
   const Ingredients& of = ingredients[shading.shade];
   for (const VertexAttribute& attribute : scene.attributes) {
     const bool is_it = of.attribute ? attribute.name == of.attribute && attribute.components >= of.components
