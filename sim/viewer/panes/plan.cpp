@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/plan_frame.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
-#include "traces/math/portable_math.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
@@ -50,24 +49,6 @@ Section section_of(const PlaneEquation* plane, Camera::Kind kind) {
   return section;
 }
 
-struct Frame {
-  glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  double scale = 1;
-  ImVec2 top, size;
-
-  void take(glm::dvec2 p) { low = glm::min(low, p), high = glm::max(high, p); }
-  void fit(ImVec2 top_, ImVec2 size_) {
-    top = top_, size = size_;
-    const glm::dvec2 extent = glm::max(high - low, glm::dvec2(1e-9));
-    scale = std::min(size.x * 0.8 / extent.x, size.y * 0.8 / extent.y);
-  }
-  ImVec2 place(glm::dvec2 p) const {
-    const glm::dvec2 from_middle = (p - (low + high) / 2.0) * scale;
-    return moved_by({top.x + size.x / 2, top.y + size.y / 2}, from_middle.x, -from_middle.y);
-  }
-  double reach() const { return glm::length(glm::dvec2(size.x, size.y)) / scale; }
-};
-
 /// A plane that is seen from its edge, as a x + b y + c = 0 in the section.
 std::optional<glm::dvec3> line_of(const PlaneEquation* plane, const Section& section) {
   if (plane == nullptr) return std::nullopt;
@@ -79,10 +60,10 @@ std::optional<glm::dvec3> line_of(const PlaneEquation* plane, const Section& sec
 
 /// The part of a node's line that lies in the node's own part of space.
 std::optional<std::array<glm::dvec2, 2>> reach_of_line(const MethodState& m, std::int32_t node, const Section& section,
-                                                       const Frame& frame) {
+                                                       const PlanFrame& frame) {
   const auto line = line_of(plane_of_node(m, node), section);
   if (!line) return std::nullopt;
-  const glm::dvec2 normal(*line), middle = (frame.low + frame.high) / 2.0;
+  const glm::dvec2 normal(*line), middle = frame.middle();
   const double length = glm::length(normal);
   const glm::dvec2 foot = middle - normal * ((glm::dot(normal, middle) + line->z) / (length * length));
   const glm::dvec2 way = glm::dvec2(-normal.y, normal.x) / length;
@@ -108,7 +89,7 @@ struct View {
   const MethodState& m;
   const Theme& c;
   Section section;
-  Frame frame;
+  PlanFrame frame;
   std::int32_t node;
   ImDrawList* list;
   TakenPlaces* names;  ///< of pieces
@@ -140,7 +121,7 @@ ImVec2 label_place(const View& v, const std::vector<glm::dvec2>& points, ImVec2 
     low = glm::min(low, p), high = glm::max(high, p);
     if (glm::length(p - points[0]) > longest) longest = glm::length(p - points[0]), way = (p - points[0]) / longest;
   }
-  const glm::dvec2 middle = (low + high) / 2.0, outwards = middle - (v.frame.low + v.frame.high) / 2.0;
+  const glm::dvec2 middle = (low + high) / 2.0, outwards = middle - v.frame.middle();
   glm::dvec2 normal(-way.y, way.x);
   if (glm::dot(normal, outwards) < -1e-9) normal = -normal;
   const ImVec2 at_piece = v.frame.place(middle);
@@ -199,12 +180,7 @@ void draw_planes(const View& v) {
   const auto line = line_of(plane_of_node(v.m, v.node), v.section);
   if (!ends || !line) return;
   const ImVec2 a = v.frame.place((*ends)[0]), b = v.frame.place((*ends)[1]);
-  const float length = portable::length(b.x - a.x, b.y - a.y);
-  for (float k = 0; k < length; k += 14) {  // dashed
-    const float stop = std::min(k + 9, length);
-    stroke_line(v.list, {a.x + (b.x - a.x) * k / length, a.y + (b.y - a.y) * k / length},
-                {a.x + (b.x - a.x) * stop / length, a.y + (b.y - a.y) * stop / length}, v.c.now, 2.5f * v.ui.thin);
-  }
+  stroke_dashed(v.list, a, b, v.c.now, 2.5f * v.ui.thin);
 }
 
 /// + and − beside the first piece of the node at work.
@@ -239,7 +215,7 @@ void draw_sides(const View& v) {
 void draw_the_eye(const View& v) {
   const Camera& camera = v.s.scene().camera;
   if (camera.kind == Camera::Kind::screen) return;
-  const glm::dvec2 middle = (v.frame.low + v.frame.high) / 2.0;
+  const glm::dvec2 middle = v.frame.middle();
   const bool far = camera.kind == Camera::Kind::orthographic;
   const glm::dvec2 eye = far ? middle + v.section.flat(camera.eye) * v.frame.reach() : v.section.flat(camera.eye);
   ImVec2 place = v.frame.place(eye);

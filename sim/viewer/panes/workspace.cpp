@@ -41,8 +41,10 @@ std::vector<std::string> exact_lines(const std::vector<std::pair<std::string, do
 
 namespace {
 
-/// Charts look through all of a run, so they are there only while they lead.
-bool is_chart(const Pane& pane) { return pane.id == depth_error_pane.id || pane.id == depth_units_pane.id; }
+/// Charts look through all of a run, and a section has a plane at few steps, so they are there only while they lead.
+bool only_leads(const Pane& pane) {
+  return pane.id == depth_error_pane.id || pane.id == depth_units_pane.id || pane.id == section_pane.id;
+}
 
 std::vector<Pane> usual_leads(const std::vector<Pane>& panes, const Header& header) {
   const auto rank = [&](const Pane& pane) { return pane.leads ? pane.leads(header) : 0; };
@@ -67,7 +69,7 @@ std::vector<Pane> stage_panes(const Header& header) {
   std::vector<Pane> panes{frame_pane};
   if (const Pane* depths = depth_pane_of(header)) panes.push_back(*depths);
   for (const Pane& pane : structure_panes(header)) panes.push_back(pane);
-  for (const Pane* pane : {&slice_pane, &depth_error_pane, &depth_units_pane})
+  for (const Pane* pane : {&slice_pane, &section_pane, &depth_error_pane, &depth_units_pane})
     if (pane->serves(header)) panes.push_back(*pane);
   return panes;
 }
@@ -82,7 +84,7 @@ Workspace workspace(const Header& header, const std::string& lead) {
       if (pane.id == lead || lead_together(pane, lead)) stage.leading.push_back(pane);
   }
   for (const Pane& pane : panes)
-    if (!is_chart(pane) && !find(stage.leading, pane.id)) stage.small.push_back(pane);
+    if (!only_leads(pane) && !find(stage.leading, pane.id)) stage.small.push_back(pane);
   return stage;
 }
 
