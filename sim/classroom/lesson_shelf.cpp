@@ -72,15 +72,23 @@ std::vector<Lesson> all_lessons() {
 
 Lesson find_lesson(const std::string& id_or_path) {
   if (fs::path(id_or_path).extension() == ".md") return load_lesson(id_or_path);
-  std::vector<Lesson> lessons = all_lessons();
-  std::vector<std::string_view> ids;
-  std::string list;
-  for (Lesson& lesson : lessons) {
-    if (lesson.id == id_or_path) return std::move(lesson);
-    ids.push_back(lesson.id);
-    list += (list.empty() ? "" : ", ") + lesson.id;
+  std::vector<std::string> ids;
+  std::optional<InputError> broken;  // another lesson than the one that is asked for, or just that one
+  for (const fs::path& path : lesson_files()) {
+    try {
+      Lesson lesson = load_lesson(path);
+      if (lesson.id == id_or_path) return lesson;
+      ids.push_back(std::move(lesson.id));
+    } catch (const InputError& error) {
+      if (!broken) broken = error;
+    }
   }
-  throw InputError(id_or_path, "there is no lesson of this name" + did_you_mean(id_or_path, ids),
+  if (broken) throw *broken;
+  std::string list;
+  for (const std::string& id : ids) list += (list.empty() ? "" : ", ") + id;
+  throw InputError(id_or_path,
+                   "there is no lesson of this name" +
+                       did_you_mean(id_or_path, std::vector<std::string_view>(ids.begin(), ids.end())),
                    list.empty() ? "set ZSTEP_LESSONS to the folder of the lessons" : "the lessons are " + list);
 }
 

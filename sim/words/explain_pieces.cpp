@@ -332,7 +332,7 @@ void tell(Telling& t, const SideTest& e) {
         : e.side == Side::behind ? "behind"
                                  : "in",
         plane, number(e.least), number(e.greatest), both_sides ? "both sides" : "one side"));
-  t.formula(fmt::format("f at the corners of {}: {}", piece, range(e.least, e.greatest)));
+  t.formula(fmt::format("f at the vertices of {}: {}", piece, range(e.least, e.greatest)));
   t.value("least", e.least);
   t.value("greatest", e.greatest);
   if (!sorted || !of || !of->plane) return;

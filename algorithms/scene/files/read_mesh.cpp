@@ -136,7 +136,7 @@ void load_textures(PolygonSoup& soup, const ImageFinder& find) {
     try {
       const auto path = find(named);
       if (!path)
-        throw InputError(where, fmt::format("the image {} is not in the mesh's folder", in_quotes(named)),
+        throw InputError(where, fmt::format("there is no image {} in this folder or below", in_quotes(named)),
                          "put it there");
       note_input(*path);
       soup.textures.push_back(read_texture(*path, left));

@@ -48,7 +48,7 @@ class MaterialReader {
     do {
       const std::string_view word = file_.next_in_line();
       if (word == "newmtl") material();
-      else if (look_ != nullptr && same_word(word, "map_Kd")) texture();
+      else if (look_ != nullptr && same_word(word, "map_kd")) texture();
       else if (is_texture(word)) soup_.losses.textures.add([&] { return file_.where(); });
       else if (look_ != nullptr && word == "Kd") color();
       else if (look_ != nullptr && (word == "d" || word == "Tr")) opacity(word);

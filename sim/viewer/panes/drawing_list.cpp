@@ -35,7 +35,7 @@ TestLine line_of(std::int64_t at, const Event& event, bool wants_behind) {
         {{"piece", extents->piece}, {"other", extents->other}, {"axis", static_cast<std::int32_t>(extents->axis)}});
   } else if (const auto* sides = get_if<SideTest>(&event)) {
     line.numbers = range(sides->least, sides->greatest);
-    line.outcome = sides->side == Side::front ? "before" : std::string(word_of(sides->side));
+    line.outcome = sides->side == Side::front ? "in front" : std::string(word_of(sides->side));
     line.passed = sides->side == (wants_behind ? Side::behind : Side::front);
     if (sides->side == Side::crossing) line.outcome = "both sides";
     if (sides->side == Side::on) line.outcome = "in it";
@@ -60,10 +60,10 @@ constexpr std::array<KnownTest, 7> known_tests{{
     {"test_1", "1 x extents", false},
     {"test_2", "2 y extents", false},
     {"test_3", "3 P behind Q", true},
-    {"test_4", "4 Q before P", false},
+    {"test_4", "4 Q in front", false},
     {"test_5", "5 projections", false},
     {"test_3_swapped", "3 Q behind P", true},
-    {"test_4_swapped", "4 P before Q", false},
+    {"test_4_swapped", "4 P in front", false},
 }};
 
 std::vector<TestLine> lines_of(const Session& s, const std::vector<RecordedEvent>& made) {

@@ -20,7 +20,8 @@ constexpr double smallest_cell = 5, smallest_cell_of_samples = 14;
 /// The triangle at work, where its parts can be told apart.
 const TriangleWork* at_work(const State& state, const RasterMap& map) {
   const TriangleWork& triangle = state.machine.triangle;
-  return triangle.setup && map.cell >= smallest_cell ? &triangle : nullptr;
+  const bool mixes = !state.machine.sweep.covered.empty();  // of samples, when all triangles are drawn
+  return triangle.setup && !mixes && map.cell >= smallest_cell ? &triangle : nullptr;
 }
 
 struct Line {

@@ -169,7 +169,9 @@ void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {
   const Theme& c = ui.colors();
   const float width = ImGui::GetContentRegionAvail().x, pad = ui.em * 0.4f, key = ui.em * 1.5f;
   const Flow how{.width = width - 2 * pad - key};
-  const float text = flow_height(ui, answer.text, how), height = std::max(text + 2 * pad * 0.6f, ui.least_target);
+  std::string said = plain_text(parse_markdown(answer.text));
+  while (said.ends_with('\n')) said.pop_back();
+  const float text = flow_height(ui, said, how), height = std::max(text + 2 * pad * 0.6f, ui.least_target);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
   const float top = at.y + (height - text) / 2;
   can_be_hit(ui, at, end);
@@ -185,7 +187,7 @@ void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {
             given ? (answer.right ? "\u2713" : "\u2717") : fmt::format("{}", index + 1));
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({at.x + pad + key, top});
-  flow(ui, answer.text, how);
+  flow(ui, said, how);
   ImGui::SetCursorScreenPos(after);
   if (clicked) ui.session.answer(index);
 }

@@ -28,7 +28,8 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
                   share);
   };
   // Dark on a light border: visible on every colour a cell can have.
-  if (map.cell >= 3 && m.outline.size() > 1) {
+  const bool mixes = m.triangle.setup && !m.sweep.covered.empty();  // no polygon is at work any more
+  if (map.cell >= 3 && m.outline.size() > 1 && !mixes) {
     for (std::size_t i = 0; i < m.outline.size(); ++i)
       line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 3, IM_COL32(255, 255, 255, 255), 130);
     for (std::size_t i = 0; i < m.outline.size(); ++i)

@@ -372,8 +372,8 @@ int depth_in(const RayWork& rays, const RayRow& row) {
 std::vector<TableRow> ray_tree_rows(Ui& ui) {
   const Session& s = ui.session;
   const RayWork& rays = s.state().machine.rays;
-  constexpr ByEnum<RayRole, const char*> roles{"eye", "mirrored", "through", "to the light"};
-  constexpr ByEnum<RayRole, const char*> brief_roles{"eye", "mirror", "through", "light"};
+  constexpr ByEnum<RayRole, const char*> roles{"eye", "mirrored", "transmitted", "to the light"};
+  constexpr ByEnum<RayRole, const char*> brief_roles{"eye", "mirror", "transm.", "light"};
   std::vector<TableRow> rows;
   for (const RayRow& ray : rays.tree) {
     TableRow row;

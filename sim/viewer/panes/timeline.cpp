@@ -83,7 +83,7 @@ Sections sections_of(Ui& ui) {
     return sections;
   }
   for (const RowMarks::Mark& mark : ui.rows.of(trace)) sections.all.push_back({mark.position, mark.y});
-  sections.word = "row", sections.at = ui.rows.at(trace, position);
+  sections.word = "scan line", sections.at = ui.rows.at(trace, position);
   return sections;
 }
 
