@@ -119,9 +119,9 @@ inline constexpr std::int32_t no_texture = -1;
 /// What light does at a polygon beside giving it its colour. Only methods that follow light read it, and of the texture
 /// only those that interpolate.
 struct Material {
-  double opacity = 1;      ///< 0…1, the part of what lies behind that it hides; 0 is not to be seen at all
-  double reflectance = 0;  ///< 0…1, the part of the colour that comes along the mirrored ray
-  double refraction = 1;   ///< index of refraction n of what lies behind the face, against n = 1 before it
+  double opacity = 1;                 ///< 0…1, the part of what lies behind that it hides; 0 is not to be seen at all
+  double reflectance = 0;             ///< 0…1, the part of the colour that comes along the mirrored ray
+  double refraction = 1;              ///< index of refraction n of what lies behind the face, against n = 1 before it
   std::int32_t texture = no_texture;  ///< of Scene::textures
   bool operator==(const Material&) const = default;
 };

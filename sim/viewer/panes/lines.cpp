@@ -162,8 +162,9 @@ void draw_table(Ui& ui) {
     return;
   }
   const std::int32_t face = face_now(m);
-  say_empty(ui, face >= 0 ? fmt::format("Tested against {}: no part of it is hidden so far.", face_label(s.scene(), face))
-                          : std::string("It was tested against no polygon yet."));
+  say_empty(ui, face >= 0
+                    ? fmt::format("Tested against {}: no part of it is hidden so far.", face_label(s.scene(), face))
+                    : std::string("It was tested against no polygon yet."));
 }
 
 std::string about_line(const LineBegin& line) {
