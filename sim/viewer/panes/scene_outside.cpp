@@ -146,11 +146,12 @@ void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const 
     if (number >= 0 && number < std::ssize(m.pieces)) outline(m.pieces[number], 2.8, color);
 }
 
-void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
+TakenPlaces label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  TakenPlaces taken;
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
-  if (!m.pair || m.list.empty()) return;
+  if (!m.pair || m.list.empty()) return taken;
   for (const auto& [number, letter] : {std::pair{m.pair->other, "Q"}, {m.pair->piece, "P"}}) {
     if (number < 0 || number >= std::ssize(m.pieces)) continue;
     double left = map.box_width, right = 0, top = map.box_height;
@@ -167,12 +168,15 @@ void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
                     origin.y + std::max(0.0f, static_cast<float>(top))};
     ImGui::GetWindowDrawList()->AddRectFilled({at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}, c.pane);
     draw_text(ui, at, ui.fonts.bold, c.text, letter);
+    taken.take({at.x - 2, at.y}, {size.x + 4, size.y});
   }
   const auto* overlap = s.event() ? get_if<OverlapTest>(&s.event()->event) : nullptr;
-  if (!overlap || !overlap->overlap) return;
+  if (!overlap || !overlap->overlap) return taken;
   const ImVec2 at = moved_by(origin, map.px(overlap->x_at), map.py(overlap->y_at));
   stroke_line(ImGui::GetWindowDrawList(), {at.x - 6, at.y - 6}, {at.x + 6, at.y + 6}, c.text, 3 * ui.thin);
   stroke_line(ImGui::GetWindowDrawList(), {at.x - 6, at.y + 6}, {at.x + 6, at.y - 6}, c.text, 3 * ui.thin);
+  taken.take({at.x - 6, at.y - 6}, {12, 12});
+  return taken;
 }
 
 namespace {

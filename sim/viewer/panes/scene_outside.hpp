@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/viewer/model/outside.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
@@ -22,8 +23,9 @@ bool pick_parts(Ui& ui, const Room& room, const Picture& seen, ImVec2 size, ImVe
 std::int32_t piece_shown(const Moment& now);
 /// Over the wireframe.
 void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin);
-/// P with its letter to its left, Q to its right; and where their projections were found to overlap.
-void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin);
+/// P with its letter to its left, Q to its right; and where their projections were found to overlap. The places that
+/// these take.
+TakenPlaces label_pair(Ui& ui, const RasterMap& map, ImVec2 origin);
 
 /// Whether the scene is seen so: as the reader chose; else unless pieces are compared on the raster, as in depth sort,
 /// or there are too many polygons to be drawn at every move.
