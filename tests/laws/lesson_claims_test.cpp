@@ -286,6 +286,12 @@ TEST_CASE("what lessons say about other runs than their own is so") {
        "{count(attribute where x == 30 and y == 10 and attribute == 1.25) = 1} "
        "{count(attribute where x == 30 and polygon == \"F\" and attribute > 0.51 and attribute < 0.76) = 8} "
        "{count(attribute where x == 8 and y == 11 and attribute == 1.45) = 1}"},
+      {"light-at-vertices: by normals, there is a highlight in the middle of A", "dome.toml", "z-buffer",
+       "[conventions]\nattribute = \"perspective\"\n[options]\nshade = \"phong\"",
+       "{count(attribute) = 1083} {count(shade) = 361} {count(compare where not nearer) = 162} "
+       "{count(attribute where x == 12 and y == 10 and abs(attribute - 4/15) < 0.0000001) = 1} "
+       "{count(shade where x == 12 and y == 10 and r8 == 255 and g8 == 223 and b8 == 175) = 1} "
+       "{count(shade where polygon == \"A\" and g8 > 200) = 1}"},
       {"coherence: rays ask every polygon at every pixel", "two-objects.toml", "ray-casting", "",
        "{count(plane) = 2048} {count(box_test) = 0}"},
       {"coherence: a box around each polygon", "two-objects.toml", "ray-casting", "[options]\nboxes = \"facet\"",
