@@ -306,7 +306,10 @@ void tell(Telling& t, const AttributeInterpolate& e) {
                               e.y, name, number(e.attribute))
                 : fmt::format("At pixel ({}, {}) {} = {}, interpolated as it stands.", e.x, e.y, name,
                               number(e.attribute)));
-  t.derive(e);
+  t.derive_from(e, [](MethodState& machine) {
+    if (machine.component > 0) --machine.component;
+    else machine.attribute.reset();
+  });
   if (!divides) {
     t.follows("a", "over_z", e.over_z);
     t.value("a", e.attribute);

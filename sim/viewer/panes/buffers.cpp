@@ -17,6 +17,7 @@
 #include "traces/file/header.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
@@ -94,14 +95,18 @@ void draw_frame(Ui& ui) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const Kept<Cells>& cells = ui.heat ? *keep(ui.cells, "heat", color_heat, *ui.heat, scene, ui.depth_scale)
                                      : *keep(ui.cells, "frame", color_frame, ui.moment());
-  draw_raster(
-      ui, "frame", ui.presenter && !ui.heat ? 0 : legend_height(ui), cells,
-      [&](std::size_t at, int) {
-        if (ui.heat) return heat_text(ui, at);
-        const std::int32_t p = s.picture().polygon[at];
-        return p < 0 ? std::string() : polygon_label(scene, p);
-      },
-      [&](Cell cell) { return about_cell(ui, cell); }, {{}, !ui.heat});
+  // Where pixels of a polygon have colours of their own, a letter in each would hide how these change.
+  const Conventions& conventions = s.header().conventions;
+  const bool shades = conventions.attribute != Conventions::Attribute::none &&
+                      !formulas::is_of_stripes(formulas::shade_of(conventions));
+  std::function<std::string(std::size_t, int)> text = [&](std::size_t at, int) {
+    if (ui.heat) return heat_text(ui, at);
+    const std::int32_t p = s.picture().polygon[at];
+    return p < 0 ? std::string() : polygon_label(scene, p);
+  };
+  if (shades && !ui.heat) text = nullptr;
+  draw_raster(ui, "frame", ui.presenter && !ui.heat ? 0 : legend_height(ui), cells, text,
+              [&](Cell cell) { return about_cell(ui, cell); }, {{}, !ui.heat});
   if (!ui.heat) return;
   ImGui::SetCursorScreenPos(corner);
   draw_heat_legend(ui, bottom);

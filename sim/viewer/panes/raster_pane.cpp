@@ -344,7 +344,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   ImGui::PushClipRect(origin, end, true);
   const auto ends = span_ends(ui, map, origin);
   TakenPlaces taken = ends ? ends->taken() : TakenPlaces();
-  const bool has_numbers = draw_numbers(ui, map, origin, cells.made, cell_text);
+  const bool has_numbers = cell_text && draw_numbers(ui, map, origin, cells.made, cell_text);
   if (!has_numbers || talk.polygons) mark_half_planes(ui, map, origin, taken, has_numbers);
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(taken));
   cover_cells_to_come(ui, id, map, origin);
