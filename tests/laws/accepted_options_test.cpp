@@ -15,6 +15,7 @@
 #include "tests/golden/golden.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
+#include "traces/formulas/shading.hpp"
 
 using namespace zstep;
 
@@ -23,8 +24,9 @@ namespace {
 std::vector<Scene> scenes_of(Camera::Kind kind) {
   std::vector<Scene> all;
   for (const char* name : {"pyramid", "intersecting", "lessons/scenes/six-walls.toml", "lessons/scenes/panes.toml",
-                           "lessons/scenes/lamp.toml", "tests/golden/shadow.toml", "lessons/scenes/slanting.toml",
-                           "tests/golden/edges.toml", "tests/golden/scan-line.toml", "y = sin(x)*cos(z)"}) {
+                           "lessons/scenes/lamp.toml", "tests/golden/shadow.toml", "tests/golden/textured.toml",
+                           "lessons/scenes/slanting.toml", "tests/golden/edges.toml", "tests/golden/scan-line.toml",
+                           "y = sin(x)*cos(z)"}) {
     const std::string text = name;
     const bool file = text.ends_with(".toml");
     Scene scene = load_scene(file ? test::in_checkout(text) : text).scene;
@@ -121,12 +123,14 @@ TEST_CASE("law: each word of each option of a method makes another run of some s
         const std::string word(words.substr(0, bar));
         words.remove_prefix(std::min(bar + 1, words.size()));
         if (word == option.standard) continue;
-        Conventions other;
+        Conventions usual, other;
+        // A shade is of an attribute that is interpolated.
+        if (option.name == formulas::shade_key) usual.attribute = other.attribute = Conventions::Attribute::linear;
         other.options[std::string(option.name)] = word;
         CAPTURE(method.id);
         CAPTURE(option.name);
         CAPTURE(word);
-        CHECK(taken(method, scenes, {}, other) == Takes::with_effect);
+        CHECK(taken(method, scenes, usual, other) == Takes::with_effect);
         ++options;
       }
     }

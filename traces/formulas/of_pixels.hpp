@@ -284,6 +284,12 @@ auto over_depth_of_vertex(Out& out, const Situation& at, const AttributeInterpol
   const Shading shading = shading_of(at.scene, at.header.conventions);
   if (!shading.is_known() || (shading.attribute && !at.is_facet(at.method().facet)))
     return std::optional<OverDepth<T>>();
+  // What clipping made has its value by view coordinates of the facet's own vertices.
+  if (shading.attribute && !at.is_point(vertex)) {
+    const Facet& facet = at.scene.facets[at.method().facet];
+    for (std::int32_t k = 0; k < facet.corner_count; ++k)
+      if (!at.viewed(at.scene.corners[facet.first_corner + k])) return std::optional<OverDepth<T>>();
+  }
   const std::int32_t component = component_at_work(at, shading, e.x, e.y);
   const double value = attribute_at(at, shading, component, vertex, stages ? stages->view : glm::dvec3(0));
   const std::string_view name = shading.name(component);
