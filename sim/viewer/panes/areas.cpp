@@ -36,7 +36,15 @@ void frame(Canvas& canvas, const Box& b, int thickness, Pixel32 color) {
 
 bool has_pixels(const AreaBegin& a) { return a.first_column < a.end_column && a.first_row < a.end_row; }
 
-void paint_areas(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& thin) {
+/// The area that this one is a quarter of; nullptr where it is no quarter.
+const AreaRow* quartered(const MethodState& m, std::int32_t area) {
+  const std::int32_t parent = m.areas[static_cast<std::size_t>(area)].entry.parent;
+  return parent >= 0 && parent < std::ssize(m.areas) ? &m.areas[static_cast<std::size_t>(parent)] : nullptr;
+}
+
+/// `came`: how far the area at work has come from the whole that it is a quarter of.
+void paint_areas(Canvas& canvas, const RasterMap& map, const Moment& now, const double& came, const Theme& c,
+                 const float& thin) {
   const MethodState& m = now.state().machine;
   const Picture& picture = now.state().picture;
   const int line = nearest_int(thin);
@@ -60,7 +68,12 @@ void paint_areas(Canvas& canvas, const RasterMap& map, const Moment& now, const 
       }
   const std::size_t at = m.area;
   if (m.area >= 0 && at < m.areas.size() && has_pixels(m.areas[at].entry)) {
-    const Box b = box_of(map, m.areas[at].entry);
+    Box b = box_of(map, m.areas[at].entry);
+    if (const AreaRow* whole = quartered(m, m.area); whole && came < 1) {
+      const Box from = box_of(map, whole->entry);
+      const auto mix = [&](int one, int other) { return nearest_int(one + came * (other - one)); };
+      b = {mix(from.left, b.left), mix(from.top, b.top), mix(from.right, b.right), mix(from.bottom, b.bottom)};
+    }
     frame(canvas, {b.left - 2 * line, b.top - 2 * line, b.right + 2 * line, b.bottom + 2 * line}, 4 * line,
           to_pixel(c.now));
   }
@@ -212,8 +225,11 @@ void draw_areas(Ui& ui) {
   const int height = static_cast<int>(beside ? avail.y : avail.y - bins_height);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width - 4, height - 4);
-  const Kept<Canvas>& canvas =
-      *keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint_areas, map, ui.moment(), ui.colors(), ui.thin);
+  const bool begins =
+      s.event() && holds<AreaBegin>(s.event()->event) && quartered(s.state().machine, s.state().machine.area);
+  const double came = begins && ui.arrived < 1 ? ui.on_way() : 1;
+  const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint_areas, map, ui.moment(),
+                                            came, ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + to_float(width - 4), at.y + to_float(height - 4)});

@@ -183,7 +183,9 @@ void draw_section(Ui& ui) {
   const double length = glm::length(farthest->at - first);
   if (length > 0) {
     const glm::dvec2 way = (farthest->at - first) / length;
-    const ImVec2 a = v.frame.place(first - way * v.frame.reach()), b = v.frame.place(first + way * v.frame.reach());
+    // It grows out of its piece.
+    const double reach = (ui.arrived < 1 ? ui.on_way() : 1) * v.frame.reach();
+    const ImVec2 a = v.frame.place(first - way * reach), b = v.frame.place(farthest->at + way * reach);
     stroke_dashed(v.list, a, b, v.c.now, 2.5f * ui.thin);
     draw_piece(v, tested->plane_of, own_corners, false);
     draw_piece(v, tested->piece, tested_corners, true);
