@@ -184,7 +184,8 @@ void draw_section(Ui& ui) {
   if (length > 0) {
     const glm::dvec2 way = (farthest->at - first) / length;
     // It grows out of its piece.
-    const double reach = (ui.arrived < 1 ? ui.on_way() : 1) * v.frame.reach();
+    const bool begins = s.event() && holds<SideTest>(s.event()->event);
+    const double reach = (begins && ui.arrived < 1 ? ui.on_way() : 1) * v.frame.reach();
     const ImVec2 a = v.frame.place(first - way * reach), b = v.frame.place(farthest->at + way * reach);
     stroke_dashed(v.list, a, b, v.c.now, 2.5f * ui.thin);
     draw_piece(v, tested->plane_of, own_corners, false);
