@@ -69,6 +69,11 @@ EdgeOn edge_on(const PlaneEquation& plane, const glm::dvec3& low, const glm::dve
   return view;
 }
 
+struct Corner {
+  glm::dvec2 at;
+  double value;  ///< in the plane's equation, as the step has it
+};
+
 struct View {
   Ui& ui;
   const Session& s;
@@ -77,6 +82,16 @@ struct View {
   ImDrawList* list;
   TakenPlaces taken;
 
+  /// No more text on the sides of this outline.
+  void keep_lines_free(const std::vector<Corner>& corners) {
+    constexpr float every = 6;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const ImVec2 a = frame.place(corners[k].at), b = frame.place(corners[(k + 1) % corners.size()].at);
+      const float length = std::max(1.0f, portable::length(b.x - a.x, b.y - a.y));
+      for (float along = 0; along < length; along += every)
+        taken.take({a.x + (b.x - a.x) * along / length - 2, a.y + (b.y - a.y) * along / length - 2}, {4, 4});
+    }
+  }
   /// Text in the first of these places, given by their middles, that is free and within the pane.
   void put(const std::string& text, ImU32 color, const ImFont* font, const std::vector<ImVec2>& middles) {
     const ImVec2 size = text_size(ui, font, text);
@@ -93,10 +108,6 @@ struct View {
   }
 };
 
-struct Corner {
-  glm::dvec2 at;
-  double value;  ///< in the plane's equation, as the step has it
-};
 std::vector<Corner> corners_of(const Session& s, const Piece& piece, const PlaneEquation& plane, const EdgeOn& view) {
   std::vector<Corner> corners;
   for (const std::int32_t vertex : piece.outline)
@@ -190,6 +201,7 @@ void draw_section(Ui& ui) {
     stroke_dashed(v.list, a, b, v.c.now, 2.5f * ui.thin);
     draw_piece(v, tested->plane_of, own_corners, false);
     draw_piece(v, tested->piece, tested_corners, true);
+    v.keep_lines_free(own_corners), v.keep_lines_free(tested_corners);
     // Its two sides, named along it; depths are greater on the far one.
     glm::dvec2 far(-way.y, way.x);
     if (far.y < 0) far = -far;
