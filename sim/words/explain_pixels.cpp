@@ -416,7 +416,7 @@ void tell(Telling& t, const LightShare& e) {
 namespace {
 
 /// What makes a pixel's colour of the numbers that were interpolated there.
-std::string by_shade(const Telling& t, const ColorWrite& e) {
+std::string by_shade(Telling& t, const ColorWrite& e) {
   using formulas::Shade;
   const formulas::Shading shading = formulas::shading_of(t.scene, t.conventions);
   const std::int32_t polygon = t.after.picture.polygon[t.after.picture.at(e.x, e.y)];
@@ -426,7 +426,8 @@ std::string by_shade(const Telling& t, const ColorWrite& e) {
   const auto in = [](bool dark, const char* part) {
     return fmt::format(": its polygon is in a {} {}", dark ? "dark" : "bright", part);
   };
-  const auto lit = [](const formulas::Reflected& light) {
+  const auto lit = [&t](const formulas::Reflected& light) {
+    t.value("diffuse", light.diffuse), t.value("highlight", light.highlight);
     constexpr double least_seen = 0.5 / 255;
     return fmt::format(": {} of its polygon's colour{}", number(light.diffuse),
                        light.highlight < least_seen ? "" : fmt::format(", and {} of white", number(light.highlight)));
@@ -448,9 +449,12 @@ std::string by_shade(const Telling& t, const ColorWrite& e) {
       break;
   }
   if (texture == nullptr) return ", that of its polygon, which has no texture";
-  const auto [column, row] = formulas::on_texture(*texture, a[0], a[1]);
+  const formulas::OnTexture at = formulas::on_texture(*texture, a[0], a[1]);
+  const double column = shading.shade == Shade::nearest ? std::floor(at.column) : at.column,
+               row = shading.shade == Shade::nearest ? std::floor(at.row) : at.row;
+  t.value("column", column), t.value("row", row);
   return shading.shade == Shade::nearest
-             ? fmt::format(": that of texel ({}, {}) of its texture", std::floor(column), std::floor(row))
+             ? fmt::format(": that of texel ({}, {}) of its texture", column, row)
              : fmt::format(": mixed of the four texels round ({}, {})", number(column), number(row));
 }
 

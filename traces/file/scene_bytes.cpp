@@ -209,6 +209,8 @@ void put_extras(Bytes& out, const Scene& scene) {
   }
   put_varint(out, scene.file_points.size());
   for (int axis = 0; axis < 3; ++axis) put_coordinates(out, scene.file_points, axis);
+  if (scene.attributes.empty()) return;
+  put_varint(out, scene.attributes.size());
   for (const VertexAttribute& attribute : scene.attributes) put_attribute(out, attribute);
 }
 
@@ -279,10 +281,13 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
   }
   scene.file_points.resize(count_of_points(in));
   for (int axis = 0; axis < 3; ++axis) take_coordinates(in, scene.file_points, axis);
-  while (!in.empty()) {
-    if (std::ssize(scene.attributes) == most_attributes) throw MalformedBytes("more of a kind than a scene can have");
+  if (in.empty()) return;
+  const std::uint64_t attributes = in.varint();
+  if (attributes > static_cast<std::uint64_t>(most_attributes))
+    throw MalformedBytes("more of a kind than a scene can have");
+  for (std::uint64_t k = 0; k < attributes; ++k)
     scene.attributes.push_back(take_attribute(in, std::ssize(scene.points)));
-  }
+  if (attributes == 0 || !in.empty()) throw MalformedBytes("the scene is followed by something");
 }
 
 }  // namespace

@@ -25,18 +25,24 @@ namespace {
 constexpr int most_channels = 64;
 constexpr std::int64_t most_side = std::int64_t{1} << 20, most_pixels = std::int64_t{1} << 26;
 
-/// What tinyexr made, freed with it.
+/// What tinyexr made, freed with it; what it could not make it has freed itself.
 struct Head : EXRHeader {
+  bool made = false;
   Head() { InitEXRHeader(this); }
   Head(const Head&) = delete;
   Head& operator=(const Head&) = delete;
-  ~Head() { FreeEXRHeader(this); }
+  ~Head() {
+    if (made) FreeEXRHeader(this);
+  }
 };
 struct Pixels : EXRImage {
+  bool made = false;
   Pixels() { InitEXRImage(this); }
   Pixels(const Pixels&) = delete;
   Pixels& operator=(const Pixels&) = delete;
-  ~Pixels() { FreeEXRImage(this); }
+  ~Pixels() {
+    if (made) FreeEXRImage(this);
+  }
 };
 
 /// The channel of depths; -1 where none is.
@@ -62,6 +68,7 @@ Pfm read_exr(const std::filesystem::path& path) {
   Head header;
   if (ParseEXRHeaderFromMemory(&header, &version, bytes.data(), bytes.size(), &reason) != TINYEXR_SUCCESS)
     fail("is a damaged .exr");
+  header.made = true;
   const EXRBox2i& window = header.data_window;
   const std::int64_t width = std::int64_t{window.max_x} - window.min_x + 1,
                      height = std::int64_t{window.max_y} - window.min_y + 1;
@@ -76,6 +83,7 @@ Pfm read_exr(const std::filesystem::path& path) {
   Pixels pixels;
   if (LoadEXRImageFromMemory(&pixels, &header, bytes.data(), bytes.size(), &reason) != TINYEXR_SUCCESS)
     fail("is a damaged .exr");
+  pixels.made = true;
   if (pixels.images == nullptr || pixels.width != width || pixels.height != height) fail("is a damaged .exr");
   const auto* const first = reinterpret_cast<const float*>(pixels.images[channel]);
   return {static_cast<int>(height), static_cast<int>(width), std::vector<float>(first, first + width * height)};

@@ -242,8 +242,12 @@ TEST_SUITE("meshes of other programs") {
     CHECK(obj_with("newmtl\nKd 1 0 0\n").notes.empty());
   }
 
-  TEST_CASE("OBJ: textures, and a Tr that hides all, have a note; colours of vertices are kept") {
-    CHECK(contains(note_of(obj_with("newmtl r\nmap_Kd a.png\nbump b.png\n")), "a.mtl:2: 2 textures are not drawn"));
+  TEST_CASE("OBJ: other textures, and a Tr that hides all, have a note, and colours of vertices are kept") {
+    const PolygonSoup textured = obj_with("newmtl r\nmap_Kd a.png\nbump b.png\n");
+    CHECK(contains(note_of(textured), "a.mtl:3: 1 texture is not kept"));
+    REQUIRE(textured.named_textures.size() == 1);
+    CHECK(textured.named_textures[0].named == "a.png");
+    CHECK(textured.materials[0].texture == 0);
     CHECK(contains(note_of(obj_with("newmtl r\nTr 1.0\n")), "a.mtl:2: 1 material is invisible by Tr 1"));
     for (const char* text : {"newmtl r\nTr 1\nd 1\n", "newmtl r\nd 1\nTr 1\n"}) {
       CHECK(obj_with(text).materials.empty());
@@ -337,7 +341,7 @@ TEST_SUITE("meshes of other programs") {
     CHECK(note_of(read_ply(unknown, "t")) == "t:9: 1 of element 'label' are not read");
   }
 
-  TEST_CASE("PLY: colours of vertices are kept, alpha and textures have a note, and a colour out of range is clamped") {
+  TEST_CASE("PLY: colours of vertices are kept, alpha has a note, and a colour out of range is clamped") {
     const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     std::string vertices =
         "ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement vertex 3\nproperty float x\n"
@@ -346,8 +350,10 @@ TEST_SUITE("meshes of other programs") {
         "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 2 3\n"
         "1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n";
     const PolygonSoup soup = read_ply(vertices, "t");
-    REQUIRE(soup.notes.size() == 1);
-    CHECK(contains(soup.notes[0], "t:3: 1 texture is not drawn"));
+    CHECK(soup.notes.empty());
+    REQUIRE(soup.named_textures.size() == 1);
+    CHECK(soup.named_textures[0].named == "a.png");
+    CHECK(soup.named_textures[0].where == "t:3");
     REQUIRE(soup.attributes.size() == 1);
     CHECK(soup.attributes[0].values[1] == 2.0 / 255);
     CHECK(soup.attributes[0].lines == std::vector<std::int32_t>{14, 15, 16});
