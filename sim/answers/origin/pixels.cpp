@@ -97,8 +97,9 @@ static void tell_shade(Datum& datum, Work& work, const formulas::Shading& shadin
     return datum.is("round(min(colour*diffuse + 255*highlight, 255))",
                     {{"colour", color}, {"diffuse", light.diffuse}, {"highlight", light.highlight}});
   }
-  const Texture* const texture =
-      formulas::is_of_texture(shading.shade) ? formulas::texture_of(work.scene, polygon) : nullptr;
+  const Texture* const texture = formulas::is_of_texture(shading.shade) && entry(work.scene.polygons, polygon)
+                                     ? formulas::texture_of(work.scene, polygon)
+                                     : nullptr;
   const std::string image = texture ? std::filesystem::path(texture->source).filename().string() : "";
   if (texture && shading.shade == Shade::nearest) {
     const auto [column, row] = formulas::on_texture(*texture, a[0], a[1]);

@@ -15,6 +15,7 @@
 #include "algorithms/half_space/half_space.hpp"
 #include "algorithms/interpolation/interpolation.hpp"
 #include "algorithms/scene/load.hpp"
+#include "sim/answers/explain_value.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/where.hpp"
@@ -129,6 +130,27 @@ TEST_CASE("shades: textures and attributes of a header that cannot be are refuse
   CHECK(refused([](Json& j) { j["attributes"][0]["values"][0] = "inf"; }).find("number inf") != std::string::npos);
   CHECK(refused([](Json& j) { j["attributes"][1]["name"] = j["attributes"][0]["name"]; }).find("two attributes") !=
         std::string::npos);
+}
+
+TEST_CASE("shades: where a program writes no polygon a pixel's colour is explained all the same") {
+  for (const formulas::Shade shade : all_shades) {
+    const Conventions conventions = shaded_by(word_of(shade));
+    const Trace whole = test::recorded_by("half-space", textured(conventions), conventions);
+    TraceRecorder recorder(whole.header(), whole.scene());
+    whole.each(0, whole.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+      if (!holds<PixelWrite>(recorded.event)) record_any(recorder, recorded.step, recorded.event);
+      return true;
+    });
+    recorder.finish();
+    const Trace trace = Trace::from_bytes(recorder.take_bytes(), "no polygon written");
+    int explained = 0;
+    trace.each(0, trace.size(), [&](std::int64_t at, const RecordedEvent& recorded) {
+      if (holds<ColorWrite>(recorded.event) && ++explained < 20)
+        CHECK(!answers::explain_value(trace, {at, "r8"}).links.empty());
+      return explained < 20;
+    });
+    CHECK(explained > 10);
+  }
 }
 
 TEST_CASE("shades: an image of one colour gives that colour, and at the centres of texels mixed is as nearest") {
