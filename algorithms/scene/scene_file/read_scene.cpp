@@ -470,7 +470,7 @@ class Reader {
                               attribute.components),
                   "give all as many");
         value_of_corner.push_back(static_cast<std::int32_t>(std::ssize(attribute.values) / attribute.components));
-        soup.add_value(attribute, values[k], line_of((*list)[k]), [&] { return at_line(node); });
+        soup.add_value(attribute, values[k], line_of((*list)[k]), [&] { return at_line(*list); });
       }
     }
   }
