@@ -25,26 +25,6 @@ namespace {
 constexpr int most_channels = 64;
 constexpr std::int64_t most_side = std::int64_t{1} << 20, most_pixels = std::int64_t{1} << 26;
 
-/// What tinyexr made, freed with it; what it could not make it has freed itself.
-struct Head : EXRHeader {
-  bool made = false;
-  Head() { InitEXRHeader(this); }
-  Head(const Head&) = delete;
-  Head& operator=(const Head&) = delete;
-  ~Head() {
-    if (made) FreeEXRHeader(this);
-  }
-};
-struct Pixels : EXRImage {
-  bool made = false;
-  Pixels() { InitEXRImage(this); }
-  Pixels(const Pixels&) = delete;
-  Pixels& operator=(const Pixels&) = delete;
-  ~Pixels() {
-    if (made) FreeEXRImage(this);
-  }
-};
-
 /// The channel of depths; -1 where none is.
 int depths_of(const EXRHeader& header) {
   for (int k = 0; k < header.num_channels; ++k)
@@ -65,10 +45,12 @@ Pfm read_exr(const std::filesystem::path& path) {
   EXRVersion version;
   if (ParseEXRVersionFromMemory(&version, bytes.data(), bytes.size()) != TINYEXR_SUCCESS) fail("is no .exr");
   if (version.multipart || version.non_image || version.tiled) fail("is a .exr in tiles or of several parts");
-  Head header;
+  EXRHeader header;
+  InitEXRHeader(&header);
   if (ParseEXRHeaderFromMemory(&header, &version, bytes.data(), bytes.size(), &reason) != TINYEXR_SUCCESS)
     fail("is a damaged .exr");
-  header.made = true;
+  // What tinyexr could not make it has freed itself.
+  const std::unique_ptr<EXRHeader, decltype(&FreeEXRHeader)> made_header(&header, &FreeEXRHeader);
   const EXRBox2i& window = header.data_window;
   const std::int64_t width = std::int64_t{window.max_x} - window.min_x + 1,
                      height = std::int64_t{window.max_y} - window.min_y + 1;
@@ -80,10 +62,11 @@ Pfm read_exr(const std::filesystem::path& path) {
   if (header.pixel_types[channel] == TINYEXR_PIXELTYPE_UINT) fail("has whole numbers for depths");
   for (int k = 0; k < header.num_channels; ++k)
     if (header.pixel_types[k] == TINYEXR_PIXELTYPE_HALF) header.requested_pixel_types[k] = TINYEXR_PIXELTYPE_FLOAT;
-  Pixels pixels;
+  EXRImage pixels;
+  InitEXRImage(&pixels);
   if (LoadEXRImageFromMemory(&pixels, &header, bytes.data(), bytes.size(), &reason) != TINYEXR_SUCCESS)
     fail("is a damaged .exr");
-  pixels.made = true;
+  const std::unique_ptr<EXRImage, decltype(&FreeEXRImage)> made_pixels(&pixels, &FreeEXRImage);
   if (pixels.images == nullptr || pixels.width != width || pixels.height != height) fail("is a damaged .exr");
   const auto* const first = reinterpret_cast<const float*>(pixels.images[channel]);
   return {static_cast<int>(height), static_cast<int>(width), std::vector<float>(first, first + width * height)};
