@@ -197,7 +197,9 @@ class Reader {
               fmt::format("make its raster smaller: a homework's has at most {}", most_scene_pixels));
     check_run(*homework_.method, scene, task.conventions, file_);
     if (formulas::shading_of(scene, task.conventions).shade != formulas::Shade::stripes)
-      fail_at(at, file_, fmt::format("{} shades by more than programs are told of a scene", formulas::shade_key),
+      fail_at(at, file_,
+              fmt::format("{} = \"{}\" needs values at the vertices, and the scenes of a homework give programs none",
+                          formulas::shade_key, word_of(formulas::shade_of(task.conventions))),
               "leave it out, or write shade = \"stripes\"");
     if (const std::string why = why_not_plain(*homework_.method, scene); !why.empty())
       fail_at(at, file_, fmt::format("the scene {} {}", task.name, why),
