@@ -35,7 +35,7 @@ Image read_image(const std::filesystem::path& path) {
     case Format::none:
       break;
   }
-  throw InputError(path.string(), "is no picture that is read", "convert it to .png");
+  throw InputError(path.string(), "is no picture that zstep reads", "convert it to .png");
 }
 
 }  // namespace zstep

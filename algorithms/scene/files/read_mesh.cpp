@@ -112,7 +112,7 @@ namespace {
 
 /// Throws InputError where it cannot be read, or has more texels than are left.
 Texture read_texture(const fs::path& path, std::int64_t left) {
-  if (!is_image(path)) throw InputError(path.string(), "is no picture that is read", "convert it to .png");
+  if (!is_image(path)) throw InputError(path.string(), "is no picture that zstep reads", "convert it to .png");
   const Image image = read_image(path);
   if (std::int64_t{image.width} * image.height > left)
     throw InputError(path.string(),
@@ -143,7 +143,7 @@ void load_textures(PolygonSoup& soup, const ImageFinder& find) {
       left -= std::ssize(soup.textures.back().texels);
       number_of[k] = index32(soup.textures.size() - 1);
     } catch (const InputError& error) {
-      soup.notes.push_back(fmt::format("{}; nothing has this texture", error.what()));
+      soup.notes.push_back(fmt::format("{}; this texture is left out", error.what()));
     }
   }
   soup.named_textures.clear();

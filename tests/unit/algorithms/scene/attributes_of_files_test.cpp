@@ -94,7 +94,7 @@ TEST_SUITE("scene/attributes of files") {
           std::string::npos);
     CHECK(note_of("/etc/passwd").find("there is no image") != std::string::npos);
     CHECK(note_of("../../README.md").find("there is no image") != std::string::npos);
-    CHECK(note_of("bsp.toml").find("is no picture that is read") != std::string::npos);
+    CHECK(note_of("bsp.toml").find("is no picture that zstep reads") != std::string::npos);
   }
 
   TEST_CASE("OBJ: the image of a material is found, each once, and those that are too large have a note") {
