@@ -26,7 +26,7 @@ struct ViewOptions {
 struct SceneFile {
   Scene scene;
   Conventions conventions;            ///< the scene's own, where it states any
-  std::vector<Color> unlit_colors{};  ///< of each polygon, before what has no colour was lit to be told apart
+  std::vector<Color> unlit_colors{};  ///< of each polygon, before light was put on those that bring no colour
   std::vector<std::string> notes;  ///< what a user should know about it, a sentence each: holes, polygons not drawn, …
 };
 

@@ -421,7 +421,8 @@ std::string by_shade(Telling& t, const ColorWrite& e) {
   const formulas::Shading shading = formulas::shading_of(t.scene, t.conventions);
   const std::int32_t polygon = t.after.picture.polygon[t.after.picture.at(e.x, e.y)];
   if (!shading.is_known() || polygon == no_polygon) return "";
-  const std::array<double, 3>& a = t.machine.components;
+  std::array<double, 3> a = t.machine.components;
+  if (shading.components() == 1) a[0] = t.machine.attribute->attribute;  // also of a pixel that is written twice
   const Texture* const texture = formulas::texture_of(t.scene, polygon);
   const auto in = [](bool dark, const char* part) {
     return fmt::format(": its polygon is in a {} {}", dark ? "dark" : "bright", part);

@@ -83,7 +83,8 @@ static void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, st
 static void tell_shade(Datum& datum, Work& work, const formulas::Shading& shading, std::int32_t polygon, int which,
                        const std::array<Step, 3>& found) {
   using formulas::Shade;
-  const std::array<double, 3> a = work.machine().components;
+  std::array<double, 3> a = work.machine().components;
+  if (shading.components() == 1) a[0] = work.machine().attribute->attribute;  // also of a pixel that is written twice
   const auto given = [&](std::int32_t k) { return work.field(found[k], "attribute", a[k]); };
   const Number color = work.color_of(polygon, which);
   if (shading.shade == Shade::colors) return datum.is("round(255*a)", {{"a", given(which)}});

@@ -18,7 +18,7 @@ struct RasterTalk {
 };
 
 /// Draws the raster into what is left of the pane. `cell_text` says what stands in a pixel, with so many decimals,
-/// if anything; `cell_tip` what the mouse is told there.
+/// if anything; `cell_tip` what the mouse shows there.
 void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>& cells,
                  const std::function<std::string(std::size_t, int)>& cell_text,
                  const std::function<std::vector<std::string>(Cell)>& cell_tip, const RasterTalk& talk);
