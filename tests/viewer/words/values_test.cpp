@@ -11,6 +11,7 @@
 #include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/viewer/words/printed.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/formulas/walk.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -87,6 +88,20 @@ struct Says {
     if constexpr (std::is_same_v<E, HorizonTest>)
       return name == "upper[x]" ? machine.horizon.here->upper : machine.horizon.here->lower;
     if constexpr (std::is_same_v<E, ListInsert>) return at.piece(e.piece)->extent->z_max;
+    if constexpr (std::is_same_v<E, ColorWrite>) {
+      const formulas::Shading shading = formulas::shading_of(at.scene, at.header.conventions);
+      const auto [a_0, a_1, a_2] = machine.components;
+      if (name == "diffuse" || name == "highlight") {
+        const bool at_pixel = shading.shade == formulas::Shade::phong;
+        const formulas::Reflected light =
+            at_pixel ? formulas::reflected(shading.lighting, {a_0, a_1, a_2}) : formulas::Reflected{a_0, a_1};
+        return name == "diffuse" ? light.diffuse : light.highlight;
+      }
+      if (name == "column" || name == "row") {  // the golden traces have one image, mixed
+        const formulas::OnTexture here = formulas::on_texture(at.scene.textures.front(), a_0, a_1);
+        return name == "column" ? here.column : here.row;
+      }
+    }
     if constexpr (std::is_same_v<E, OutlineVertex>) {
       const auto p = at.on_raster(e.vertex);
       return name == "x_s" ? p->x : name == "y_s" ? p->y : p->z;
