@@ -17,25 +17,6 @@ namespace zstep::test {
 
 namespace fs = std::filesystem;
 
-Folder::Folder() {
-  std::random_device device;
-  path_ = fs::temp_directory_path() / ("zstep-cli-" + std::to_string(device()) + std::to_string(device()));
-  fs::create_directories(path_);
-}
-
-Folder::~Folder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::vector<std::string> Folder::names() const {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path_))
-    names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 Outcome shell(const Folder& folder, const std::string& line) {
   const Folder captured;
   const std::string command = "cd '" + folder.path().string() +
@@ -69,13 +50,6 @@ pid_t start(const Folder& folder, const std::vector<std::string>& arguments) {
     _exit(99);
   }
   return child;
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 void write_text(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }

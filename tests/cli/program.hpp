@@ -7,23 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "tests/folder.hpp"
+
 namespace zstep::test {
-
-/// A folder of its own for each test, gone afterwards.
-class Folder {
- public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-  std::vector<std::string> names() const;  ///< of the files in it, sorted
-
- private:
-  std::filesystem::path path_;
-};
 
 struct Outcome {
   int code = -1;  ///< 128 + signal when it was killed
@@ -39,7 +25,6 @@ Outcome shell(const Folder& folder, const std::string& line);
 /// What it says on standard error goes to the file `err`.
 pid_t start(const Folder& folder, const std::vector<std::string>& arguments);
 
-std::string text_of(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
 /// Whether a part is in a text.
 inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -20,8 +20,8 @@
 
 #include "sim/cli/app.hpp"
 #include "sim/cli/messages.hpp"
+#include "tests/folder.hpp"
 #include "tests/fuzz/questions.hpp"
-#include "tests/fuzz/temporary_folder.hpp"
 #include "tests/fuzz/trace_mutator.hpp"
 #include "tests/where.hpp"
 
@@ -35,11 +35,6 @@ namespace code = cli::exit_code;
 constexpr unsigned most_seconds = 5;  // what a person asks for, a large picture say, may take longer
 constexpr int shift = 100;            // of the exit code of a command that came to its end, apart from a sanitizer's
 constexpr int no_memory = 71;         // of libFuzzer, where more is asked for than it gives
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> words{""};
@@ -56,7 +51,7 @@ std::vector<std::string> split(const std::string& text, char at) {
 const std::vector<std::string>& known_lines() {
   static const std::vector<std::string> lines = [] {
     std::vector<std::string> found;
-    for (const std::string& line : split(text_of(test::in_checkout("docs/command-line.md")), '\n')) {
+    for (const std::string& line : split(test::text_of(test::in_checkout("docs/command-line.md")), '\n')) {
       if (!line.starts_with("$ zstep ")) continue;
       std::string words;
       for (const std::string& word : split(line.substr(8), ' ')) words += word + "\n";
@@ -80,7 +75,7 @@ std::string kept_inside(std::string word) {
 
 /// The files that the manual's command lines name.
 void put_files(const fs::path& folder) {
-  static const std::string lines = text_of(test::in_checkout("tests/golden/delhi.jsonl"));
+  static const std::string lines = test::text_of(test::in_checkout("tests/golden/delhi.jsonl"));
   static const Bytes trace = fuzz::bytes_of_lines(lines);
   std::ofstream(folder / "run.jsonl", std::ios::binary) << lines;
   std::ofstream(folder / "run.ztrace", std::ios::binary)
@@ -107,7 +102,7 @@ void put_files(const fs::path& folder) {
 }
 
 void run(const std::vector<std::string>& words) {
-  const fuzz::TemporaryFolder folder;
+  const test::Folder folder;
   put_files(folder.path());
   const pid_t process = fork();
   if (process < 0) return;
@@ -124,7 +119,7 @@ void run(const std::vector<std::string>& words) {
                              code::incomplete,
                              no_memory};
   if (WIFEXITED(status) && std::find(known.begin(), known.end(), WEXITSTATUS(status)) != known.end()) return;
-  std::cerr << text_of(folder / "stderr") << "ended with status " << status << ", of:";
+  std::cerr << test::text_of(folder / "stderr") << "ended with status " << status << ", of:";
   for (const std::string& word : words) std::cerr << " '" << word << "'";
   std::cerr << std::endl;
   fuzz::check(false);

@@ -8,8 +8,8 @@
 #include "algorithms/scene/load.hpp"
 #include "sim/classroom/lesson.hpp"
 #include "sim/classroom/markdown.hpp"
+#include "tests/folder.hpp"
 #include "tests/fuzz/questions.hpp"
-#include "tests/fuzz/temporary_folder.hpp"
 #include "tests/fuzz/text_mutator.hpp"
 #include "tests/where.hpp"
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// A lesson's file in a folder of its own, with the scenes of the checkout beside it.
 fs::path lesson_file() {
-  static const fuzz::TemporaryFolder folder;
+  static const test::Folder folder;
   if (!fs::exists(folder / "scenes"))
     fs::create_directory_symlink(test::in_checkout("lessons/scenes"), folder / "scenes");
   return folder / "1-fuzz.md";

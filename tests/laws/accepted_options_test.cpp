@@ -2,7 +2,6 @@
 // or makes another run.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/catalog/changes.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/folder.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
@@ -138,17 +138,17 @@ TEST_CASE("law: each word of each option of a method makes another run of some s
 }
 
 TEST_CASE("cull = true in a scene whose points are on the screen is refused, and so is a change to it") {
-  const auto file = std::filesystem::temp_directory_path() / "zstep-cull-on-screen.toml";
-  std::ofstream(file)
-      << "coordinates = \"screen\"\npoints = [[0, 0, 1], [4, 0, 1], [0, 4, 1]]\n[raster]\nwidth = 5\nheight = 5\n"
-         "[[polygon]]\ncorners = [0, 1, 2]\n[options]\ncull = true\n";
+  const test::Folder folder;
+  const std::string file = folder.write(
+      "s.toml",
+      "coordinates = \"screen\"\npoints = [[0, 0, 1], [4, 0, 1], [0, 4, 1]]\n[raster]\nwidth = 5\nheight = 5\n"
+      "[[polygon]]\ncorners = [0, 1, 2]\n[options]\ncull = true\n");
   std::string why;
   try {
-    load_scene(file.string());
+    load_scene(file);
   } catch (const InputError& error) {
     why = error.what();
   }
-  std::filesystem::remove(file);
   CHECK(why.find("cull needs an eye") != std::string::npos);
   Scene scene = scenes_of(Camera::Kind::screen).front();
   Conventions conventions;

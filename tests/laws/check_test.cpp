@@ -1,12 +1,9 @@
 // Law: no run of zstep's own is doubted, whatever method, scene and conventions, and its formulas give every bit.
 #include <doctest/doctest.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
@@ -15,6 +12,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/folder.hpp"
 #include "tests/laws/agreement/n_gons.hpp"
 #include "tests/sparse.hpp"
 #include "tests/where.hpp"
@@ -203,13 +201,10 @@ TEST_CASE(
 std::vector<Scene> meshes_from_files() {
   namespace fs = std::filesystem;
   std::vector<std::string> files;
-  const fs::path folder = fs::temp_directory_path() / fmt::format("zstep_meshes_{}", ::getpid());
-  fs::create_directories(folder);
+  const test::Folder folder;
   for (const test::NGonKind& kind : test::n_gon_kinds())
-    for (std::uint64_t seed = 100; seed < 103; ++seed) {
-      files.push_back((folder / fmt::format("{} {}.off", kind.name, seed)).string());
-      std::ofstream(files.back()) << kind.file(seed);
-    }
+    for (std::uint64_t seed = 100; seed < 103; ++seed)
+      files.push_back(folder.write(fmt::format("{} {}.off", kind.name, seed), kind.file(seed)));
   // By hand: a folder of other meshes.
   const char* more = std::getenv("ZSTEP_CHECK_MESHES");
   for (const std::string& of :
@@ -232,7 +227,6 @@ std::vector<Scene> meshes_from_files() {
       CHECK(file.find("hostile") != std::string::npos);
     }
   }
-  fs::remove_all(folder);
   return scenes;
 }
 

@@ -19,6 +19,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/folder.hpp"
 #include "tests/golden/golden.hpp"
 #include "traces/error.hpp"
 #include "tests/unit/traces/some_trace.hpp"
@@ -31,14 +32,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that is gone at the end, and a trace in it.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("zstep-killed-" + std::to_string(getpid()));
-  fs::path trace = path / "run.ztrace", journal = journal_of(trace);
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
+/// A folder for a trace.
+struct TraceFolder : test::Folder {
+  fs::path trace = path() / "run.ztrace", journal = journal_of(trace);
 };
 
 std::vector<RecordedEvent> events_of(const Trace& trace) {
@@ -82,7 +78,7 @@ std::int64_t record_and_be_killed(const fs::path& to, const Trace& like, const s
 }
 
 /// The steps that can be read of what was killed, the first ones of `all`.
-std::int64_t steps_kept(const Folder& folder, const std::vector<RecordedEvent>& all) {
+std::int64_t steps_kept(const TraceFolder& folder, const std::vector<RecordedEvent>& all) {
   const Trace trace = Trace::open(folder.trace);
   const std::vector<RecordedEvent> kept = events_of(trace);
   REQUIRE(kept.size() <= all.size());
@@ -109,7 +105,7 @@ void put_bytes(const fs::path& path, const std::string& bytes) { std::ofstream(p
 }  // namespace
 
 TEST_CASE("law: a recording that is killed keeps every step but those of its last span, whatever the method") {
-  const Folder folder;
+  const TraceFolder folder;
   test::for_each_golden([&](const std::string& name, const Trace& golden) {
     CAPTURE(name);
     const std::vector<RecordedEvent> events = events_of(golden);
@@ -119,7 +115,7 @@ TEST_CASE("law: a recording that is killed keeps every step but those of its las
 }
 
 TEST_CASE("law: a recording that is killed at any moment has lost the steps of its last span, and no more") {
-  const Folder folder;
+  const TraceFolder folder;
   const Trace run = long_run();
   const std::vector<RecordedEvent> events = events_of(run);
   REQUIRE(events.size() > 4 * block_events);
@@ -158,7 +154,7 @@ TEST_CASE("law: a recording that is killed at any moment has lost the steps of i
 }
 
 TEST_CASE("law: a recording takes the place of the trace that had its name once it can be opened itself") {
-  const Folder folder;
+  const TraceFolder folder;
   const Scene scene = some_scene();
   TraceRecorder(folder.trace, some_header(), scene).finish();
   Scene large = scene;  // its head takes time
@@ -202,7 +198,7 @@ TEST_CASE("law: a recording takes the place of the trace that had its name once 
 }
 
 TEST_CASE("journal: a recording that comes to its end leaves none, nor does one that is given up") {
-  const Folder folder;
+  const TraceFolder folder;
   const Scene scene = some_scene();
   {
     TraceRecorder recorder(folder.trace, some_header(), scene);
@@ -215,7 +211,7 @@ TEST_CASE("journal: a recording that comes to its end leaves none, nor does one 
 }
 
 TEST_CASE("journal: a file of that name that is none is left as it is") {
-  const Folder folder;
+  const TraceFolder folder;
   put_bytes(folder.journal, "Dear diary");
   const Scene scene = some_scene();
   TraceRecorder(folder.trace, some_header(), scene).finish();
@@ -224,7 +220,7 @@ TEST_CASE("journal: a file of that name that is none is left as it is") {
 }
 
 TEST_CASE("journal: it says nothing of another trace, and is not looked at beside a trace that is whole") {
-  const Folder folder;
+  const TraceFolder folder;
   const std::vector<RecordedEvent> events = random_events(300, 1);
   const Trace like = record_events(events);
   record_and_be_killed(folder.trace, like, events, [](auto...) {});
@@ -244,7 +240,7 @@ TEST_CASE("journal: it says nothing of another trace, and is not looked at besid
 }
 
 TEST_CASE("journal: damaged or cut anywhere, it tells fewer steps or others, and nothing is read beyond it") {
-  const Folder folder;
+  const TraceFolder folder;
   const Trace run = long_run();
   std::vector<RecordedEvent> events = events_of(run);
   events.resize(2000);

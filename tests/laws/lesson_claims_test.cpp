@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/classroom/lesson.hpp"
-#include "tests/laws/lesson_files.hpp"
+#include "tests/folder.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
 
@@ -40,7 +40,7 @@ std::string edited(std::string text, const Edits& edits) {
 void check(const Run& run) {
   CAPTURE(run.lesson);
   CAPTURE(run.head);
-  const test::LessonFolder folder;
+  const test::Folder folder;
   std::string scene = run.scene;
   const bool written_here = scene.find('\n') != std::string::npos;
   if (written_here || fs::path(scene).extension() == ".toml") {

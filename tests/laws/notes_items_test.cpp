@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "sim/classroom/lesson.hpp"
-#include "tests/laws/lesson_files.hpp"
+#include "tests/folder.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
 
@@ -66,7 +66,7 @@ TEST_CASE("law: each item of the lecture notes is shown at its stop") {
     ++(item.shows.find('{') == std::string::npos ? in_words : shown);
   }
   // Beside it what lessons open.
-  const test::LessonFolder folder;
+  const test::Folder folder;
   for (const char* beside : {"scenes", "runs", "homework"})
     fs::create_directory_symlink(test::in_checkout(std::string("lessons/") + beside), folder / beside);
   for (const auto& entry : by_lesson) {

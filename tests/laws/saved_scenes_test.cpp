@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "algorithms/scene/built_in/built_in.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/save.hpp"
+#include "tests/folder.hpp"
 #include "traces/error.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/trace_recorder.hpp"
@@ -163,7 +163,7 @@ TEST_CASE("a saved scene whose vertices meet, or whose polygon was bent and flat
 }
 
 TEST_CASE("a change is written where its value stands, and all else stays to the byte") {
-  const fs::path path = fs::temp_directory_path() / "zstep-saved-origin.toml";
+  const test::Folder folder;
   const std::string origin = R"(# A plate.
 [raster]
 width  = 16     # small
@@ -178,8 +178,7 @@ field_of_view = 50
 points = [[0, -1.0, -1],  # left
           [0, 1, -1], [ 0, 0, 1 ]]
 )";
-  std::ofstream(path) << origin;
-  const SceneFile file = load_scene(path.string());
+  const SceneFile file = load_scene(folder.write("origin.toml", origin));
   Scene scene = look_at_scene(file.scene, {});
   Conventions conventions = file.conventions;
   for (const Change& change : {Change{"size", "128x12"},
@@ -209,14 +208,14 @@ points = [[0, -1.0, -1],  # left
 color = "#ff0000"
 )");
   check_same_run(method("z-buffer"), scene, conventions, saved);
-  fs::remove(path);
 }
 
 TEST_CASE("scenes of formulas and meshes, and those whose file is gone, are saved too") {
   const Method& by = method("z-buffer");
-  const fs::path mesh = fs::temp_directory_path() / "zstep-saved-mesh.off";
-  std::ofstream(mesh) << "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0.25\n0 1 0\n0 0 0\n4 0 1 2 3\n3 4 2 1\n";
-  for (const std::string& name : {std::string("y = sin(x)"), mesh.string()}) {
+  const test::Folder folder;
+  const std::string mesh =
+      folder.write("mesh.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0.25\n0 1 0\n0 0 0\n4 0 1 2 3\n3 4 2 1\n");
+  for (const std::string& name : {std::string("y = sin(x)"), mesh}) {
     const SceneFile file = load_scene(name);
     Scene scene = look_at_scene(file.scene, {});
     Conventions conventions = file.conventions;

@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "sim/viewer/desktop/file_dialogue.hpp"
-#include "tests/fuzz/temporary_folder.hpp"
+#include "tests/folder.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;
@@ -26,7 +26,7 @@ class Desktop {
   ~Desktop() { setenv("PATH", before_.c_str(), 1); }
 
  private:
-  fuzz::TemporaryFolder folder_;
+  test::Folder folder_;
   std::string before_;
 };
 

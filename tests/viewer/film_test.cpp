@@ -9,6 +9,7 @@
 
 #include "sim/film/video.hpp"
 #include "sim/viewer/app.hpp"
+#include "tests/folder.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"
@@ -26,30 +27,28 @@ namespace {
 class Studio {
  public:
   explicit Studio(const std::string& ffmpeg) : was_(fs::current_path()), path_(std::getenv("PATH")) {
-    folder_ = fs::temp_directory_path() / fmt::format("zstep-film-{}", getpid());
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "bin");
     if (!ffmpeg.empty()) {
       std::ofstream(folder_ / "bin/ffmpeg") << "#!/bin/sh\nfor last; do :; done\n" << ffmpeg;
       fs::permissions(folder_ / "bin/ffmpeg", fs::perms::owner_all);
     }
-    setenv("PATH", ffmpeg.empty() ? "/nonexistent" : (folder_.string() + "/bin:" + path_).c_str(), 1);
-    fs::current_path(folder_);
+    setenv("PATH", ffmpeg.empty() ? "/nonexistent" : (folder_.path().string() + "/bin:" + path_).c_str(), 1);
+    fs::current_path(folder_.path());
   }
   ~Studio() {
     fs::current_path(was_);
     setenv("PATH", path_.c_str(), 1);
-    fs::remove_all(folder_);
   }
   std::vector<std::string> files() const {
     std::vector<std::string> names;
-    for (const auto& file : fs::directory_iterator(folder_))
+    for (const auto& file : fs::directory_iterator(folder_.path()))
       if (file.is_regular_file()) names.push_back(file.path().filename().string());
     return names;
   }
 
  private:
-  fs::path was_, folder_;
+  test::Folder folder_;
+  fs::path was_;
   std::string path_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/folder.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
@@ -21,18 +22,15 @@ void wait(App& app) {
 }
 
 struct TraceFile {
-  fs::path folder =
-      fs::temp_directory_path() / ("zstep-places-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+  test::Folder folder;
   fs::path file = folder / "run.ztrace";
   TraceFile() {
-    fs::create_directories(folder);
     const SceneFile scene_file = load_scene("delhi");
     const Scene scene = look_at_scene(scene_file.scene, {});
     TraceRecorder record(file, header_for(method("z-buffer"), scene_file.conventions), scene);
     method("z-buffer").record(scene, scene_file.conventions, record);
     record.finish();
   }
-  ~TraceFile() { fs::remove_all(folder); }
 };
 
 }  // namespace
@@ -178,11 +176,10 @@ TEST_CASE("Ctrl+B keeps a bookmark beside the trace, L lists them, Delete remove
 
 TEST_CASE("a lesson's bookmarks are kept by its name, and where none can be kept no name is asked for") {
   const Trace trace = test::record_run("delhi");
-  const fs::path kept =
-      fs::temp_directory_path() / ("zstep-kept-" + std::to_string(reinterpret_cast<std::uintptr_t>(&trace)));
+  const test::Folder kept;
   const char* const before = std::getenv("XDG_CONFIG_HOME");
   const std::string config = before ? before : "";
-  setenv("XDG_CONFIG_HOME", kept.c_str(), 1);
+  setenv("XDG_CONFIG_HOME", kept.path().c_str(), 1);
   Lesson lesson;
   lesson.id = "z-buffer";
   const auto keep = [&](App& app, std::int64_t step, const std::string& name) {
@@ -209,7 +206,6 @@ TEST_CASE("a lesson's bookmarks are kept by its name, and where none can be kept
   CHECK(none.session().message.find("zstep record") != std::string::npos);
   if (before) setenv("XDG_CONFIG_HOME", config.c_str(), 1);
   else unsetenv("XDG_CONFIG_HOME");
-  fs::remove_all(kept);
 }
 
 TEST_CASE("playing repeats what is set between [ and ]") {

@@ -8,6 +8,7 @@
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/viewer/start_overlay.hpp"
+#include "tests/folder.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 #include "traces/error.hpp"
@@ -228,8 +229,7 @@ TEST_CASE(
 
 TEST_CASE("a file of the reader's that was opened is offered again as long as it is there, the last first") {
   const Trace trace = test::record_run("pyramid");
-  const fs::path folder = fs::temp_directory_path() / ("zstep-own-" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  const test::Folder folder;
   const std::string first = (folder / "first = 1.off").string(), second = (folder / "second.off").string();
   for (const std::string& path : {first, second}) std::ofstream(path) << "OFF";
   Settings settings;
@@ -243,26 +243,24 @@ TEST_CASE("a file of the reader's that was opened is offered again as long as it
   CHECK(save_settings(folder / "viewer.ini", settings));
   settings = load_settings(folder / "viewer.ini");
   CHECK(settings.files == std::vector<std::string>{second, first});
-  CHECK(progress_text(folder).find("second.off") == std::string::npos);  // it stays on this computer
+  CHECK(progress_text(folder.path()).find("second.off") == std::string::npos);  // it stays on this computer
   fs::remove(second);
   options.opened_by = {"lesson", "z-buffer"};
   Stage stage(trace, options, settings, 1280, 720);
   test::press(stage.app(), SDLK_o, KMOD_LCTRL);
-  test::type(stage.app(), "zstep-own");
+  test::type(stage.app(), "zstep-test");
   stage.app().settle();
   const std::vector<const Offer*> found = stage.app().choices();
   REQUIRE(found.size() >= 1);
   CHECK(found[0]->id == first);
   CHECK(std::none_of(found.begin(), found.end(), [&](const Offer* one) { return one->id == second; }));
-  fs::remove_all(folder);
 }
 
 TEST_CASE("a path that is typed is completed from its folder: folders lead on, files that can be opened are opened") {
   const Trace trace = test::record_run("pyramid");
-  const fs::path folder = fs::temp_directory_path() / ("zstep-paths-" + std::to_string(getpid()));
-  fs::create_directories(folder / "meshes");
+  const test::Folder folder;
   for (const char* name : {"Ring.off", "ring.ztrace", "ring.txt", ".ring.off", "meshes/ring.ply"})
-    std::ofstream(folder / name) << "x";
+    folder.write(name, "x");
   ViewerOptions options = with_offers();
   Stage stage(trace, options, {}, 1280, 720);
   App& app = stage.app();
@@ -275,7 +273,7 @@ TEST_CASE("a path that is typed is completed from its folder: folders lead on, f
     for (const Offer* offer : app.choices()) names.push_back(offer->title);
     return names;
   };
-  const std::string at = folder.string() + "/";
+  const std::string at = folder.path().string() + "/";
   CHECK(listed(at) == std::vector<std::string>{"meshes/", "Ring.off", "ring.ztrace", "Open " + at});
   CHECK(listed(at + "r") == std::vector<std::string>{"Ring.off", "ring.ztrace", "Open " + at + "r"});
   CHECK(listed(at + ".r") == std::vector<std::string>{".ring.off", "Open " + at + ".r"});
@@ -284,7 +282,7 @@ TEST_CASE("a path that is typed is completed from its folder: folders lead on, f
   CHECK(app.choices()[0]->theme.empty());
   // Through a folder to a file, by Enter alone.
   listed(at + "me");
-  CHECK(app.choices()[0]->theme == "In " + folder.string());
+  CHECK(app.choices()[0]->theme == "In " + folder.path().string());
   test::press(app, SDLK_RETURN);
   CHECK(app.typed == at + "meshes/");
   app.settle();
@@ -292,5 +290,4 @@ TEST_CASE("a path that is typed is completed from its folder: folders lead on, f
   test::press(app, SDLK_RETURN);
   REQUIRE(app.requests.open);
   CHECK(app.requests.open->id == at + "meshes/ring.ply");
-  fs::remove_all(folder);
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/save.hpp"
 #include "sim/viewer/stage.hpp"
+#include "tests/folder.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/made_anew.hpp"
 #include "traces/error.hpp"
@@ -287,10 +287,9 @@ TEST_CASE("what if: a run that cannot be made anew says so") {
 
 TEST_CASE("what if: the changed scene is saved beside what is there") {
   namespace fs = std::filesystem;
-  const fs::path started = fs::current_path(), folder = fs::temp_directory_path() / "zstep-what-if-saved";
-  fs::remove_all(folder);
-  fs::create_directory(folder);
-  fs::current_path(folder);
+  const fs::path started = fs::current_path();
+  const test::Folder folder;
+  fs::current_path(folder.path());
   const Trace trace = test::record_run("pyramid");
   const ViewerOptions options = changing_or_another_method();
   Stage stage(trace, options, Settings{}, 1280, 720);
@@ -309,5 +308,4 @@ TEST_CASE("what if: the changed scene is saved beside what is there") {
   CHECK(load_scene("pyramid-changed-2.toml").scene.camera.theta == 41);
 
   fs::current_path(started);
-  fs::remove_all(folder);
 }

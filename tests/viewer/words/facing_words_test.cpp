@@ -1,12 +1,12 @@
 // The back-face test: three vertices are called three vertices, and the sum over the fan has a name of its own.
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
 #include "sim/words/explain.hpp"
+#include "tests/folder.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/viewer/words/printed.hpp"
 #include "tests/viewer/words/some_runs.hpp"
@@ -56,13 +56,13 @@ TEST_CASE("back-face test: of four corners three vertices say 250880, and the su
 }
 
 TEST_CASE("back-face test: of a concave polygon three vertices say the opposite of the sum") {
-  const auto file = std::filesystem::temp_directory_path() / "zstep-concave.toml";
-  std::ofstream(file) << "points = [[0, -1, -1], [0, 0, -0.5], [0, 1, -1], [0, 0, 1]]\n"
-                         "[raster]\nwidth = 9\nheight = 9\n[camera]\nrho = 8\ntheta = 0\nphi = 90\n"
-                         "[[polygon]]\nname = \"K\"\ncorners = [0, 1, 2, 3]\n";
-  const Trace trace = test::record_run(file.string());
+  const test::Folder folder;
+  const std::string file = folder.write("concave.toml",
+                                        "points = [[0, -1, -1], [0, 0, -0.5], [0, 1, -1], [0, 0, 1]]\n"
+                                        "[raster]\nwidth = 9\nheight = 9\n[camera]\nrho = 8\ntheta = 0\nphi = 90\n"
+                                        "[[polygon]]\nname = \"K\"\ncorners = [0, 1, 2, 3]\n");
+  const Trace trace = test::record_run(file);
   const auto lines = facing_formulas(trace, "K");
-  std::filesystem::remove(file);
   CHECK(line_of(lines, triple) == triple + " = \u22128");
   CHECK(line_of(lines, fan) == fan + triple + " + V_0\u00b7(V_2 \u00d7 V_3) = \u22128 + 32 = 24");
 }

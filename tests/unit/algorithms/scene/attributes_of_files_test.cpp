@@ -3,12 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/load.hpp"
 #include "algorithms/scene/save.hpp"
+#include "tests/folder.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
 #include "tests/where.hpp"
 
@@ -36,16 +36,6 @@ std::vector<double> value_at(const Scene& scene, const char* name, std::int32_t 
   return {first, first + attribute->components};
 }
 
-/// A folder of files for one test.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / "zstep-attributes-test";
-  Folder() { fs::remove_all(path), fs::create_directories(path / "images"); }
-  ~Folder() { fs::remove_all(path); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path / name) << text;
-    return (path / name).string();
-  }
-};
 const std::string two_texels = "P3\n2 1\n255\n255 0 0  0 0 255\n";
 
 }  // namespace
@@ -151,20 +141,20 @@ TEST_SUITE("scene/attributes of files") {
   TEST_CASE("law: a scene with attributes and textures that was changed is saved with them, and shaded alike") {
     const Folder folder;
     const std::string source = in_checkout("tests/golden/textured.toml");
-    fs::copy_file(in_checkout("tests/golden/texture.ppm"), folder.path / "texture.ppm");
-    fs::copy_file(source, folder.path / "textured.toml");
+    fs::copy_file(in_checkout("tests/golden/texture.ppm"), folder.path() / "texture.ppm");
+    fs::copy_file(source, folder.path() / "textured.toml");
     for (const char* shade : {"bilinear", "phong", "colors"}) {
       Conventions conventions;
       conventions.options["shade"] = shade;
-      SceneFile file = load_scene((folder.path / "textured.toml").string());
+      SceneFile file = load_scene((folder.path() / "textured.toml").string());
       prepare_for_shade(file, conventions);
       Scene scene = look_at_scene(file.scene, {});
       scene.points[2].z += 0.25, scene.points[3].z += 0.25;  // the fold
-      const SceneText saved = text_of_scene(scene, file.conventions, folder.path / "saved.toml");
+      const SceneText saved = text_of_scene(scene, file.conventions, folder.path() / "saved.toml");
       CHECK(saved.in_place);
       scene.source.clear();  // all is written out
-      const SceneText written = text_of_scene(scene, file.conventions, folder.path / "saved.toml");
-      const Scene again = look_at_scene(read_scene_text(written.text, folder.path / "saved.toml").scene, {});
+      const SceneText written = text_of_scene(scene, file.conventions, folder.path() / "saved.toml");
+      const Scene again = look_at_scene(read_scene_text(written.text, folder.path() / "saved.toml").scene, {});
       CHECK(runs_alike(scene, again));
       CHECK(value_at(again, "uv", 1, 2) == std::vector<double>{2, 0});
     }

@@ -8,6 +8,7 @@
 
 #include "algorithms/scene/mesh.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/folder.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
 #include "tests/where.hpp"
 
@@ -18,20 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string meshes = test::in_checkout("tests/data/meshes/");
-
-/// A folder of its own, gone at the end. Tests run side by side, each in its process.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("zstep_load_test_" + std::to_string(getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directories(path / "inner");
-  }
-  ~Folder() { fs::remove_all(path); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path / name, std::ios::binary) << text;
-    return (path / name).string();
-  }
-};
 
 }  // namespace
 
@@ -106,7 +93,7 @@ TEST_SUITE("load a scene") {
 
   TEST_CASE("an OBJ's material files are found as programs write their names, in the mesh's folder and below only") {
     const Folder folder;
-    fs::create_directories(folder.path / "inner/sub");
+    fs::create_directories(folder.path() / "inner/sub");
     folder.write("secret.mtl", "newmtl r\nKd 0 1 0\n");
     folder.write("inner/my.mtl", "newmtl r\nKd 1 0 0\n");
     folder.write("inner/a b.mtl", "newmtl r\nKd 1 1 1\n");
@@ -123,9 +110,9 @@ TEST_SUITE("load a scene") {
     for (const char* name : {"a b.mtl", "\"a b.mtl\""}) CHECK_MESSAGE((color_by(name) == Color{255, 255, 255}), name);
     // Neither a name nor a link leads out of the folder.
     std::error_code error;
-    fs::create_directory_symlink(folder.path, folder.path / "inner/link", error);
+    fs::create_directory_symlink(folder.path(), folder.path() / "inner/link", error);
     for (const std::string& name : {std::string("link/secret.mtl"), std::string("../secret.mtl"),
-                                    std::string("sub/../../secret.mtl"), (folder.path / "secret.mtl").string()})
+                                    std::string("sub/../../secret.mtl"), (folder.path() / "secret.mtl").string()})
       CHECK_MESSAGE(color_by(name) == scene::palette[0], name);
     folder.write("inner/bad.mtl", "newmtl r\nKd 1 x 0\n");
     const std::string bad = folder.write("inner/bad.obj", "mtllib BAD.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -146,9 +133,9 @@ TEST_SUITE("load a scene") {
   TEST_CASE("no file, a folder, a device, an unknown kind, no polygons") {
     const Folder folder;
     const auto error_of = [](const std::string& path) { return input_error([&] { load_scene(path); }); };
-    CHECK(contains(error_of(folder.path.string() + "/none.obj"), "none.obj: there is no such file"));
-    fs::create_directories(folder.path / "folder.obj");
-    CHECK(contains(error_of((folder.path / "folder.obj").string()), "is a folder"));
+    CHECK(contains(error_of(folder.path().string() + "/none.obj"), "none.obj: there is no such file"));
+    fs::create_directories(folder.path() / "folder.obj");
+    CHECK(contains(error_of((folder.path() / "folder.obj").string()), "is a folder"));
     CHECK(contains(error_of("mesh.3ds"), "there is no such scene; name a .toml, .obj, .off, .ply or .stl file"));
     CHECK(contains(error_of(folder.write("empty.obj", "v 0 0 0\n")), "the mesh has no polygons"));
     CHECK(contains(error_of(folder.write("empty.toml", "")), "the scene has no polygons"));
@@ -156,7 +143,7 @@ TEST_SUITE("load a scene") {
         contains(error_of(folder.write("m.glb", "glTF")), "a file of this kind is not read as a scene; name a .toml"));
     const std::string device = folder.write("device.toml", "[[mesh]]\nfile = \"zero.obj\"\n");
     std::error_code error;
-    fs::create_symlink("/dev/zero", folder.path / "zero.obj", error);
+    fs::create_symlink("/dev/zero", folder.path() / "zero.obj", error);
     if (!error) CHECK(contains(error_of(device), "is no ordinary file"));
     // A material file elsewhere is never opened.
     folder.write("secret.mtl", "newmtl a\nKd 1 0 0\n");

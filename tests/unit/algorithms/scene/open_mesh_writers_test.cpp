@@ -4,7 +4,6 @@
 #endif
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -15,6 +14,7 @@
 #include "algorithms/scene/built_in/built_in.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/mesh.hpp"
+#include "tests/folder.hpp"
 
 using namespace zstep;
 using namespace zstep::scene;
@@ -65,9 +65,7 @@ void check_same(const PolygonSoup& soup, const PolygonSoup& original, double tol
 TEST_SUITE("mesh readers against OpenMesh's writers") {
   TEST_CASE("OBJ, OFF, PLY and STL, ascii and binary") {
     using Options = OpenMesh::IO::Options;
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("zstep_open_mesh_writers_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
+    const test::Folder folder;
     omlog().disable();  // its writers announce themselves
     struct Way {
       const char* file;
@@ -105,6 +103,5 @@ TEST_SUITE("mesh readers against OpenMesh's writers") {
         }
       }
     }
-    std::filesystem::remove_all(folder);
   }
 }

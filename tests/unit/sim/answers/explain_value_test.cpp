@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <random>
 #include <set>
 #include <sstream>
 #include <string>
@@ -16,6 +15,7 @@
 
 #include "algorithms/scene/load.hpp"
 #include "sim/answers/explain_value.hpp"
+#include "tests/folder.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/where.hpp"
 
@@ -118,14 +118,14 @@ TEST_SUITE("explain a value") {
   }
 
   TEST_CASE("of a mesh that was placed and fitted: back to the numbers that stand in the mesh's own line") {
-    const auto file =
-        std::filesystem::temp_directory_path() / fmt::format("zstep-placed-{}.toml", std::random_device{}());
-    std::ofstream(file)
-        << "[[polygon]]\npoints = [[-2, -2, -3], [2, -2, -3], [0, 2, -3]]\n[[mesh]]\nfile = \"" << test::in_checkout("")
-        << "tests/data/meshes/house.off\"\n"
-        << "scale = [0.3, 0.7, 1.5]\nrotate = [20, 0, 90]\ntranslate = [0.1, 0, 2]\n[[mesh]]\nbuiltin = \"cube\"\n";
-    const Scene loaded = load_scene(file.string()).scene;
-    std::filesystem::remove(file);
+    const test::Folder folder;
+    const std::string file = folder.write(
+        "placed.toml",
+        "[[polygon]]\npoints = [[-2, -2, -3], [2, -2, -3], [0, 2, -3]]\n[[mesh]]\nfile = \"" +
+            test::in_checkout("tests/data/meshes/house.off") +
+            "\"\n"
+            "scale = [0.3, 0.7, 1.5]\nrotate = [20, 0, 90]\ntranslate = [0.1, 0, 2]\n[[mesh]]\nbuiltin = \"cube\"\n");
+    const Scene loaded = load_scene(file).scene;
     for (const bool fit : {false, true}) {
       CAPTURE(fit);
       ViewOptions view;
@@ -161,7 +161,7 @@ TEST_SUITE("explain a value") {
             }
           }
         }
-      CHECK(ends == std::set<std::string>{"cube", "house.off", file.filename().string()});
+      CHECK(ends == std::set<std::string>{"cube", "house.off", "placed.toml"});
     }
   }
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "sim/classroom/lesson.hpp"
+#include "tests/folder.hpp"
 #include "tests/unit/sim/classroom/small_run.hpp"
 
 namespace zstep {
@@ -22,21 +23,13 @@ const std::string question =
 class LessonFile {
  public:
   explicit LessonFile(const std::string& text, const std::string& name = "7-made-up.md") {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("zstep_lesson_" + std::to_string(getpid()) + "_" + std::to_string(count++));
-    std::filesystem::create_directories(folder_);
-    path = folder_ / name;
-    std::ofstream(path, std::ios::binary) << text;
+    path = folder_.write(name, text);
   }
-  ~LessonFile() { std::filesystem::remove_all(folder_); }
-  LessonFile(const LessonFile&) = delete;
-  LessonFile& operator=(const LessonFile&) = delete;
 
   std::filesystem::path path;
 
  private:
-  static inline int count = 0;
-  std::filesystem::path folder_;
+  test::Folder folder_;
 };
 
 /// The complaint about a lesson, without the folder its file lies in.

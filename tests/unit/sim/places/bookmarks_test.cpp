@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/places/bookmarks.hpp"
+#include "tests/folder.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
 #include "tests/where.hpp"
@@ -19,18 +20,12 @@ namespace {
 
 /// A copy of a golden trace in a folder of its own, which goes with it.
 struct Copy {
-  fs::path folder =
-      fs::temp_directory_path() / fs::path("zstep-marks-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+  test::Folder folder;
   fs::path file = folder / "run.jsonl", marks = folder / "run.jsonl.marks";
-  Copy() {
-    fs::remove_all(folder);
-    fs::create_directory(folder);
-    fs::copy_file(test::in_checkout("tests/golden/delhi.jsonl"), file);
-  }
+  Copy() { fs::copy_file(test::in_checkout("tests/golden/delhi.jsonl"), file); }
   ~Copy() {
     std::error_code ignored;
-    fs::permissions(folder, fs::perms::owner_all, ignored);
-    fs::remove_all(folder, ignored);
+    fs::permissions(folder.path(), fs::perms::owner_all, ignored);
   }
   void write(const std::string& text) const { std::ofstream(marks, std::ios::binary) << text; }
   std::string read() const {

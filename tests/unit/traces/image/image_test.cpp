@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/exr_bytes.hpp"
+#include "tests/folder.hpp"
 #include "traces/image/bmp_tga.hpp"
 #include "traces/image/exr.hpp"
 #include "traces/image/file.hpp"
@@ -22,20 +23,6 @@ using namespace zstep;
 
 namespace {
 
-/// A folder of its own for each test, gone afterwards.
-struct Folder {
-  fs::path path = fs::temp_directory_path() /
-                  ("zstep-image-" + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  std::vector<std::string> names() const {
-    std::vector<std::string> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path))
-      found.push_back(entry.path().filename().string());
-    return found;
-  }
-};
-
 std::vector<std::uint8_t> gradient(int width, int height) {
   std::vector<std::uint8_t> rgb;
   for (int y = 0; y < height; ++y)
@@ -44,82 +31,77 @@ std::vector<std::uint8_t> gradient(int width, int height) {
   return rgb;
 }
 
-std::string text_of(const fs::path& path) {
-  const std::vector<std::uint8_t> bytes = read_file(path);
-  return {bytes.begin(), bytes.end()};
-}
-
 }  // namespace
 
 TEST_CASE("a PNG reads back as the pixels that were written, the top row first") {
-  const Folder folder;
+  const test::Folder folder;
   const std::vector<std::uint8_t> rgb = gradient(13, 7);
-  write_png(folder.path / "a.png", 13, 7, rgb);
-  const Image image = read_png(folder.path / "a.png");
+  write_png(folder.path() / "a.png", 13, 7, rgb);
+  const Image image = read_png(folder.path() / "a.png");
   CHECK(image.width == 13);
   CHECK(image.height == 7);
   CHECK(image.rgb == rgb);
   CHECK(folder.names() == std::vector<std::string>{"a.png"});
-  CHECK(text_of(folder.path / "a.png").substr(1, 3) == "PNG");
+  CHECK(test::text_of(folder.path() / "a.png").substr(1, 3) == "PNG");
 }
 
 TEST_CASE("the same pixels give the same bytes, and an old file is replaced") {
-  const Folder folder;
-  write_png(folder.path / "a.png", 5, 5, gradient(5, 5));
-  write_png(folder.path / "b.png", 3, 3, gradient(3, 3));
-  write_png(folder.path / "b.png", 5, 5, gradient(5, 5));
-  CHECK(read_file(folder.path / "a.png") == read_file(folder.path / "b.png"));
+  const test::Folder folder;
+  write_png(folder.path() / "a.png", 5, 5, gradient(5, 5));
+  write_png(folder.path() / "b.png", 3, 3, gradient(3, 3));
+  write_png(folder.path() / "b.png", 5, 5, gradient(5, 5));
+  CHECK(read_file(folder.path() / "a.png") == read_file(folder.path() / "b.png"));
   CHECK(folder.names().size() == 2);
 }
 
 TEST_CASE("where a picture cannot be written an InputError says why") {
-  const Folder folder;
+  const test::Folder folder;
   const std::vector<std::uint8_t> rgb = gradient(4, 4);
-  CHECK_THROWS_WITH_AS(write_png(folder.path / "none" / "a.png", 4, 4, rgb), doctest::Contains("there is no folder"),
+  CHECK_THROWS_WITH_AS(write_png(folder.path() / "none" / "a.png", 4, 4, rgb), doctest::Contains("there is no folder"),
                        InputError);
-  CHECK_THROWS_WITH_AS(write_png(folder.path, 4, 4, rgb), doctest::Contains("is a folder"), InputError);
+  CHECK_THROWS_WITH_AS(write_png(folder.path(), 4, 4, rgb), doctest::Contains("is a folder"), InputError);
   CHECK(folder.names().empty());
   if (fs::exists("/dev/full"))
     CHECK_THROWS_WITH_AS(write_png("/dev/full", 4, 4, rgb), doctest::Contains("No space left"), InputError);
 }
 
 TEST_CASE("pixels that do not fill the picture are the caller's mistake") {
-  const Folder folder;
-  CHECK_THROWS_AS(write_png(folder.path / "a.png", 4, 5, gradient(4, 4)), std::invalid_argument);
-  CHECK_THROWS_AS(write_png(folder.path / "a.png", 0, 4, {}), std::invalid_argument);
+  const test::Folder folder;
+  CHECK_THROWS_AS(write_png(folder.path() / "a.png", 4, 5, gradient(4, 4)), std::invalid_argument);
+  CHECK_THROWS_AS(write_png(folder.path() / "a.png", 0, 4, {}), std::invalid_argument);
 }
 
 TEST_CASE("a PNG cut off anywhere, or a file that is none, is an InputError") {
-  const Folder folder;
-  write_png(folder.path / "a.png", 9, 9, gradient(9, 9));
-  const std::vector<std::uint8_t> whole = read_file(folder.path / "a.png");
-  const fs::path cut = folder.path / "cut.png";
+  const test::Folder folder;
+  write_png(folder.path() / "a.png", 9, 9, gradient(9, 9));
+  const std::vector<std::uint8_t> whole = read_file(folder.path() / "a.png");
+  const fs::path cut = folder.path() / "cut.png";
   // Everything up to the end of the image data; the last 12 bytes are the empty IEND chunk, which no pixel needs.
   for (std::size_t size = 0; size + 16 < whole.size(); ++size) {
     write_file(cut, std::span(whole).first(size));
     CHECK_THROWS_AS(read_png(cut), InputError);
   }
-  CHECK_THROWS_WITH_AS(read_png(folder.path / "none.png"), doctest::Contains("there is no such file"), InputError);
+  CHECK_THROWS_WITH_AS(read_png(folder.path() / "none.png"), doctest::Contains("there is no such file"), InputError);
 }
 
 TEST_CASE_TEMPLATE("an .npy reads back with its type, shape and values", Value, std::int32_t, float, double) {
-  const Folder folder;
+  const test::Folder folder;
   std::vector<Value> values{Value(0), Value(-1), Value(2), Value(3), Value(1000000), Value(5)};
   if constexpr (std::numeric_limits<Value>::has_infinity) values[4] = std::numeric_limits<Value>::infinity();
-  write_npy(folder.path / "a.npy", std::span<const Value>(values), 2, 3);
-  const Npy read = read_npy(folder.path / "a.npy");
+  write_npy(folder.path() / "a.npy", std::span<const Value>(values), 2, 3);
+  const Npy read = read_npy(folder.path() / "a.npy");
   CHECK(read.height == 2);
   CHECK(read.width == 3);
   REQUIRE(std::holds_alternative<std::vector<Value>>(read.values));
   CHECK(std::get<std::vector<Value>>(read.values) == values);
-  CHECK((fs::file_size(folder.path / "a.npy") - values.size() * sizeof(Value)) % 64 == 0);
+  CHECK((fs::file_size(folder.path() / "a.npy") - values.size() * sizeof(Value)) % 64 == 0);
 }
 
 TEST_CASE("the head of an .npy is what NumPy writes") {
-  const Folder folder;
+  const test::Folder folder;
   const std::vector<std::int32_t> values{1, 2};
-  write_npy(folder.path / "a.npy", values, 1, 2);
-  const std::string text = text_of(folder.path / "a.npy");
+  write_npy(folder.path() / "a.npy", values, 1, 2);
+  const std::string text = test::text_of(folder.path() / "a.npy");
   CHECK(text.substr(0, 10) == std::string("\x93NUMPY\x01\x00\x76\x00", 10));
   CHECK(text.find("{'descr': '<i4', 'fortran_order': False, 'shape': (1, 2), }") == 10);
   CHECK(text[127] == '\n');
@@ -127,11 +109,11 @@ TEST_CASE("the head of an .npy is what NumPy writes") {
 }
 
 TEST_CASE("an .npy cut off anywhere, or of another shape, is an InputError") {
-  const Folder folder;
+  const test::Folder folder;
   const std::vector<float> values{1, 2, 3, 4};
-  write_npy(folder.path / "a.npy", values, 2, 2);
-  const std::vector<std::uint8_t> whole = read_file(folder.path / "a.npy");
-  const fs::path cut = folder.path / "cut.npy";
+  write_npy(folder.path() / "a.npy", values, 2, 2);
+  const std::vector<std::uint8_t> whole = read_file(folder.path() / "a.npy");
+  const fs::path cut = folder.path() / "cut.npy";
   for (std::size_t size = 0; size < whole.size(); ++size) {
     write_file(cut, std::span(whole).first(size));
     CHECK_THROWS_AS(read_npy(cut), InputError);
@@ -149,23 +131,23 @@ TEST_CASE("an .npy cut off anywhere, or of another shape, is an InputError") {
 }
 
 TEST_CASE("writing replaces the file a link points to, not the link") {
-  const Folder folder;
-  std::ofstream(folder.path / "target") << "old";
+  const test::Folder folder;
+  std::ofstream(folder.path() / "target") << "old";
   std::error_code error;
-  fs::create_symlink("target", folder.path / "link", error);
+  fs::create_symlink("target", folder.path() / "link", error);
   if (error) return;  // a file system without links
   const std::string text = "new";
-  write_file(folder.path / "link", std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-  CHECK(fs::is_symlink(folder.path / "link"));
-  CHECK(text_of(folder.path / "target") == "new");
+  write_file(folder.path() / "link", std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  CHECK(fs::is_symlink(folder.path() / "link"));
+  CHECK(test::text_of(folder.path() / "target") == "new");
 }
 
 TEST_CASE("portable pixmaps and graymaps are read as text and as bytes, with comments and with values of two bytes") {
-  const Folder folder;
+  const test::Folder folder;
   const auto read = [&](const std::string& text) {
     const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-    write_file(folder.path / "a.ppm", bytes);
-    return read_pnm(folder.path / "a.ppm");
+    write_file(folder.path() / "a.ppm", bytes);
+    return read_pnm(folder.path() / "a.ppm");
   };
   const Image expected{2, 1, {255, 0, 51, 0, 255, 102}};
   CHECK(read("P3\n# a comment\n2 1 # and one more\n255\n255 0 51  0 255 102\n") == expected);
@@ -178,12 +160,12 @@ TEST_CASE("portable pixmaps and graymaps are read as text and as bytes, with com
 }
 
 TEST_CASE("a damaged pixmap says what is wrong with it") {
-  const Folder folder;
+  const test::Folder folder;
   const auto said = [&](const std::string& text) -> std::string {
     const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-    write_file(folder.path / "a.ppm", bytes);
+    write_file(folder.path() / "a.ppm", bytes);
     try {
-      read_pnm(folder.path / "a.ppm");
+      read_pnm(folder.path() / "a.ppm");
     } catch (const InputError& error) {
       return error.what();
     }
@@ -221,11 +203,11 @@ std::string bmp(std::uint32_t bits, std::uint32_t packing, const std::string& ro
 }  // namespace
 
 TEST_CASE("a TGA whose rows are packed has the same pixels, and one that is cut off is refused") {
-  const Folder folder;
+  const test::Folder folder;
   const std::string blue("\xff\0\0", 3), red("\0\0\xff", 3), green("\0\xff\0", 3);
   const auto read = [&](const std::string& bytes) {
-    std::ofstream(folder.path / "a.tga", std::ios::binary) << bytes;
-    return read_bmp_or_tga(folder.path / "a.tga").rgb;
+    std::ofstream(folder.path() / "a.tga", std::ios::binary) << bytes;
+    return read_bmp_or_tga(folder.path() / "a.tga").rgb;
   };
   const std::string rows = "\x82" + blue + "\x01" + red + green + std::string(1, '\0') + red;
   const std::vector<std::uint8_t> plain = read(tga(2, 24, blue + blue + blue + red + green + red));
@@ -236,11 +218,11 @@ TEST_CASE("a TGA whose rows are packed has the same pixels, and one that is cut 
 }
 
 TEST_CASE("a BMP or a TGA that cannot be held against a scene is refused with the reason") {
-  const Folder folder;
+  const test::Folder folder;
   const auto reason = [&](const std::string& name, const std::string& bytes) {
-    std::ofstream(folder.path / name, std::ios::binary) << bytes;
+    std::ofstream(folder.path() / name, std::ios::binary) << bytes;
     try {
-      read_bmp_or_tga(folder.path / name);
+      read_bmp_or_tga(folder.path() / name);
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -258,10 +240,10 @@ TEST_CASE("a BMP or a TGA that cannot be held against a scene is refused with th
 }
 
 TEST_CASE("the depths of a .exr are read, and what has none or is cut off is refused") {
-  const Folder folder;
+  const test::Folder folder;
   const auto read = [&](const std::string& bytes) {
-    std::ofstream(folder.path / "a.exr", std::ios::binary) << bytes;
-    return read_exr(folder.path / "a.exr");
+    std::ofstream(folder.path() / "a.exr", std::ios::binary) << bytes;
+    return read_exr(folder.path() / "a.exr");
   };
   const std::vector<float> depths{0.5f, 1.25f, std::numeric_limits<float>::infinity(), -3, 0, 7};
   std::string rows;
