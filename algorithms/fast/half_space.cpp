@@ -64,16 +64,29 @@ ZSTEP_INLINE bool set_up(const RasterPoint* p, const RasterPoint* q, const Raste
   return true;
 }
 
-/// Of the box's columns on a scan line those that the lines of the edges leave, two more at each end.
-ZSTEP_INLINE void narrow_columns(const FastTriangle& triangle, const std::array<double, 3>& of_row, double& first,
-                                 double& end) {
+/// Columns of a scan line: from first on some may be inside, from sure_first to before sure_end all are.
+struct Columns {
+  double first, sure_first, sure_end, end;
+};
+
+/// Of the box's columns on a scan line those that the lines of the edges leave, two more at each end; and those that
+/// lie two columns inside of them.
+ZSTEP_INLINE Columns columns_of(const FastTriangle& triangle, const std::array<double, 3>& of_row) {
+  const double box_first = triangle.first_column, box_end = triangle.end_column;
+  Columns columns{box_first, box_first, box_end, box_end};
   for (std::size_t i = 0; i < 3; ++i) {
     const FastEdge& edge = triangle.edges[i];
-    if (edge.a == 0) continue;
-    const double x = edge.end_x - of_row[i] / edge.a;
-    if (edge.a > 0) first = std::max(first, std::floor(x) - 1);
-    else end = std::min(end, std::floor(x) + 3);
+    if (edge.a == 0) {
+      if (!formulas::is_on_side(of_row[i], edge.owns)) return {0, 0, 0, 0};
+      continue;
+    }
+    const double x = std::floor(edge.end_x - of_row[i] / edge.a);
+    if (edge.a > 0)
+      columns.first = std::max(columns.first, x - 1), columns.sure_first = std::max(columns.sure_first, x + 3);
+    else columns.end = std::min(columns.end, x + 3), columns.sure_end = std::min(columns.sure_end, x - 1);
   }
+  columns.sure_first = std::min(columns.sure_first, box_end), columns.sure_end = std::max(columns.sure_end, box_first);
+  return columns;
 }
 
 /// Takes out the pixels where E is not on the triangle's side of an edge.
@@ -82,20 +95,23 @@ ZSTEP_INLINE void keep_covered(const FastEdge& edge, const Doubles& e, Mask& ins
   else inside &= e > 0;
 }
 
-/// Four pixels from column x on.
+/// Four pixels from column x on; all are inside, or each is asked.
+template <bool all_inside>
 ZSTEP_INLINE void fill_pixels(const FastTriangle& t, const std::array<double, 3>& of_row, double x, double end,
                               double* depth, std::int32_t* frame) {
   const Doubles x_s = x + each_lane;
-  const Doubles e_0 = t.edges[0].a * (x_s - t.edges[0].end_x) + of_row[0],
-                e_1 = t.edges[1].a * (x_s - t.edges[1].end_x) + of_row[1],
+  const Doubles e_1 = t.edges[1].a * (x_s - t.edges[1].end_x) + of_row[1],
                 e_2 = t.edges[2].a * (x_s - t.edges[2].end_x) + of_row[2];
   Mask inside = x_s < end;
-  keep_covered(t.edges[0], e_0, inside), keep_covered(t.edges[1], e_1, inside), keep_covered(t.edges[2], e_2, inside);
+  if constexpr (!all_inside) {
+    const Doubles e_0 = t.edges[0].a * (x_s - t.edges[0].end_x) + of_row[0];
+    keep_covered(t.edges[0], e_0, inside), keep_covered(t.edges[1], e_1, inside), keep_covered(t.edges[2], e_2, inside);
+  }
   const Doubles z = t.z_0 + (e_1 / t.twice_area * t.dz_1 + e_2 / t.twice_area * t.dz_2);
   Doubles old_z;
   Ints old_polygon;
   load(old_z, depth), load(old_polygon, frame);
-  const Mask nearer = inside & (z < old_z);
+  const Mask nearer = all_inside ? z < old_z : inside & (z < old_z);
   store(depth, nearer ? z : old_z);
   store(frame, narrow(nearer) ? t.polygon - Ints{} : old_polygon);
 }
@@ -115,16 +131,23 @@ ZSTEP_INLINE void fill_triangle(const FastTriangle& t, Fill& fill) {
   for (std::int32_t y = t.first_row; y < t.end_row; ++y) {
     std::array<double, 3> of_row;
     for (std::size_t i = 0; i < 3; ++i) of_row[i] = t.edges[i].b * (y - t.edges[i].end_y);
-    double from = t.first_column, to = t.end_column;
-    narrow_columns(t, of_row, from, to);
-    if (!(from < to)) continue;
-    const auto end = static_cast<std::int32_t>(to);
+    const Columns columns = columns_of(t, of_row);
+    if (!(columns.first < columns.end)) continue;
+    const double to = columns.end;
+    const auto end = static_cast<std::int32_t>(to), sure_first = static_cast<std::int32_t>(columns.sure_first),
+               sure_end = static_cast<std::int32_t>(columns.sure_end);
     const std::size_t start = fill.picture.at(0, y);
     double* const depth = fill.picture.depth.data() + start;
     std::int32_t* const frame = fill.picture.polygon.data() + start;
     const std::ptrdiff_t room = fill.picture.at(0, fill.end_row) - start;
-    auto x = static_cast<std::int32_t>(from);
-    for (; x < end && x + four <= room; x += four) fill_pixels(t, of_row, x, to, depth + x, frame + x);
+    auto x = static_cast<std::int32_t>(columns.first);
+    const auto some = [&](std::int32_t before) {
+      for (; x < before && x + four <= room; x += four) fill_pixels<false>(t, of_row, x, to, depth + x, frame + x);
+    };
+    some(std::min(sure_first, end));
+    for (; x + four <= sure_end && x + four <= room; x += four)
+      fill_pixels<true>(t, of_row, x, to, depth + x, frame + x);
+    some(end);
     for (; x < end; ++x) fill_pixel(t, of_row, x, depth, frame);  // the last pixels of the band
   }
 }
