@@ -9,6 +9,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/bench/crowds.hpp"
 #include "tests/bench/seconds.hpp"
 #include "traces/check/check.hpp"
 #include "traces/diff/diff.hpp"
@@ -20,15 +21,17 @@ using namespace zstep;
 
 namespace {
 
+Trace recorded(const Scene& scene, const char* by) {
+  const Method& taught = method(by);
+  TraceRecorder recorder(header_for(taught, {}), scene);
+  taught.record(scene, {}, recorder);
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), scene.name);
+}
 Trace recorded(const char* scene, int width, int height, const char* by = "z-buffer") {
   ViewOptions view;
   view.width = width, view.height = height;
-  const Scene looked_at = look_at_scene(load_scene(scene).scene, view);
-  const Method& taught = method(by);
-  TraceRecorder recorder(header_for(taught, {}), looked_at);
-  taught.record(looked_at, {}, recorder);
-  recorder.finish();
-  return Trace::from_bytes(recorder.take_bytes(), scene);
+  return recorded(look_at_scene(load_scene(scene).scene, view), by);
 }
 
 /// The same steps under another title, which a reader cannot tell from other steps by their bytes; without the step at
@@ -105,10 +108,14 @@ int main() {
   fmt::print("| {} | {:.3f} | {:.0f} depths/s |\n", exact.name, median(exact),
              static_cast<double>(depths) / median(exact));
 
-  const Trace rays = recorded("teapot:8", 160, 120, "ray-casting");
-  const double of_rays = processor_seconds_of([&] { check(rays); });
-  fmt::print("| check of ray casting, {:.1f} million steps | {:.1f} | {:.1f} million steps/s |\n",
-             static_cast<double>(rays.size()) / 1e6, of_rays, static_cast<double>(rays.size()) / 1e6 / of_rays);
+  const auto check_once = [&](const char* name, const Trace& large) {
+    const double seconds = processor_seconds_of([&] { check(large); });
+    const double millions = static_cast<double>(large.size()) / 1e6;
+    fmt::print("| check of {}, {:.1f} million steps | {:.1f} | {:.1f} million steps/s |\n", name, millions, seconds,
+               millions / seconds);
+  };
+  check_once("ray casting", recorded("teapot:8", 160, 120, "ray-casting"));
+  check_once("half-space", recorded(bench::crowd(bench::teapot(4), 24, 1024, 768), "half-space"));
   fmt::print("\n{} steps, {:.1f} MB of JSON Lines, {} depths.\n", run.size(), static_cast<double>(lines.size()) / 1e6,
              depths);
 }

@@ -13,6 +13,7 @@
 
 #include "traces/file/trace.hpp"
 #include "traces/formulas/coverage.hpp"
+#include "traces/formulas/fill.hpp"
 #include "traces/formulas/of_edges.hpp"
 #include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/of_polygons.hpp"
@@ -29,8 +30,8 @@ template <class E>
 inline constexpr bool ends_pixel = is_of_fragment(at_pixel<E>) || std::is_same_v<E, ScanLineBegin> ||
                                    std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear>;
 
-/// What a run tells of its pixels' colours, and depths, only later: gone through before its steps are judged. A write
-/// goes with the last compare of its pixel since the polygon began; without one, with the next.
+/// What a run tells of its pixels' colours, and depths, only later. A write goes with the last compare of its pixel
+/// since the polygon began; without one, with the next.
 class ColorWrites {
  public:
   explicit ColorWrites(const Trace& trace);
@@ -60,9 +61,13 @@ class ColorWrites {
 
 class Wins {
  public:
-  explicit Wins(const Trace& trace) : colors_written_(trace) {}
+  explicit Wins(const Trace& trace)
+      : trace_(trace),
+        has_colors_(trace.has(kind_of<PixelWrite>)),
+        has_depths_(trace.has(kind_of<DepthWrite>)),
+        all_at_once_(trace.has(AtPixel::verdict)) {}
 
-  bool all_known() const { return colors_written_.all_known(); }
+  bool all_known() { return (all_at_once_ && !unpainted_ && !unwritten_) || later().all_known(); }
   std::optional<Trace::Pixel> last_compared() const { return last_compared_; }
 
   /// A write at another pixel than the one at work is held to have been won there since the polygon began; and before
@@ -78,31 +83,36 @@ class Wins {
     const bool missing = asks && formulas::detail::last_win_is_missing(at, out);
     if constexpr (begins)
       if (missing) out.rule(Rule::win_is_written, false);
-    if (unwritten_ && ends_pixel<E>) {
-      unwritten_ = false;
-      if (!asks) out.rule(Rule::win_is_written, false);
-    }
+    if constexpr (ends_pixel<E>)
+      if (std::exchange(unwritten_, false) && later().is_unwritten(win_) && !asks)
+        out.rule(Rule::win_is_written, false);
     // Where its depth is missing, too, that says it.
-    if (unpainted_ && (ends_pixel<E> || (!only_writes<E> && step > colors_written_.last_end()))) {
+    if (unpainted_ && (ends_pixel<E> || (!only_writes<E> && step > later().last_end()))) {
       unpainted_ = false;
-      if (!missing) out.rule(Rule::win_is_painted, false);
+      if (later().is_unpainted(win_) && !missing) out.rule(Rule::win_is_painted, false);
     }
     if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear> || std::is_same_v<E, PassBegin>) {
       ++turn_;
     } else if constexpr (has(at_pixel<E>, AtPixel::verdict)) {
       const std::size_t pixel = place(at, e.x, e.y);
       depths_[pixel] = colors_[pixel] = blends_[pixel] = e.nearer ? turn_ : 0;
-      last_compared_ = Trace::Pixel{e.x, e.y};
-      unpainted_ = colors_written_.is_unpainted(step);
-      unwritten_ = colors_written_.is_unwritten(step) && at.stored(e.x, e.y) != e.z;
+      last_compared_ = Trace::Pixel{e.x, e.y}, win_ = step;
+      const bool wins = e.nearer && at.method().pass != Pass::light;
+      unpainted_ = wins && has_colors_, unwritten_ = wins && has_depths_ && at.stored(e.x, e.y) != e.z;
     } else if constexpr (std::is_same_v<E, DepthWrite>) {
+      if (is_last_compared(e.x, e.y)) unwritten_ = false;
       written(depths_, e, at, out);
     } else if constexpr (std::is_same_v<E, ColorBlend>) {
       written(blends_, e, at, out);
     } else if constexpr (std::is_same_v<E, PixelWrite>) {
-      const auto early = colors_written_.early(step);
+      // The write that the win of the pixel at work waits for.
+      const bool is_due = unpainted_ && is_last_compared(e.x, e.y);
+      if (is_due) unpainted_ = false;
+      const auto early = is_due ? ColorWrites::Early::no : later().early(step);
       if (early == ColorWrites::Early::no) written(colors_, e, at, out);
       else out.rule(Rule::write_after_win, early == ColorWrites::Early::wins);
+    } else if constexpr (std::is_same_v<E, ColorWrite>) {
+      if (is_last_compared(e.x, e.y)) unpainted_ = false;
     }
   }
 
@@ -120,27 +130,43 @@ class Wins {
     won[pixel] = 0;
   }
 
-  ColorWrites colors_written_;
+  bool is_last_compared(std::int32_t x, std::int32_t y) const {
+    return last_compared_ && last_compared_->x == x && last_compared_->y == y;
+  }
+  /// Goes through the run, once: of most each write comes before the next pixel's turn, and it is never asked.
+  const ColorWrites& later() {
+    all_at_once_ = false;
+    if (!later_) later_.emplace(trace_);
+    return *later_;
+  }
+
+  const Trace& trace_;
+  bool has_colors_, has_depths_;  ///< the run has steps that write them
+  bool all_at_once_;
+  std::optional<ColorWrites> later_;
   std::optional<Trace::Pixel> last_compared_;
+  std::int64_t win_ = 0;    ///< its step
   std::uint32_t turn_ = 1;  ///< of the polygon at work
-  bool unpainted_ = false;  ///< the pixel before was won, and its colour is not written
-  bool unwritten_ = false;  ///< nor its depth, where that may come later
+  bool unpainted_ = false;  ///< it was won, and its colour is not written yet
+  bool unwritten_ = false;  ///< nor its depth
   /// By pixel, the turn in which it was won and not yet written; else 0.
   std::vector<std::uint32_t> depths_{}, colors_{}, blends_{};
 };
 
 // Are all pixels of a polygon there? From its outline to the edge table, from there to the active edges, from these to
-// spans and from spans to pixels nothing may be left out. Judged of runs that record each of these.
+// spans and from spans to pixels nothing may be left out. Judged of runs that record each of these and fill by the
+// even-odd rule.
 
 class Filling {
   using Situation = formulas::Situation;
   using Rule = formulas::Rule;
 
  public:
-  explicit Filling(const Trace& trace)
+  Filling(const Trace& trace, const Header& header)
       : pixel_(trace.has(AtPixel::verdict) ? AtPixel::verdict : AtPixel::depth),
-        judges_(trace.has(kind_of<EdgeTableInsert>) && trace.has(kind_of<EdgeEnter>) && trace.has(kind_of<EdgeStep>) &&
-                trace.has(kind_of<ScanLineBegin>) && trace.has(kind_of<SpanBegin>) && trace.has(pixel_) &&
+        judges_(!formulas::fills_non_zero(header.conventions) && trace.has(kind_of<EdgeTableInsert>) &&
+                trace.has(kind_of<EdgeEnter>) && trace.has(kind_of<EdgeStep>) && trace.has(kind_of<ScanLineBegin>) &&
+                trace.has(kind_of<SpanBegin>) && trace.has(pixel_) &&
                 (trace.has(kind_of<PolygonBegin>) || trace.has(kind_of<PieceDraw>))),
         pieces_(trace.has(kind_of<PieceDraw>)),
         interpolates_(trace.has(kind_of<DepthInterpolate>)) {}
