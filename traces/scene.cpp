@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -36,10 +39,31 @@ bool take_matrices(Camera& camera, const Raster& raster) {
   return true;
 }
 
+std::string planes_against_matrix(const Camera& camera) {
+  if (!camera.matrices) return "";
+  const glm::dmat4& m = camera.matrices->projection;
+  const auto row = [&](int i) { return glm::dvec3(m[0][i], m[1][i], m[2][i]); };
+  const glm::dvec3 z = row(2), w = row(3);
+  if (z == glm::dvec3(0) && m[3][2] == 0) return "";
+  // z_c = along w_c + rest, so that depths follow from the distance.
+  const double along = glm::dot(z, w) / glm::dot(w, w), rest = m[3][2] - along * m[3][3];
+  constexpr double rounding = 1e-4;  // of matrices in float32
+  if (glm::length(z - along * w) > rounding * glm::length(z))
+    return "the row of z_c of its projection does not go with the distance w_c";
+  const double at_near = along + rest / camera.near, at_far = along + rest / camera.far;
+  const auto [low, high] = camera.depth_range;
+  for (const auto& [from, to] : {std::pair(-1.0, 1.0), {0.0, 1.0}, {1.0, 0.0}, {1.0, -1.0}, {low, high}, {high, low}})
+    if (std::max(std::abs(at_near - from), std::abs(at_far - to)) <= rounding * std::abs(to - from)) return "";
+  return fmt::format("the row of z_c of its projection gives {:.6g} at near = {} and {:.6g} at far = {}", at_near,
+                     camera.near, at_far, is_infinitely_far(camera) ? "inf" : fmt::format("{}", camera.far));
+}
+
 double view_depth(const Camera& camera, const Conventions& conventions, double buffer_depth) {
   using enum Conventions::Depth;
   if (camera.kind == Camera::Kind::screen || std::isinf(buffer_depth)) return buffer_depth;
-  const double f = camera.near, F = camera.far, q = buffer_depth;
+  const auto [low, high] = camera.depth_range;
+  const bool ranged = conventions.depth == reversed || conventions.depth == zero_to_one;
+  const double f = camera.near, F = camera.far, q = ranged ? (buffer_depth - low) / (high - low) : buffer_depth;
   const bool parallel = camera.kind == Camera::Kind::orthographic;
   switch (conventions.depth) {
     case pseudodepth:
@@ -62,24 +86,9 @@ double view_depth(const Camera& camera, const Conventions& conventions, double b
 double buffer_depth(const Camera& camera, const Conventions& conventions, double view_depth) {
   using enum Conventions::Depth;
   if (camera.kind == Camera::Kind::screen || std::isinf(view_depth)) return view_depth;
-  const double f = camera.near, F = camera.far, z = view_depth;
-  const bool parallel = camera.kind == Camera::Kind::orthographic;
-  switch (conventions.depth) {
-    case pseudodepth:
-      return parallel ? 2 * (z - f) / (F - f) - 1 : ((f + F) * z - 2 * f * F) / ((F - f) * z);
-    case reciprocal:
-      return 1 / z;
-    case reversed:
-      return parallel ? (F - z) / (F - f) : f * (F - z) / (z * (F - f));
-    case foley:
-      return parallel ? (f - z) / (F - f) : F * (f - z) / (z * (F - f));
-    case zero_to_one:
-      return parallel ? (z - f) / (F - f) : F * (z - f) / (z * (F - f));
-    case view:
-    case corrected:
-      break;
-  }
-  return z;
+  if (conventions.depth == corrected) return view_depth;
+  const auto scale = formulas::depth_scale(camera, conventions.depth, [](double number) { return number; });
+  return formulas::vertex_depth(scale, view_depth);
 }
 
 double view_depth_error(const Camera& camera, const Conventions& conventions, double buffer_depth, double off) {
@@ -94,9 +103,6 @@ double view_depth_error(const Camera& camera, const Conventions& conventions, do
   return -off * (1 / F - 1 / f) / range * z * exact;
 }
 
-namespace {
-
-/// The depths that a run can have, the least one first.
 std::pair<double, double> ends_of_depths(const Scene& scene, Conventions::Depth depth) {
   Conventions conventions;
   conventions.depth = depth;
@@ -111,8 +117,6 @@ std::pair<double, double> ends_of_depths(const Scene& scene, Conventions::Depth 
   }
   return std::minmax(from, to);
 }
-
-}  // namespace
 
 double depth_range(const Scene& scene, Conventions::Depth depth) {
   const auto [least, greatest] = ends_of_depths(scene, depth);

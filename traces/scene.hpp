@@ -173,12 +173,24 @@ struct Camera {
     perspective,   ///< x_p = d x_v / z_v
     orthographic,  ///< x_p = x_v
   };
+  /// Where the depths `zero_to_one` and `reversed` go from 0 to 1, the depth buffer has these, low < high:
+  /// glDepthRange, the MinDepth and MaxDepth of a viewport, or what a program's own formula makes of the near and the
+  /// far plane.
+  struct DepthRange {
+    double low = 0, high = 1;
+    bool is_standard() const { return *this == DepthRange{}; }
+    /// Can it be one? Two numbers of ordinary size, the smaller one first.
+    bool is_right() const { return low < high && -1e30 <= low && high <= 1e30; }
+    bool operator==(const DepthRange&) const = default;
+  };
+
   Kind kind = Kind::perspective;
   bool polar = true;                     ///< rho, theta, phi say where the eye is (Eckert); else `view` alone does
   double rho = 4, theta = 30, phi = 60;  ///< distance; angles in degrees, phi from the z axis
   double d = 1;                          ///< distance of the projection plane from the eye
   double window = 1;                     ///< half the height of the window on the projection plane
   double near = 0, far = 0;              ///< z_v of the clipping planes
+  DepthRange depth_range;                ///< what depths of 0 and 1 become in the depth buffer
   glm::dmat4 view{1};                    ///< world to view: v = view * w, column vectors (T_v of the notes)
   glm::dvec3 eye{0};                     ///< world; for orthographic the direction towards the eye, unit length
 
@@ -246,11 +258,16 @@ struct Raster {
 
 /// Makes of view coordinates as another program has them those by which zstep sees the same picture: with the window's
 /// middle in the line of sight, half its height and d both 1, and z_v = w_c. x_c, y_c and w_c may be any that are
-/// linear in view coordinates; the row of z_c is not looked at.
+/// linear in view coordinates.
 glm::dmat4 view_of_matrices(const glm::dmat4& projection, const Raster& raster);
 /// Sets view, eye, d and window of a camera in perspective from its matrices; false where they have no eye, or w_c is
 /// the same everywhere.
 [[nodiscard]] bool take_matrices(Camera& camera, const Raster& raster);
+/// What the row of z_c of a camera's projection says against its near and far plane: z_c/w_c must go there from -1 or 0
+/// to 1, the other way, or between the ends of the depth range. Empty where it agrees, or is 0 and so says nothing.
+std::string planes_against_matrix(const Camera& camera);
+inline constexpr std::string_view row_of_depth_remedy =
+    "give near and far where it has -1 or 0 and 1, or the depth_range that it has, or write 0 in that row";
 
 struct Scene {
   std::string name;                ///< "pyramid"
@@ -327,6 +344,8 @@ double view_depth_error(const Camera& camera, const Conventions& conventions, do
 /// How far apart the depths of a run can lie: from the near plane to the far one; in a screen scene, from the least z
 /// of its points to the greatest. 1 where that is nothing.
 double depth_range(const Scene& scene, Conventions::Depth depth);
+/// The least and the greatest of them.
+std::pair<double, double> ends_of_depths(const Scene& scene, Conventions::Depth depth);
 /// By how much two fixed-point depths differ at least; 0 where the format is floating point.
 double depth_unit(const Scene& scene, const Conventions& conventions);
 /// The same of positions on the raster.

@@ -245,11 +245,6 @@ void check_run(const Method& method, const Scene& scene, const Conventions& conv
                      "give a formula in its place: \"y = sin(x)*cos(z)\"");
   if (method.needs == Needs::light && !scene.light)
     throw InputError(name, id + " needs a light, and this scene has none", "add a [light] to the scene's file");
-  if (const Page page = method.page();
-      scene.camera.matrices &&
-      std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<RayBegin>; }))
-    throw InputError(name, id + " casts rays, and the scene's camera has a projection matrix",
-                     "give eye, d and window in its place, or use z-buffer");
   check_options(method.options, method.id, conventions, who);
   if (method.check) method.check(conventions, who);
   if (method.id == "half-space") half_space::check(scene, conventions);

@@ -45,7 +45,7 @@ ZSTEP_INLINE void view_points(Stage& stage) {
   const Range range = part_of(from.size(), stage.part, stage.all.parts.size(), four);
   const viewing::Lens lens = stage.lens;
   const glm::dmat4 view = stage.scene.camera.view;
-  const bool view_z = lens.depth == Conventions::Depth::view;
+  const bool view_z = lens.scale.depth == Conventions::Depth::view;
   for (std::size_t first = range.first; first < range.end; first += four) {
     double xyz[3][four];
     for (std::size_t k = 0; k < four; ++k) {

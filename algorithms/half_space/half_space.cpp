@@ -13,6 +13,7 @@
 #include "traces/error.hpp"
 #include "traces/formulas/attributes.hpp"
 #include "traces/formulas/edge_functions.hpp"
+#include "traces/formulas/fill.hpp"
 #include "traces/formulas/samples.hpp"
 #include "traces/math/whole.hpp"
 #include "traces/record/all_recorders.hpp"
@@ -110,10 +111,12 @@ class Drawing {
         divides_(formulas::attribute_over_depth(scene, conventions)),
         shading_(formulas::shading_of(scene, conventions)),
         comparison_(interpolation::comparison_of(conventions)),
+        non_zero_(formulas::fills_non_zero(conventions)),
         offsets_(formulas::samples_of(conventions)),
         masks_(formulas::keeps_masks(conventions)),
         reach_(formulas::reach_of(conventions)) {
-    samples_.resize(picture.depth.size() * offsets_.size(), {no_polygon, comparison_.farthest()});
+    samples_.resize(picture.depth.size() * offsets_.size(),
+                    {no_polygon, interpolation::initial_depth(scene, conventions)});
     if (masks_) lists_.resize(picture.depth.size());
   }
 
@@ -193,26 +196,31 @@ class Drawing {
     }
   }
 
-  /// How many triangles cover each pixel's centre, and after that each of its samples.
+  /// How often the triangles that cover each pixel's centre go round it, and after that each of its samples.
   void count_covers(const std::vector<Corners>& triangles) {
     covers_.assign(picture_.depth.size() * (1 + offsets_.size()), 0);
     for (const Corners& corners : triangles) {
       const Triangle<T> triangle = set_up(corners);
       if (triangle.twice_area == 0) continue;
+      const std::int32_t way = triangle.corners == corners ? 1 : -1;  // else it was turned round
       EdgeWalk<T> walk(triangle, stepping_);
       for (std::int32_t y = triangle.box.first_row; y < triangle.box.end_row; ++y)
         for (std::int32_t x = triangle.box.first_column; x < triangle.box.end_column; ++x) {
           const Values<T>& e = walk.next(x, y, x == triangle.box.first_column);
           std::int32_t* covers = &covers_[picture_.at(x, y) * (1 + offsets_.size())];
-          *covers++ += triangle.covers(e);
-          for (const SampleOffset& at : offsets_) *covers++ += triangle.covers(triangle.beside(e, at.dx(), at.dy()));
+          if (triangle.covers(e)) *covers += way;
+          ++covers;
+          for (const SampleOffset& at : offsets_) {
+            if (triangle.covers(triangle.beside(e, at.dx(), at.dy()))) *covers += way;
+            ++covers;
+          }
         }
     }
   }
-  /// The first of the triangles that cover a pixel's centre, number 0, or a sample, draws it, where their number is
-  /// odd.
+  /// The first of the triangles that cover a pixel's centre, number 0, or a sample, draws it, where it is inside.
   bool is_drawn(std::size_t pixel, std::size_t number) {
-    return !triangulation_.may_overlap() || std::exchange(covers_[pixel * (1 + offsets_.size()) + number], 0) % 2 != 0;
+    return !triangulation_.may_overlap() ||
+           formulas::is_inside(non_zero_, std::exchange(covers_[pixel * (1 + offsets_.size()) + number], 0));
   }
 
   // Early accept and early reject.
@@ -394,6 +402,7 @@ class Drawing {
   bool tiles_, hierarchical_, corrected_, shades_, divides_;
   formulas::Shading shading_;
   Comparison comparison_;
+  bool non_zero_;
   std::span<const SampleOffset> offsets_;
   bool masks_;
   double reach_;
@@ -407,12 +416,12 @@ class Drawing {
 template <class T, Recorder R>
 Picture draw(const Scene& scene, const Conventions& conventions, R& record) {
   const Raster& raster = scene.raster;
-  const double farthest = interpolation::comparison_of(conventions).farthest();
+  const double initial = interpolation::initial_depth(scene, conventions);
 
   Picture picture(raster.width, raster.height);
-  for (double& depth : picture.depth) depth = farthest;
+  for (double& depth : picture.depth) depth = initial;
   if (conventions.attribute != Conventions::Attribute::none || formulas::reach_of(conventions) > 0) picture.use_ink();
-  record(z_buffer::step::clear, BuffersClear{farthest});
+  record(z_buffer::step::clear, BuffersClear{initial});
 
   viewing::Lens lens(scene.camera, raster, conventions.depth);
   lens.positions = conventions.positions;

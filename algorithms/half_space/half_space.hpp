@@ -18,7 +18,8 @@
 // same reason. Depths are computed as z_0 + w_1 (z_1
 // - z_0) + w_2 (z_2 - z_0), so that a plane of constant depth has one number. Polygons that are convex on the raster
 // are cut into a fan from their first vertex, others into ears; of an outline that crosses itself triangles overlap,
-// and a pixel is drawn where the number of those that cover it is odd, as the even-odd rule has it.
+// and a pixel is drawn where the number of those that cover it is odd, as the even-odd rule has it, or, by the non-zero
+// rule, where those that go round one way are not as many as the others.
 #pragma once
 
 #include <array>
@@ -41,7 +42,7 @@ namespace zstep::half_space {
 
 enum class Stepping { products, increments };
 
-inline constexpr std::array<Option, 7> options{
+inline constexpr std::array<Option, 9> options{
     {{"stepping", "products|increments", "products",
       "edge functions evaluated at each pixel, or stepped by A from pixel to pixel and by B from line to line"},
      {"tiles", "off|8", "off", "8x8 tiles, accepted or rejected as a whole where an edge function's corners allow it"},
@@ -52,6 +53,8 @@ inline constexpr std::array<Option, 7> options{
       "32 and one depth for each facet"},
      interpolation::nearer_option,
      interpolation::ties_option,
+     interpolation::initial_depth_option,
+     interpolation::fill_option,
      interpolation::shade_option}};
 
 /// Draws the scene's facets in their order, each as triangles; which of two depths wins is as

@@ -230,9 +230,11 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
   const Ways ways(conventions);
 
   Picture picture(raster.width, raster.height);
-  for (double& depth : picture.depth) depth = ways.comparison.farthest();
+  const bool non_zero = formulas::fills_non_zero(conventions);
+  const double initial = initial_depth(scene, conventions);
+  for (double& depth : picture.depth) depth = initial;
   if (ways.shades) picture.use_ink();
-  record(z_buffer::step::clear, BuffersClear{ways.comparison.farthest()});
+  record(z_buffer::step::clear, BuffersClear{initial});
 
   viewing::Lens lens(scene.camera, raster, conventions.depth);
   lens.positions = conventions.positions;
@@ -260,11 +262,12 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
     for (std::int32_t y = edges.first_row; y < edges.end_row; ++y) {
       begin_scan_line(active, edges, y, !ways.adds, record);
 
-      for (std::size_t i = 0; i + 1 < active.edges.size(); i += 2) {  // even-odd: inside between each pair
-        const std::int32_t left = active.edges[i], right = active.edges[i + 1];
+      const auto way = [&](std::size_t i) { return edges.edges[active.edges[i]].way; };
+      formulas::each_span_inside(active.edges.size(), non_zero, way, [&](std::size_t i, std::size_t j) {
+        const std::int32_t left = active.edges[i], right = active.edges[j];
         const Span span = begin_span(edges, left, right, y, raster, conventions.coverage, record);
         drawing.fill(span, edges.edges[left], edges.edges[right]);
-      }
+      });
     }
     end_polygon(active, record);
   }
@@ -314,18 +317,26 @@ auto in_numbers(const Scene& scene, const Conventions& conventions, Use&& use) {
   return use(fixed(FixedDown{}));
 }
 
+bool is_given(const Conventions& conventions, const Option& option, std::string_view value) {
+  const auto given = conventions.options.find(std::string(option.name));
+  return given != conventions.options.end() && given->second == value;
+}
+
 }  // namespace
 
 Comparison comparison_of(const Conventions& conventions) {
-  const auto chosen = [&](const Option& option) {
-    const auto given = conventions.options.find(std::string(option.name));
-    return given == conventions.options.end() ? std::string_view() : std::string_view(given->second);
-  };
   Comparison comparison;
-  if (greater_is_nearer(conventions.depth) != (chosen(nearer_option) == "turned"))
+  if (greater_is_nearer(conventions.depth) != is_given(conventions, nearer_option, "turned"))
     comparison.nearer = Comparison::Nearer::greater;
-  if (chosen(ties_option) == "last") comparison.ties = Comparison::Ties::last;
+  if (is_given(conventions, ties_option, "last")) comparison.ties = Comparison::Ties::last;
   return comparison;
+}
+
+double initial_depth(const Scene& scene, const Conventions& conventions) {
+  const Comparison comparison = comparison_of(conventions);
+  if (!is_given(conventions, initial_depth_option, "far")) return comparison.farthest();
+  const auto [least, greatest] = ends_of_depths(scene, conventions.depth);
+  return comparison.nearer == Comparison::Nearer::smaller ? greatest : least;
 }
 
 bool is_taught(const Conventions& c) {
@@ -333,7 +344,8 @@ bool is_taught(const Conventions& c) {
   using enum Conventions::Interpolation;
   return (c.depth == pseudodepth || c.depth == view) && (c.interpolation == direct || c.interpolation == increments) &&
          c.number_format == NumberFormat::float64 && c.positions == Conventions::Positions::exact &&
-         c.attribute == Conventions::Attribute::none && comparison_of(c) == Comparison{};
+         c.attribute == Conventions::Attribute::none && comparison_of(c) == Comparison{} &&
+         !is_given(c, initial_depth_option, "far") && !formulas::fills_non_zero(c);
 }
 
 template <Recorder R>

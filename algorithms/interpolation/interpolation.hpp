@@ -13,6 +13,7 @@
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "algorithms/scan_conversion/numbers.hpp"
 #include "traces/formulas/attributes.hpp"
+#include "traces/formulas/fill.hpp"
 #include "traces/formulas/shading.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
@@ -33,14 +34,26 @@ inline constexpr Option nearer_option{"nearer", "by-depth|turned", "by-depth",
 inline constexpr Option ties_option{"ties", "first|last", "first",
                                     "which of two equal depths stays: the one drawn first, or the one drawn last",
                                     false};
+inline constexpr Option initial_depth_option{
+    "initial-depth", "infinity|far", "infinity",
+    "what the depth buffer is cleared to: behind all depths, or the depth of the far plane, which leaves out what "
+    "lies on it",
+    false};
+inline constexpr Option fill_option{formulas::fill_key, "even-odd|non-zero", "even-odd",
+                                    "which parts of an outline that crosses itself are inside: those that it goes "
+                                    "round an odd number of times, or at all",
+                                    false};
 inline constexpr Option shade_option{
     formulas::shade_key, "stripes|scalar|colors|gouraud|phong|checker|nearest|bilinear", "stripes",
     "what --attribute interpolates: x_w or another number as stripes, colours of the vertices, light at them "
     "(gouraud), "
     "their normals (phong), or texture coordinates, for a checker or the texels of an image",
     false};
-inline constexpr std::array<Option, 3> options{nearer_option, ties_option, shade_option};
+inline constexpr std::array<Option, 5> options{nearer_option, ties_option, initial_depth_option, fill_option,
+                                               shade_option};
 Comparison comparison_of(const Conventions& conventions);
+/// What the depth buffer is cleared to: an infinity, or of all depths that the scene can have the farthest.
+double initial_depth(const Scene& scene, const Conventions& conventions);
 
 /// Does the page as it is taught draw under these conventions?
 bool is_taught(const Conventions& conventions);

@@ -53,7 +53,8 @@ void add_edges(EdgeTableOf<T>& table, std::int32_t polygon, Outline outline, con
                    T(0),
                    T(0),
                    T(0),
-                   T(0)};
+                   T(0),
+                   from == i ? 1 : -1};
     const double y_0 = edge.y_0, y_1 = edge.y_1;
     edge.first_row = formulas::row_from(y_0, raster.height);
     edge.end_row = formulas::row_from(y_1, raster.height);

@@ -39,6 +39,7 @@ struct EdgeOf {
   std::int32_t first_row, end_row;  ///< the scan lines it meets: first_row <= y < end_row
   T x, z;                           ///< where it meets the current scan line
   T dx_dy, dz_dy;                   ///< what they gain from line to line
+  std::int32_t way = 1;             ///< 1 where the outline goes from vertex_0 to vertex_1, else -1
 
   /// x–y interpolation (000): x = x_0 + (x_1 - x_0)(y - y_0)/(y_1 - y_0)
   T x_at(std::int32_t row) const { return formulas::on_line(x_0, x_1, T(row), y_0, y_1); }

@@ -15,6 +15,7 @@ namespace zstep {
 /// default.
 struct ViewOptions {
   std::optional<double> rho, theta, phi, d, window, near, far;
+  std::optional<Camera::DepthRange> depth_range;
   std::optional<bool> orthographic;
   std::optional<std::int32_t> width, height;
   std::optional<bool> y_up, corners;

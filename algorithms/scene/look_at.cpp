@@ -144,6 +144,9 @@ void choose_depths(Scene& scene, const ViewOptions& options) {
   if (!(camera.far > camera.near))
     throw InputError("--far", fmt::format("it is {}, but near is {}", camera.far, camera.near),
                      "give the greater distance to far");
+  if (!near_given || !far_given) return;
+  if (const std::string against = planes_against_matrix(camera); !against.empty())
+    throw InputError(scene.name, against, std::string(row_of_depth_remedy));
 }
 
 /// What is not given of the light: a window that a ball round the scene just fits into, plus a twentieth, but at most
@@ -178,9 +181,9 @@ Scene look_at_scene(Scene scene, const ViewOptions& options) {
   Camera& camera = scene.camera;
   if (camera.kind == Camera::Kind::screen) {
     if (options.rho || options.theta || options.phi || options.d || options.window || options.near || options.far ||
-        options.orthographic || options.fit || options.corners)
+        options.depth_range || options.orthographic || options.fit || options.corners)
       throw InputError(scene.name, "the scene is in screen coordinates, so it has no camera",
-                       "leave out rho, theta, phi, d, window, near, far, ortho, fit and seen-at");
+                       "leave out rho, theta, phi, d, window, near, far, depth-range, ortho, fit and seen-at");
     camera.polar = false;
     return scene;
   }
@@ -192,6 +195,7 @@ Scene look_at_scene(Scene scene, const ViewOptions& options) {
     camera.kind = *options.orthographic ? Camera::Kind::orthographic : Camera::Kind::perspective;
   if (options.d) camera.d = positive(*options.d, "d");
   if (options.window) camera.window = positive(*options.window, "window");
+  if (options.depth_range) camera.depth_range = *options.depth_range;
   place_eye(scene, options);
   choose_depths(scene, options);
   complete_light(scene);

@@ -76,9 +76,9 @@ DepthCoefficients depth_coefficients(double near, double far) {
   return {formulas::pseudodepth_a(near, far), formulas::pseudodepth_b(near, far)};
 }
 
-Lens::Lens(const Camera& camera, const Raster& raster_, Conventions::Depth depth_)
+Lens::Lens(const Camera& camera, const Raster& raster_, Conventions::Depth depth)
     : orthographic(camera.kind == Camera::Kind::orthographic),
-      depth(depth_),
+      scale(formulas::depth_scale(camera, depth, [](double number) { return number; })),
       d(camera.d),
       window_x(camera.window * raster_.width / raster_.height),
       window_y(camera.window),
@@ -98,8 +98,8 @@ glm::dvec4 Lens::clip_coordinates(glm::dvec3 view) const {
 glm::dvec3 Lens::project(glm::dvec3 view) const {
   // z as in 000 where it is asked for; else z* as in 003, which is linear on the raster, so that interpolating it is
   // exact.
-  const bool other = depth != Conventions::Depth::pseudodepth;
-  const double z = other          ? formulas::other_depth(depth, orthographic, near, far, view.z)
+  const bool other = scale.depth != Conventions::Depth::pseudodepth;
+  const double z = other          ? formulas::other_depth(scale, view.z)
                    : orthographic ? formulas::parallel_pseudodepth(near, far, view.z)
                                   : formulas::pseudodepth(near, a, b, view.z);
   if (orthographic) return {view.x, view.y, z};

@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 #include <optional>
 
+#include "traces/formulas/viewing.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewing {
@@ -70,12 +71,12 @@ struct Lens {
   glm::dvec2 to_viewport(double x_p, double y_p) const;
 
   bool orthographic;
-  Conventions::Depth depth;   ///< which depth project() gives
-  double d;                   ///< distance of the projection plane
-  double window_x, window_y;  ///< half the width and half the height of the window on it
-  double near, far;           ///< z_v of the clipping planes
-  double a, b;                ///< of pseudodepth
-  double width, height;       ///< of the raster, in pixels
+  formulas::DepthScale<double> scale;  ///< which depth project() gives
+  double d;                            ///< distance of the projection plane
+  double window_x, window_y;           ///< half the width and half the height of the window on it
+  double near, far;                    ///< z_v of the clipping planes
+  double a, b;                         ///< of pseudodepth
+  double width, height;                ///< of the raster, in pixels
   Raster raster;
   /// Where to_viewport() may put a vertex: whole pixels are the int x_s, y_s of 000.
   Conventions::Positions positions = Conventions::Positions::exact;

@@ -17,6 +17,7 @@
 #include "sim/words/rejects.hpp"
 #include "traces/error.hpp"
 #include "traces/events/fields.hpp"
+#include "traces/formulas/fill.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::answers {
@@ -114,11 +115,12 @@ class History {
         trace_.has(kind_of<PolygonReject>) || cut() || !begun().empty() || owner_by_interval_or_area() != nullptr;
     if (!matters || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height)
       return;
+    const bool non_zero = formulas::fills_non_zero(trace_.header().conventions);
     for (const std::int32_t facet : facets_.near(pixel_)) {
-      const auto at = compare::facet_at(scene, facet, false, pixel_.x, pixel_.y);
+      const auto at = compare::facet_at(scene, facet, false, pixel_.x, pixel_.y, non_zero);
       if (!at || !at->candidate.covers) continue;
       const bool away = trace_.header().conventions.cull && scene.camera.kind != Camera::Kind::screen &&
-                        !compare::facet_at(scene, facet, true, pixel_.x, pixel_.y);
+                        !compare::facet_at(scene, facet, true, pixel_.x, pixel_.y, non_zero);
       const std::size_t polygon = at->candidate.polygon;
       there_[polygon] = true, (away ? away_ : towards_)[polygon] = true;
       facets_there_.insert(facet);

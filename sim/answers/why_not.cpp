@@ -12,6 +12,7 @@
 #include "sim/answers/seen_point.hpp"
 #include "sim/answers/why_not_parts.hpp"
 #include "sim/words/owners.hpp"
+#include "traces/formulas/fill.hpp"
 #include "traces/replay/replay.hpp"
 #include "traces/scene.hpp"
 
@@ -153,7 +154,7 @@ std::vector<Covered> covered(const Asked& q, std::vector<Facet> facets, const Pi
   if (facets.empty()) return {};
   Scene alone = q.scene;
   alone.facets = std::move(facets);
-  const compare::Truth truth(alone, false);
+  const compare::Truth truth(alone, false, {}, formulas::fills_non_zero(q.trace.header().conventions));
   std::vector<Covered> all;
   for (std::int32_t y = 0; y < truth.height(); ++y)
     for (std::int32_t x = 0; x < truth.width(); ++x)

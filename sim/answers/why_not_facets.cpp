@@ -5,6 +5,7 @@
 #include "sim/answers/seen_point.hpp"
 #include "sim/answers/why_not_parts.hpp"
 #include "traces/events/fields.hpp"
+#include "traces/formulas/fill.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "sim/words/rejects.hpp"
 
@@ -184,16 +185,17 @@ int rank(const FacetThere& there) {
 
 std::vector<FacetThere> facets_there(Asked& q) {
   std::vector<FacetThere> facets;
+  const bool non_zero = formulas::fills_non_zero(q.trace.header().conventions);
   for (const std::int32_t facet : q.facets()) {
     FacetThere there;
     there.facet = facet;
     const auto corners = corners_of(q.scene, facet);
     there.away = in_space(q.scene) && q.trace.header().conventions.cull && !clipping::degenerate(q.scene, corners) &&
                  clipping::view_dot_normal(q.scene, corners) > 0;
-    there.at = compare::facet_at(q.scene, facet, false, q.pixel.x, q.pixel.y);
+    there.at = compare::facet_at(q.scene, facet, false, q.pixel.x, q.pixel.y, non_zero);
     if (there.covers() && there.at->candidate.sure()) there.surely = q.pixel;
     if (in_space(q.scene) && !there.covers())
-      if (const auto z = compare::depth_on_sight(q.scene, facet, q.pixel.x, q.pixel.y);
+      if (const auto z = compare::depth_on_sight(q.scene, facet, q.pixel.x, q.pixel.y, non_zero);
           z && (*z < q.scene.camera.near || *z > q.scene.camera.far))
         there.cut_at = z;
     facets.push_back(there);

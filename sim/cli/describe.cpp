@@ -52,6 +52,12 @@ std::string depth_text(const Camera& camera, Conventions::Depth depth) {
                                                           "reversed (1 at the near plane, 0 at the far one)",
                                                           "foley (0 at the near plane, -1 at the far one)",
                                                           "zero_to_one (0 at the near plane, 1 at the far one)"};
+  const auto [low, high] = camera.depth_range;
+  if (camera.depth_range.is_standard()) return texts[depth];
+  if (depth == Conventions::Depth::reversed)
+    return fmt::format("reversed ({} at the near plane, {} at the far one)", high, low);
+  if (depth == Conventions::Depth::zero_to_one)
+    return fmt::format("zero_to_one, in its range ({} at the near plane, {} at the far one)", low, high);
   return texts[depth];
 }
 

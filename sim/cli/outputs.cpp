@@ -100,11 +100,14 @@ void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& 
     say_written(outputs.ids, fmt::format("polygon indices, int32 [{},{}]", height, width));
   }
   if (!outputs.depth.empty()) {
-    const auto distance = [&](double depth) {
-      return static_cast<float>(view_depth(scene.camera, conventions, depth));
-    };
-    write_npy(outputs.depth, top_row_first<float>(picture.depth, picture.width, picture.height, y_up, distance), height,
-              width);
+    std::vector<double> distances(picture.depth.size(), no_depth);
+    for (std::size_t pixel = 0; pixel < distances.size(); ++pixel)
+      if (picture.polygon[pixel] != no_polygon)
+        distances[pixel] = view_depth(scene.camera, conventions, picture.depth[pixel]);
+    write_npy(outputs.depth,
+              top_row_first<float>(distances, picture.width, picture.height, y_up,
+                                   [](double distance) { return static_cast<float>(distance); }),
+              height, width);
     say_written(outputs.depth, fmt::format("view depths z_v, float32 [{},{}]", height, width));
   }
   if (!outputs.raw_depth.empty()) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/scene/files/tokens.hpp"
 #include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/traces.hpp"
@@ -59,6 +60,9 @@ struct Like {
   Conventions::Depth depth;
   bool y_up, cull;
   WrittenAs written;
+  Conventions::Coverage coverage = Conventions::Coverage::top_left;
+  bool corners = false;
+  bool eye_at_d = false;  ///< depths are d^2/z_v - d
 };
 using Centre = WrittenAs::Centre;
 using Axes = WrittenAs::Axes;
@@ -67,6 +71,14 @@ constexpr std::array likes{
     Like{"opengl", Conventions::Depth::zero_to_one, true, false, {Centre::half, Axes::right_handed}},
     Like{"vulkan", Conventions::Depth::zero_to_one, false, false, {Centre::half, Axes::right_handed}},
     Like{"direct3d", Conventions::Depth::zero_to_one, false, true, {Centre::half, Axes::left_handed}},
+    Like{"tinyrenderer",
+         Conventions::Depth::reversed,
+         true,
+         true,
+         {Centre::integer, Axes::right_handed},
+         Conventions::Coverage::inclusive,
+         true,
+         true},
 };
 
 /// One of some words; the words are the help's type name too, and what a shell offers to complete. `take` gets the
@@ -91,6 +103,21 @@ std::vector<std::string> method_ids() {
   std::vector<std::string> ids;
   for (const Method& m : methods()) ids.emplace_back(m.id);
   return ids;
+}
+
+/// What a program has whose clip coordinates are (x, y, z, 1 - z/d), z from the middle of the scene to an eye at d.
+Camera::DepthRange range_from_d(const Camera& camera) {
+  const double d = camera.d;
+  return {d * d / camera.far - d, d * d / camera.near - d};
+}
+
+Camera::DepthRange parse_range(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const auto low = scene::parse_number(text.substr(0, comma)),
+             high = comma == std::string::npos ? std::nullopt : scene::parse_number(text.substr(comma + 1));
+  if (!low || !high || !Camera::DepthRange{*low, *high}.is_right())
+    throw InputError("--depth-range " + text, "is not two numbers, the smaller one first", "as in --depth-range 0,1");
+  return {*low, *high};
 }
 
 /// A name that is neither built in nor a file gets an answer that knows both.
@@ -232,6 +259,11 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
      add_number(command, "--window", view.window, "Half the height of the window on the projection plane (default 1)"));
   in("Camera",
      add_number(command, "--near", view.near, "z_v of the near clipping plane (default: from the scene's extent)"));
+  in("Camera", command
+                   .add_option_function<std::string>(
+                       "--depth-range", [&view](const std::string& text) { view.depth_range = parse_range(text); },
+                       "What depths of 0 and 1, of zero-to-one and reversed, are in the depth buffer (default 0,1)")
+                   ->type_name("LOW,HIGH"));
   in("Camera",
      add_number(command, "--far", view.far, "z_v of the far clipping plane (default: from the scene's extent)"));
   const auto take_ortho = [&view](std::int64_t count) { view.orthographic = count > 0; };
@@ -263,13 +295,14 @@ Run prepare_with(const RunOptions& options, bool notes) {
     for (const std::string& note : file.notes) complain("note: " + note);
   ViewOptions view = options.view;
   const auto like = std::find_if(likes.begin(), likes.end(), [&](const Like& one) { return one.name == options.like; });
+  const bool has_camera = file.scene.camera.kind != Camera::Kind::screen;
   if (like != likes.end() && !view.y_up) {
     if (like->y_up && file.scene.surface)
       throw InputError("--like " + options.like, "has rows that go up, and those of a surface's picture go down",
                        "give --y-axis down besides");
     view.y_up = like->y_up;
   }
-  const bool has_camera = file.scene.camera.kind != Camera::Kind::screen;
+  if (like != likes.end() && like->corners && has_camera && !view.corners) view.corners = true;
   Conventions asked = file.conventions;
   asked.options = options.options;
   prepare_for_shade(file, asked);
@@ -277,7 +310,9 @@ Run prepare_with(const RunOptions& options, bool notes) {
   if (like != likes.end()) {
     if (has_camera) run.conventions.depth = like->depth;
     run.conventions.cull = like->cull;
-    run.conventions.coverage = Conventions::Coverage::top_left;
+    run.conventions.coverage = like->coverage;
+    if (like->eye_at_d && !view.depth_range && run.scene.camera.kind == Camera::Kind::perspective)
+      run.scene.camera.depth_range = range_from_d(run.scene.camera);
     if (!options.written_given.contains("--pixel-centre")) run.written.centre = like->written.centre;
     if (has_camera && !options.written_given.contains("--view-coordinates")) run.written.axes = like->written.axes;
   }
@@ -289,7 +324,7 @@ Run prepare_with(const RunOptions& options, bool notes) {
   if (options.no_cull) run.conventions.cull = false;
   run.conventions.options = options.options;
   check_run(*run.method, run.scene, run.conventions);
-  if (const std::string_view kind = kind_that_cannot_turn(header_of(run), run.scene.camera); !kind.empty()) {
+  if (const std::string_view kind = kind_that_cannot_turn(header_of(run)); !kind.empty()) {
     if (!options.written_given.empty())
       throw InputError(*options.written_given.begin(),
                        fmt::format("is not written for {}, whose steps have planes or cuts on the raster ({})",

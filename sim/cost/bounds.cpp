@@ -94,10 +94,7 @@ Corner<T> viewed(const Scene& scene, Conventions::Depth depth, const glm::dvec3&
                    !beyond(std::abs(double{y_p}), w_y);
   corner.x = formulas::screen_x(x_p, w_x, width, scene.raster),
   corner.y = formulas::screen_y(y_p, w_y, height, scene.raster);
-  corner.z = depth != Conventions::Depth::pseudodepth ? formulas::other_depth(depth, parallel, near, far, z_v)
-             : parallel                               ? formulas::parallel_pseudodepth(near, far, z_v)
-                                                      : formulas::pseudodepth(near, formulas::pseudodepth_a(near, far),
-                                                                              formulas::pseudodepth_b(near, far), z_v);
+  corner.z = formulas::vertex_depth(formulas::depth_scale(camera, depth, number), z_v);
   return corner;
 }
 

@@ -1,4 +1,5 @@
 #include "sim/truth/explain_difference.hpp"
+#include "traces/formulas/fill.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -150,7 +151,7 @@ Verdict explain_difference(const Scene& scene, const Conventions& conventions, c
     for (std::size_t pixel = 0; pixel < differs.size(); ++pixel)
       differs[pixel] = one.polygon[pixel] != other.polygon[pixel];
   }
-  return explain_difference(Truth(scene, conventions.cull, differs), one, other);
+  return explain_difference(Truth(scene, conventions.cull, differs, formulas::fills_non_zero(conventions)), one, other);
 }
 
 Verdict hold_against_truth(const Truth& truth, const Scene& scene, const Conventions& conventions,

@@ -1,5 +1,6 @@
 
 #include "sim/truth/sight.hpp"
+#include "traces/formulas/fill.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,8 @@ Real area_in_square(std::vector<Vec2> outline, const Vec2& place) {
 
 }  // namespace
 
-std::optional<FacetAt> facet_at(const Scene& scene, std::int32_t facet, bool cull, std::int32_t x, std::int32_t y) {
+std::optional<FacetAt> facet_at(const Scene& scene, std::int32_t facet, bool cull, std::int32_t x, std::int32_t y,
+                                bool non_zero) {
   const Sight sight(scene);
   const Facet& shape = scene.facets.at(facet);
   Seen seen;
@@ -47,14 +49,15 @@ std::optional<FacetAt> facet_at(const Scene& scene, std::int32_t facet, bool cul
   const Vec2 place(x, y);
   FacetAt found;
   found.candidate.facet = facet, found.candidate.polygon = shape.polygon;
-  locate(seen, place, found.candidate);
+  locate(seen, place, non_zero, found.candidate);
   measure_depth(seen, sight, place, found.candidate);
   constexpr Real nothing = 1e-12L;  // of a square whose side is 1: a point or a line that rounding moved
   found.in_square = found.candidate.covers || area_in_square(seen.outline, place) > nothing;
   return found;
 }
 
-std::optional<double> depth_on_sight(const Scene& scene, std::int32_t facet, std::int32_t x, std::int32_t y) {
+std::optional<double> depth_on_sight(const Scene& scene, std::int32_t facet, std::int32_t x, std::int32_t y,
+                                     bool non_zero) {
   const Sight sight(scene);
   const Facet& shape = scene.facets.at(facet);
   std::vector<Vec3> corners;
@@ -71,19 +74,19 @@ std::optional<double> depth_on_sight(const Scene& scene, std::int32_t facet, std
   if (!(std::fabs(approach) > edge_on_sine * glm::length(along) * glm::length(normal))) return std::nullopt;
   const Real z = glm::dot(corners[0] - from, normal) / approach;
   const Vec3 point = from + z * along;
-  // Inside by the even-odd rule, in the plane of the two axes that the normal leans on least.
+  // Inside in the plane of the two axes that the normal leans on least.
   const Vec3 size = glm::abs(normal);
   const int drop = size.x >= size.y && size.x >= size.z ? 0
                    : size.y >= size.z                   ? 1
                                                         : 2,
             u = drop == 0 ? 1 : 0, v = drop == 2 ? 1 : 2;
-  bool inside = false;
+  std::int32_t winding = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];
     if ((a[v] > point[v]) == (b[v] > point[v])) continue;
-    if (a[u] + (b[u] - a[u]) * ((point[v] - a[v]) / (b[v] - a[v])) > point[u]) inside = !inside;
+    if (a[u] + (b[u] - a[u]) * ((point[v] - a[v]) / (b[v] - a[v])) > point[u]) winding += b[v] > a[v] ? 1 : -1;
   }
-  if (!inside) return std::nullopt;
+  if (!formulas::is_inside(non_zero, winding)) return std::nullopt;
   return static_cast<double>(z);
 }
 
@@ -180,16 +183,16 @@ Real distance_to_edge(const Vec2& place, const Vec2& from, const Vec2& to) {
 
 }  // namespace
 
-void locate(const Seen& seen, const Vec2& place, Candidate& candidate) {
+void locate(const Seen& seen, const Vec2& place, bool non_zero, Candidate& candidate) {
   Real nearest = std::numeric_limits<Real>::infinity();
-  bool inside = false;
+  std::int32_t winding = 0;
   for (std::size_t i = 0; i < seen.outline.size(); ++i) {
     const Vec2 &from = seen.outline[i], &to = seen.outline[(i + 1) % seen.outline.size()];
     nearest = std::min(nearest, distance_to_edge(place, from, to));
     if ((from.y > place.y) == (to.y > place.y)) continue;
-    if (from.x + (to.x - from.x) * ((place.y - from.y) / (to.y - from.y)) > place.x) inside = !inside;
+    if (from.x + (to.x - from.x) * ((place.y - from.y) / (to.y - from.y)) > place.x) winding += to.y > from.y ? 1 : -1;
   }
-  candidate.covers = inside;
+  candidate.covers = formulas::is_inside(non_zero, winding);
   candidate.edge = static_cast<double>(nearest);
 }
 

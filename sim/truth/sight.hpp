@@ -22,11 +22,13 @@ struct FacetAt {
 };
 /// nullopt if nothing of the facet may be drawn: facing away where `cull`, without area, wholly before near or beyond
 /// far. Looks at this facet only.
-std::optional<FacetAt> facet_at(const Scene& scene, std::int32_t facet, bool cull, std::int32_t x, std::int32_t y);
+std::optional<FacetAt> facet_at(const Scene& scene, std::int32_t facet, bool cull, std::int32_t x, std::int32_t y,
+                                bool non_zero = false);
 
 /// z_v (a screen scene's own z) at which the line of sight through a pixel's centre meets a facet inside its outline,
 /// near and far plane and facing left aside; negative behind the eye. nullopt if it misses it or runs along its plane.
-std::optional<double> depth_on_sight(const Scene& scene, std::int32_t facet, std::int32_t x, std::int32_t y);
+std::optional<double> depth_on_sight(const Scene& scene, std::int32_t facet, std::int32_t x, std::int32_t y,
+                                     bool non_zero = false);
 
 using Real = long double;
 using Vec2 = glm::vec<2, Real>;
@@ -89,8 +91,8 @@ struct Seen {
 /// A facet as it is seen; false if nothing of it may be drawn.
 bool see(const Scene& scene, const Facet& facet, const Sight& sight, bool cull, Seen& seen);
 
-/// Inside by the even-odd rule, and how far from the nearest edge.
-void locate(const Seen& seen, const Vec2& place, Candidate& candidate);
+/// Inside by the even-odd or the non-zero rule, and how far from the nearest edge.
+void locate(const Seen& seen, const Vec2& place, bool non_zero, Candidate& candidate);
 
 /// The depth of the facet's plane on the line of sight.
 void measure_depth(const Seen& seen, const Sight& sight, const Vec2& place, Candidate& candidate);

@@ -19,7 +19,7 @@ void rows_between(Real low, Real high, std::int32_t count, std::int32_t& first, 
 
 }  // namespace
 
-Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted)
+Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted, bool non_zero)
     : width_(scene.raster.width), height_(scene.raster.height), place_(pixel_count(width_, height_), -1) {
   std::int32_t places = 0;
   for (std::size_t pixel = 0; pixel < place_.size(); ++pixel) {
@@ -43,7 +43,7 @@ Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted
         const std::int32_t slot = place_[pixel_at(x, y, width_)];
         if (slot < 0) continue;
         const Vec2 centre(x, y);
-        locate(seen, centre, candidate);
+        locate(seen, centre, non_zero, candidate);
         if (!candidate.covers && candidate.edge > edge_tolerance) continue;
         measure_depth(seen, sight, centre, candidate);
         candidates_[slot].push_back(candidate);

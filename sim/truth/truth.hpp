@@ -21,7 +21,7 @@ struct Candidate {
   double z_slack = 0;  ///< by how much z is unsure, since corners of planar polygons lie off their plane by up to 1e-5
   double slope = 0;    ///< by how much z changes over one pixel at most
   double edge = 0;  ///< pixels from the centre to the facet's nearest edge, edges made by near and far plane included
-  bool covers = false;   ///< the centre is inside, by the even-odd rule
+  bool covers = false;   ///< the centre is inside
   bool edge_on = false;  ///< seen from the side: its plane says nothing about depth, and z is its nearest corner's
 
   /// Covers the centre whatever the rounding.
@@ -32,8 +32,9 @@ struct Candidate {
 /// corners or, in space, without area.
 class Truth {
  public:
-  /// `wanted` [height*width] says at which pixels; at all of them if it is empty.
-  Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted = {});
+  /// `wanted` [height*width] says at which pixels; at all of them if it is empty. `non_zero`: by that rule, and not by
+  /// the even-odd one, a centre is inside.
+  Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted = {}, bool non_zero = false);
 
   /// The candidates at a pixel that was wanted, nearest first; of equal depths the facet drawn first.
   std::span<const Candidate> at(std::int32_t x, std::int32_t y) const;

@@ -17,6 +17,7 @@
 #include "traces/file/jsonl.hpp"
 #include "traces/file/written.hpp"
 #include "traces/formulas/walk.hpp"
+#include "traces/oracle/errors.hpp"
 
 using namespace zstep;
 using namespace zstep::test;
@@ -83,7 +84,7 @@ TEST_CASE("law: a run is written in the view coordinates of its matrices and rea
         const Trace run = recorded_by(method_of, scene);
         Header header = run.header();
         if (written_right_handed) header.written.axes = WrittenAs::Axes::right_handed;
-        if (!kind_that_cannot_turn(header, scene.camera).empty()) continue;
+        if (!kind_that_cannot_turn(header).empty()) continue;
         std::string text = jsonl_header(header, scene) + "\n";
         bool behind = false;
         run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& event) {
@@ -107,7 +108,8 @@ TEST_CASE("law: a run is written in the view coordinates of its matrices and rea
       }
 }
 
-TEST_CASE("a camera by matrices: what stands beside them, what has no eye, and rays are refused in one line") {
+TEST_CASE(
+    "a camera by matrices: what stands beside them, what has no eye, and planes that are not theirs are refused") {
   const Scene scene = seen("pyramid", frusta[1]);
   const std::string line = jsonl_header(recorded_by("z-buffer", scene).header(), scene);
   const auto with = [&](const std::string& from, const std::string& to) {
@@ -121,5 +123,42 @@ TEST_CASE("a camera by matrices: what stands beside them, what has no eye, and r
                        doctest::Contains("\"window\" stands beside \"projection\""), InputError);
   CHECK_THROWS_WITH_AS(trace_of(with("0.0,0.0,-1.0,0.0]]", "0.0,0.0,0.0,1.0]]")), doctest::Contains("have no eye"),
                        InputError);
-  CHECK_THROWS_WITH_AS(check_run(method("ray-casting"), scene, {}), doctest::Contains("casts rays"), InputError);
+  CHECK_THROWS_WITH_AS(trace_of(with("\"near\":0.5", "\"near\":0.75")),
+                       doctest::Contains("the row of z_c of its projection gives"), InputError);
+  CHECK_NOTHROW(trace_of(with("\"near\":0.5", "\"depth_range\":[0.25,0.75],\"near\":0.5")));
+  CHECK_THROWS_WITH_AS(trace_of(with("\"near\":0.5", "\"depth_range\":[0.75,0.25],\"near\":0.5")),
+                       doctest::Contains("the smaller one first"), InputError);
+  Scene aslant = scene;  // a near plane of its own, as for a mirror
+  aslant.camera.matrices->projection[0][2] = 0.5;
+  CHECK(planes_against_matrix(aslant.camera).find("does not go with the distance") != std::string::npos);
+  aslant.camera.matrices->projection = glm::dmat4(scene.camera.matrices->projection);
+  for (int column = 0; column < 4; ++column) aslant.camera.matrices->projection[column][2] = 0;
+  CHECK(planes_against_matrix(aslant.camera).empty());  // it says nothing of depths
+}
+
+TEST_CASE("law: rays through a matrix meet what the Z-buffer draws through it, and are not doubted") {
+  for (const char* name : {"cube", "dodecahedron", "cyclic"})
+    for (const Frustum& by : frusta) {
+      const Scene scene = seen(name, by);
+      const Picture drawn = formulas::end_of(recorded_by("z-buffer", scene)).picture;
+      for (const char* method_of : {"ray-casting", "ray-tracing"}) {
+        CAPTURE(name);
+        CAPTURE(by.l);
+        CAPTURE(method_of);
+        const Trace run = recorded_by(method_of, scene);
+        CHECK(check(run).causes.empty());
+        const Picture cast = formulas::end_of(run).picture;
+        if (std::string_view(method_of) == "ray-casting") {
+          CHECK(cast.polygon == drawn.polygon);
+          const oracle::Errors errors = oracle::errors_of(run);
+          CHECK(errors.wrong_pixels == 0);
+        }
+        std::string text = jsonl_header(run.header(), scene) + "\n";
+        run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& event) {
+          text += jsonl_event(run.header(), scene, event) + "\n";
+          return true;
+        });
+        CHECK(formulas::end_of(trace_of(text)).picture.polygon == cast.polygon);
+      }
+    }
 }

@@ -12,6 +12,8 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
+#include "algorithms/scene/save.hpp"
+#include "tests/folder.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/sparse.hpp"
 #include "tests/zoo/programs.hpp"
@@ -20,6 +22,7 @@
 #include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/formulas/walk.hpp"
+#include "traces/oracle/errors.hpp"
 #include "traces/record/trace_recorder.hpp"
 
 using namespace zstep;
@@ -103,21 +106,97 @@ TEST_CASE("law: a run whose numbers are written otherwise is the same run") {
       }
 }
 
+TEST_CASE("law: a depth range moves depths and nothing else, and is kept, declared and judged") {
+  const Camera::DepthRange range{0.25, 2.75};
+  for (const char* method : {"z-buffer", "half-space"})
+    for (const auto depth : {Conventions::Depth::zero_to_one, Conventions::Depth::reversed})
+      for (const bool parallel : {false, true}) {
+        CAPTURE(method);
+        CAPTURE(parallel);
+        Conventions conventions;
+        conventions.depth = depth;
+        const Scene plain = seen("pyramid-behind", 33, 62, false, parallel);
+        Scene ranged = plain;
+        ranged.camera.depth_range = range;
+        const Trace one = recorded_by(method, plain, conventions), other = recorded_by(method, ranged, conventions);
+        CHECK(causes_of(other) == "");
+        CHECK(oracle::errors_of(other).wrong_pixels == 0);
+        const Picture a = formulas::end_of(one).picture, b = formulas::end_of(other).picture;
+        CHECK(a.polygon == b.polygon);
+        for (std::size_t pixel = 0; pixel < a.depth.size(); ++pixel) {
+          if (a.polygon[pixel] == no_polygon) continue;
+          CHECK(b.depth[pixel] == doctest::Approx(range.low + (range.high - range.low) * a.depth[pixel]));
+          CHECK(view_depth(ranged.camera, conventions, b.depth[pixel]) ==
+                doctest::Approx(view_depth(plain.camera, conventions, a.depth[pixel])));
+        }
+        std::string text = jsonl_header(other.header(), ranged) + "\n",
+                    undeclared = jsonl_header(one.header(), plain) + "\n";
+        other.each(0, other.size(), [&](std::int64_t, const RecordedEvent& event) {
+          for (std::string* of : {&text, &undeclared}) *of += jsonl_event(other.header(), ranged, event) + "\n";
+          return true;
+        });
+        CHECK(trace_of(text).scene().camera.depth_range == range);
+        CHECK(causes_of(trace_of(text)) == "");
+        CHECK(causes_of(trace_of(undeclared)) != "");
+        CHECK(text_of_scene(ranged, conventions, "ranged.toml").text.find("depth_range = [0.25, 2.75]") !=
+              std::string::npos);
+      }
+}
+
+TEST_CASE("law: a depth buffer that begins at the far plane leaves out what lies on it, and nothing else") {
+  const std::string cards =
+      "[raster]\nwidth = 24\nheight = 16\n[camera]\neye = [0, 0, 0]\ntarget = [0, 0, -1]\nup = [0, 1, 0]\nd = 1\nnear "
+      "= "
+      "1\nfar = 8\n[options]\ncull = false\n"
+      "[[polygon]]\npoints = [[-6, -4, -8], [6, -4, -8], [0, 5, -8]]\n"
+      "[[polygon]]\npoints = [[0, -2, -4], [3, -2, -4], [2, 2, -7]]\n";
+  const test::Folder folder;
+  const SceneFile file = load_scene(folder.write("cards.toml", cards));
+  const Scene scene = look_at_scene(file.scene, {});
+  using Depth = Conventions::Depth;
+  for (const char* method : {"z-buffer", "half-space"})
+    for (const auto& [depth, far] : {std::pair(Depth::pseudodepth, 1.0),
+                                     {Depth::zero_to_one, 1.0},
+                                     {Depth::reversed, 0.0},
+                                     {Depth::view, 8.0},
+                                     {Depth::corrected, 8.0},
+                                     {Depth::reciprocal, 0.125}}) {
+      CAPTURE(method);
+      CAPTURE(far);
+      Conventions conventions = file.conventions;
+      conventions.depth = depth;
+      const Trace whole = recorded_by(method, scene, conventions);
+      conventions.options["initial-depth"] = "far";
+      const Trace run = recorded_by(method, scene, conventions);
+      CHECK(causes_of(run) == "");
+      CHECK(get<BuffersClear>(run.event(1).event).z == far);
+      const Picture all = formulas::end_of(whole).picture, most = formulas::end_of(run).picture;
+      int left_out = 0;
+      for (std::size_t pixel = 0; pixel < all.polygon.size(); ++pixel) {
+        left_out += all.polygon[pixel] == 0;
+        CHECK(most.polygon[pixel] == (all.polygon[pixel] == 0 ? no_polygon : all.polygon[pixel]));
+      }
+      CHECK(left_out > 30);
+    }
+}
+
 // ---- A renderer after a library ----------------------------------------------------------------------------------
 
 struct Library {
   const char* name;
   bool y_up;
   WrittenAs written;
+  bool is_tiny() const { return std::string_view(name) == "tinyrenderer"; }
 };
 const std::vector<Library> libraries{
     {"opengl", true, {WrittenAs::Centre::half, WrittenAs::Axes::right_handed}},
     {"vulkan", false, {WrittenAs::Centre::half, WrittenAs::Axes::right_handed}},
     {"direct3d", false, {WrittenAs::Centre::half, WrittenAs::Axes::left_handed}},
+    {"tinyrenderer", true, {WrittenAs::Centre::integer, WrittenAs::Axes::right_handed}},
 };
 
 /// Triangles before a camera, some of which share vertices or lie on each other's borders.
-Scene triangles_before_camera(std::uint64_t seed, bool up) {
+Scene triangles_before_camera(std::uint64_t seed, const Library& library) {
   std::mt19937_64 random(seed);
   const auto between = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random() % 4096) / 4096;
@@ -139,13 +218,18 @@ Scene triangles_before_camera(std::uint64_t seed, bool up) {
   }
   ViewOptions view;
   view.width = 17, view.height = 13, view.theta = between(0, 360), view.phi = between(20, 160), view.rho = 7;
-  view.near = 3, view.far = 11, view.d = between(1, 3), view.y_up = up;
-  return look_at_scene(std::move(scene), view);
+  view.near = 3, view.far = 11, view.d = between(1, 3), view.y_up = library.y_up, view.corners = library.is_tiny();
+  scene = look_at_scene(std::move(scene), view);
+  const double d = scene.camera.d;
+  if (library.is_tiny()) scene.camera.depth_range = {d * d / 11 - d, d * d / 3 - d};
+  return scene;
 }
 
 Header header_like(const Library& library, bool float32) {
   Conventions conventions;
   conventions.depth = Conventions::Depth::zero_to_one, conventions.cull = false;
+  if (library.is_tiny())
+    conventions.depth = Conventions::Depth::reversed, conventions.coverage = Conventions::Coverage::inclusive;
   if (float32) conventions.number_format = NumberFormat::float32;
   Header header = header_for(method("z-buffer"), conventions);
   header.written = library.written;
@@ -159,11 +243,12 @@ std::string printed(const Library& library, const Scene& scene, bool float32, bo
   return zoo::gl(task);
 }
 
-TEST_CASE("zoo: right renderers after OpenGL, Vulkan and Direct3D are not doubted under their conventions") {
+TEST_CASE(
+    "zoo: right renderers after OpenGL, Vulkan, Direct3D and tinyrenderer are not doubted under their conventions") {
   int runs = 0;
   for (const Library& library : libraries)
     for (std::uint64_t seed = 1; seed <= 200 / test::sparse; ++seed) {
-      const Scene scene = triangles_before_camera(seed, library.y_up);
+      const Scene scene = triangles_before_camera(seed, library);
       const bool float32 = seed % 2 == 0, quiet = seed % 3 == 0;
       CAPTURE(library.name);
       CAPTURE(seed);
@@ -200,7 +285,7 @@ TEST_CASE("zoo: a convention that such a renderer has and its header has not is 
     for (std::uint64_t seed = 1; seed <= 12 / test::sparse; ++seed) {
       const Library& library =
           *std::find_if(libraries.begin(), libraries.end(), [&](const Library& one) { return one.name == name; });
-      const Scene scene = triangles_before_camera(seed, library.y_up);
+      const Scene scene = triangles_before_camera(seed, library);
       Scene declared = scene;
       Header header = header_like(library, false);
       if (is_left_out("y")) declared.raster.y_up = false;
@@ -280,11 +365,11 @@ TEST_CASE("zoo: a wrong renderer after a library is found") {
        {"handedness_changes", "aspect_upside_down", "aspect_left_out", "near_left_out", "depth_not_divided",
         "y_upside_down", "picture_mirrored", "viewport_less_one", "depth_range_left_out", "depth_range_twice",
         "z_v_for_depth", "centres_at_corners", "border_for_both", "weights_exchanged", "depth_corrected_twice",
-        "compare_reversed", "cleared_to_0"}) {
+        "compare_reversed", "cleared_to_0", "w_of_wrong_sign"}) {
     int of_this = 0, found_of_this = 0;
     for (std::uint64_t seed = 1; seed <= 30 / test::sparse; ++seed) {
       const Library& library = libraries[seed % libraries.size()];
-      const Scene scene = triangles_before_camera(seed, library.y_up);
+      const Scene scene = triangles_before_camera(seed, library);
       const bool quiet = seed % 3 == 0;
       const std::string right = printed(library, scene, false, quiet),
                         wrong = printed(library, scene, false, quiet, mistake);

@@ -1,6 +1,8 @@
 // A renderer as its author would write it after OpenGL, Vulkan or Direct3D: a projection matrix, division by w, a
-// viewport, and pixels whose centres are at halves. Style: which of the three ("opengl", "vulkan", "direct3d"), and
-// "float32" or "float64"; "quiet" prints no vertices. Triangles in front of the near plane.
+// viewport, and pixels whose centres are at halves. Or after tinyrenderer (D. V. Sokolov, "Tiny Renderer", lessons 1 to
+// 7): z from the middle of the scene, w = 1 - z/d, borders that belong to both, pixels seen at their corners, greater
+// depths nearer. Style: which of the four ("opengl", "vulkan", "direct3d", "tinyrenderer"), and "float32" or "float64";
+// "quiet" prints no vertices. Triangles in front of the near plane.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +22,10 @@ template <class T>
 class Renderer {
  public:
   explicit Renderer(const Task& task)
-      : task_(task), depth_(static_cast<std::size_t>(task.width * task.height), is("cleared_to_0") ? T(0) : T(1)) {}
+      : task_(task),
+        depth_(static_cast<std::size_t>(task.width * task.height), is("cleared_to_0") ? T(0)
+                                                                   : tiny()           ? T(-1e30)
+                                                                                      : T(1)) {}
 
   std::string run() {
     out_.print("clear", "z", static_cast<double>(depth_[0]));
@@ -39,6 +44,7 @@ class Renderer {
   bool style(const char* word) const { return task_.style.find(word) != std::string::npos; }
   /// Does the eye look along -z?
   bool right_handed() const { return !style("direct3d"); }
+  bool tiny() const { return style("tinyrenderer"); }
 
   Four<T> to_window(int vertex) {
     const Camera& c = task_.camera;
@@ -70,12 +76,19 @@ class Renderer {
     if (is("picture_mirrored")) n.x = -n.x;
     const T width = T(is("viewport_less_one") ? task_.width - 1 : task_.width), height = T(task_.height);
     Four<T> s{(n.x + 1) / 2 * width, (n.y + 1) / 2 * height, n.z, n.w};
+    if (tiny()) s.z = depth_from_middle(distance);
     if (style("opengl") && !is("depth_range_left_out")) s.z = (n.z + 1) / 2;
     if (style("vulkan") && is("depth_range_twice")) s.z = (n.z + 1) / 2;
     if (is("z_v_for_depth")) s.z = distance;
     if (!style("quiet"))
       out_.print("to_viewport", "vertex", vertex, "x_s", static_cast<double>(s.x), "y_s", static_cast<double>(s.y));
     return s;
+  }
+
+  /// z/w with z = d - distance and w = 1 - z/d.
+  T depth_from_middle(T distance) const {
+    const T d = static_cast<T>(task_.camera.d), z = d - distance;
+    return is("depth_not_divided") ? z : is("w_of_wrong_sign") ? z / (1 + z / d) : z / (1 - z / d);
   }
 
   static T edge(const Four<T>& a, const Four<T>& b, T x, T y) {
@@ -90,8 +103,10 @@ class Renderer {
     const auto clamp = [](T value, int most) { return static_cast<int>(std::clamp(value, T(0), T(most))); };
     const auto [least_x, most_x] = std::minmax({p[0].x, p[1].x, p[2].x});
     const auto [least_y, most_y] = std::minmax({p[0].y, p[1].y, p[2].y});
-    const int end_x = clamp(std::ceil(most_x), task_.width), end_y = clamp(std::ceil(most_y), task_.height);
-    const T half = is("centres_at_corners") ? T(0) : T(0.5);
+    // Pixels on the last border count where borders belong to both.
+    const int end_x = clamp(tiny() ? std::floor(most_x) + 1 : std::ceil(most_x), task_.width),
+              end_y = clamp(tiny() ? std::floor(most_y) + 1 : std::ceil(most_y), task_.height);
+    const T half = tiny() == is("centres_at_corners") ? T(0.5) : T(0);
     for (int y = clamp(std::floor(least_y), task_.height); y < end_y; ++y)
       for (int x = clamp(std::floor(least_x), task_.width); x < end_x; ++x) {
         std::array<T, 3> w{};
@@ -100,7 +115,7 @@ class Renderer {
           const Four<T>&a = p[(i + 1) % 3], &b = p[(i + 2) % 3];
           w[i] = edge(a, b, T(x) + half, T(y) + half) / area;
           const bool owns = b.y < a.y || (b.y == a.y && b.x > a.x);
-          inside = inside && (w[i] > 0 || (w[i] == 0 && (owns || is("border_for_both"))));
+          inside = inside && (w[i] > 0 || (w[i] == 0 && (owns || tiny() || is("border_for_both"))));
         }
         if (inside) pixel(number, p, w, x, y);
       }
@@ -116,7 +131,7 @@ class Renderer {
     }
     const T z = w[0] * p[0].z + w[1] * p[1].z + w[2] * p[2].z;
     T& stored = depth_[static_cast<std::size_t>(y * task_.width + x)];
-    const bool nearer = is("compare_reversed") ? z > stored : z < stored;
+    const bool nearer = is("compare_reversed") != tiny() ? z > stored : z < stored;
     out_.print("compare", "x", x, "y", y, "z", static_cast<double>(z), "nearer", nearer);
     if (!nearer) return;
     stored = z;

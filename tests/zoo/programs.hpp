@@ -41,7 +41,7 @@ std::string half_planes(const Task& task);
 /// Three edge functions and barycentric weights, in many styles (see there); triangles only, on the raster or by a
 /// camera in front of which they all lie.
 std::string barycentric(const Task& task);
-/// A renderer after OpenGL, Vulkan or Direct3D (see there); triangles in front of a camera.
+/// A renderer after OpenGL, Vulkan, Direct3D or tinyrenderer (see there); triangles in front of a camera.
 std::string gl(const Task& task);
 /// Ray casting. Style "boxes": with a box around each polygon, a little wider; "tight boxes": not any wider.
 std::string rays(const Task& task);

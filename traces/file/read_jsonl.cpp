@@ -399,12 +399,8 @@ class Reader {
         if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
         scene = scene_from_json(document.at("scene"));
       });
-    const Camera& camera = given_ != nullptr ? given_->scene->camera : scene.camera;
-    if (const std::string_view kind = kind_that_cannot_turn(header_, camera); !kind.empty())
+    if (const std::string_view kind = kind_that_cannot_turn(header_); !kind.empty())
       parts.read([&] {
-        if (camera.matrices)
-          throw MalformedJson(document, "scene", fmt::format("a run with \"{}\" cannot have a \"projection\"", kind),
-                              "give \"eye\", \"d\" and \"window\"");
         throw MalformedJson(document, "conventions",
                             fmt::format("a run with \"{}\" must have pixel centres at integers and left-handed view "
                                         "coordinates",

@@ -87,6 +87,7 @@ ordered_json camera_to_json(const Camera& camera) {
   if (!camera.matrices) out["d"] = camera.d, out["window"] = camera.window;
   out["near"] = camera.near;
   out["far"] = real_to_json(is_infinitely_far(camera) ? std::numeric_limits<double>::infinity() : camera.far);
+  if (const auto [low, high] = camera.depth_range; !camera.depth_range.is_standard()) out["depth_range"] = {low, high};
   if (camera.matrices) {
     out["view"] = matrix_to(camera.matrices->view), out["projection"] = matrix_to(camera.matrices->projection);
     return out;
@@ -98,7 +99,7 @@ ordered_json camera_to_json(const Camera& camera) {
 
 Camera camera_from_json(const json& in, const Raster& raster) {
   known_keys(in, "the camera",
-             {"kind", "rho", "theta", "phi", "d", "window", "near", "far", "eye", "view", "projection"});
+             {"kind", "rho", "theta", "phi", "d", "window", "near", "far", "depth_range", "eye", "view", "projection"});
   Camera camera;
   camera.kind = word_or(in, "kind", camera_words, Camera::Kind::perspective);
   if (camera.kind == Camera::Kind::screen) return camera;
@@ -113,6 +114,14 @@ Camera camera_from_json(const json& in, const Raster& raster) {
   camera.near = real(in, "near");
   camera.far = real(in, "far");
   if (std::isinf(camera.far) && camera.kind == Camera::Kind::perspective) camera.far = infinitely_far * camera.near;
+  if (in.contains("depth_range")) {
+    const std::vector<json>& ends = list(in, "depth_range");
+    if (ends.size() == 2)
+      camera.depth_range = {real_from_json(ends[0], "depth_range"), real_from_json(ends[1], "depth_range")};
+    if (ends.size() != 2 || !camera.depth_range.is_right())
+      throw MalformedJson(in, "depth_range", "\"depth_range\" is not two numbers, the smaller one first",
+                          "write as [0, 1]");
+  }
   camera.view = matrix_from(in, "view");
   if (in.contains("projection")) {
     for (const char* other : {"rho", "d", "window", "eye"})
@@ -126,6 +135,8 @@ Camera camera_from_json(const json& in, const Raster& raster) {
     if (!take_matrices(camera, raster))
       throw MalformedJson(in, "projection", "\"view\" and \"projection\" have no eye",
                           "the rows of x_c, y_c and w_c must go with three directions");
+    if (const std::string against = planes_against_matrix(camera); !against.empty())
+      throw MalformedJson(in, "projection", against, std::string(row_of_depth_remedy));
   } else {
     camera.eye = vector_from(member(in, "eye"), "eye");
   }

@@ -130,16 +130,12 @@ void turn(Scene& scene, const Header& header, Turned to) {
   for (glm::dvec3& point : scene.points) point.x = moved_by(point.x, half), point.y = moved_by(point.y, half);
 }
 
-std::string_view kind_that_cannot_turn(const Header& header, const Camera& camera) {
+std::string_view kind_that_cannot_turn(const Header& header) {
+  if (header.written == WrittenAs{}) return "";
   constexpr std::array on_raster{kind_of<PlaneEquation>, kind_of<ExtentTest>, kind_of<SplitVertex>};
-  constexpr std::array from_eye{kind_of<RayBegin>};
-  const auto first_of = [&](const auto& kinds) {
-    const auto found =
-        std::find_if(kinds.begin(), kinds.end(), [&](std::size_t kind) { return records(header, kind); });
-    return found == kinds.end() ? std::string_view() : description_of_kind(*found).name;
-  };
-  const std::string_view ray = camera.matrices ? first_of(from_eye) : std::string_view();
-  return !ray.empty() || header.written == WrittenAs{} ? ray : first_of(on_raster);
+  const auto found =
+      std::find_if(on_raster.begin(), on_raster.end(), [&](std::size_t kind) { return records(header, kind); });
+  return found == on_raster.end() ? "" : description_of_kind(*found).name;
 }
 
 }  // namespace zstep

@@ -26,8 +26,8 @@ void turn(Header& header, Turned to);
 /// The points of a scene on the raster, which are positions; of a camera whose matrix is right-handed, its third row.
 void turn(Scene& scene, const Header& header, Turned to);
 
-/// A kind of event of this run whose numbers could not be taken over: it has planes or cuts on the raster, or, where
-/// the camera has matrices of its own, rays. Empty where all can.
-std::string_view kind_that_cannot_turn(const Header& header, const Camera& camera);
+/// A kind of event of this run whose numbers could not be taken over, planes or cuts on the raster; empty where all
+/// can.
+std::string_view kind_that_cannot_turn(const Header& header);
 
 }  // namespace zstep

@@ -11,6 +11,7 @@
 #include <glm/matrix.hpp>
 
 #include "traces/formulas/coverage.hpp"
+#include "traces/formulas/fill.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/viewing.hpp"
@@ -119,11 +120,11 @@ std::optional<DrawnFacet> DrawnFacet::from_scene(const Scene& scene, const Heade
   const std::vector<Viewed> corners = clip(clip(in_view(scene, of), camera.near, 1), camera.far, -1);
   const Rounded width(scene.raster.width), height(scene.raster.height), w_y(camera.window),
       w_x = window_width(w_y, width, height), d(camera.d);
+  const auto scale = depth_scale(camera, header.conventions.depth, [](double number) { return Rounded(number); });
   for (const Viewed& corner : corners) {
     const Rounded x = screen_x(parallel ? corner.x : projected(d, corner.x, corner.z), w_x, width, scene.raster),
                   y = screen_y(parallel ? corner.y : projected(d, corner.y, corner.z), w_y, height, scene.raster),
-                  z = vertex_depth(header.conventions.depth, parallel, Rounded(camera.near), Rounded(camera.far),
-                                   corner.z);
+                  z = vertex_depth(scale, corner.z);
     const double off = operations_of_vertex * roundoff;
     outline.push_back({corner.vertex, x.value, y.value, z.value, off * x.spread, off * y.spread, off * z.spread});
   }
@@ -202,6 +203,7 @@ bool DrawnFacet::find_plane(double roundoff) {
 struct DrawnFacet::Crossing {
   std::int32_t edge;
   double x, off;
+  std::int32_t way = 0;  ///< 1 where the outline goes down there, -1 where it goes up
 };
 
 DrawnFacet::Crossing DrawnFacet::crossing(std::size_t edge, std::int32_t y, double roundoff) const {
@@ -234,7 +236,7 @@ void DrawnFacet::find_intervals(const Scene& scene, const Header& header, double
   const double undeclared = header.declares(Convention::coverage) ? 0 : 0.5;
   double top = outline_[0].y, bottom = top;
   for (const DrawnCorner& corner : outline_) top = std::min(top, corner.y), bottom = std::max(bottom, corner.y);
-  const bool past_end = coverage == Coverage::inclusive;
+  const bool past_end = coverage == Coverage::inclusive, non_zero = fills_non_zero(header.conventions);
   first_row_ = row_from(top - undeclared - 0.5, height);
   const std::int32_t end = std::min(height, row_from(bottom + undeclared + 0.5, height) + 1);
   std::vector<Crossing> crossings;
@@ -258,9 +260,13 @@ void DrawnFacet::find_intervals(const Scene& scene, const Header& header, double
                                     : std::optional(false);
       unsure = unsure || (!goes_on && y == std::floor(lower));
       if (first_row(upper) <= y && y < end_row(lower, goes_on.value_or(false)) && upper < lower)
-        crossings.push_back(crossing(edge, y, roundoff));
+        crossings.push_back(crossing(edge, y, roundoff)), crossings.back().way = p.y < q.y ? 1 : -1;
     }
     std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+    // How often the outline goes round a place depends on which of two crossings comes first.
+    if (non_zero && crossings.size() > 2)
+      for (std::size_t i = 0; i + 1 < crossings.size(); ++i)
+        unsure = unsure || crossings[i + 1].x - crossings[i].x <= crossings[i].off + crossings[i + 1].off;
     if (unsure || crossings.size() % 2 != 0) {
       if (least <= most)
         intervals_.push_back({y, width, -1, std::max(0, limited_column(std::floor(least - 1), width)),
@@ -275,13 +281,15 @@ void DrawnFacet::find_intervals(const Scene& scene, const Header& header, double
         least_x.push_back(one.x - off), most_x.push_back(one.x + off);
       }
       std::sort(least_x.begin(), least_x.end()), std::sort(most_x.begin(), most_x.end());
-      for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-        const Crossing &left = crossings[i], &right = crossings[i + 1];
+      const auto add = [&](std::size_t i, std::size_t j) {
+        const Crossing &left = crossings[i], &right = crossings[j];
         const auto first = [&](double x) { return std::max(0, limited_column(first_pixel(x, coverage), width)); };
         const auto last = [&](double x) { return std::min(width - 1, limited_column(last_pixel(x, coverage), width)); };
-        intervals_.push_back({y, first(most_x[i]), last(least_x[i + 1]), first(least_x[i]), last(most_x[i + 1]),
-                              left.edge, right.edge, left.x, right.x, std::max(left.off, right.off)});
-      }
+        intervals_.push_back({y, first(most_x[i]), last(least_x[j]), first(least_x[i]), last(most_x[j]), left.edge,
+                              right.edge, left.x, right.x, std::max(left.off, right.off)});
+      };
+      each_span_inside(
+          crossings.size(), non_zero, [&](std::size_t i) { return crossings[i].way; }, add);
     }
     begin_of_row_.push_back(intervals_.size());
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "traces/formulas/coverage.hpp"
+#include "traces/formulas/fill.hpp"
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/of_polygons.hpp"
 #include "traces/formulas/outlines.hpp"
@@ -87,8 +88,11 @@ inline bool out_of_order(const std::vector<ActiveEdge>& active, std::size_t left
   return left + 1 < active.size() && active[left].x > active[left + 1].x;
 }
 
-/// Are these the first and second, third and fourth … of the list? Edges that meet may stand either way round.
-inline bool pair_of_list(const std::vector<ActiveEdge>& active, const ActiveEdge& left, const ActiveEdge& right) {
+/// Are these the first and second, third and fourth … of the list? Edges that meet may stand either way round. By the
+/// non-zero rule others may stand between them.
+inline bool pair_of_list(const Situation& at, const std::vector<ActiveEdge>& active, const ActiveEdge& left,
+                         const ActiveEdge& right) {
+  if (fills_non_zero(at.header.conventions)) return left.x <= right.x;
   std::size_t before_left = 0, up_to_left = 0, before_right = 0, up_to_right = 0;
   for (const ActiveEdge& one : active) {
     before_left += one.x < left.x, up_to_left += one.x <= left.x;
@@ -288,7 +292,7 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
     if (moves && swaps) of_list(Rule::list_in_order, sorted);
     if (moves && (sorted || !swaps))
       of_list(Rule::span_pairs,
-              left != right && (at.method().keeps_all || detail::pair_of_list(active, *left, *right)));
+              left != right && (at.method().keeps_all || detail::pair_of_list(at, active, *left, *right)));
     const auto is_here = [&](const ActiveEdge& one) {
       const EdgeTableInsert* entry = at.edge(one.edge);
       return moves || (entry && entry->first_row == e.y);

@@ -191,7 +191,6 @@ void derive_painted_by_ray(const PixelPaint& e, const Situation& at, Out& out) {
   if (!at.camera || !at.header.declares(Convention::depth)) return;
   if (at.on_screen()) return out.near(&PixelPaint::z, Rounded(ray.z_0) + Rounded(end.t) * Rounded(ray.dir_z));
   const Camera& camera = *at.camera;
-  const bool parallel = camera.kind == Camera::Kind::orthographic;
   // z_v of the point that is met: row 3 of T_v.
   const auto& view = camera.view;
   const Rounded t(end.t);
@@ -199,7 +198,8 @@ void derive_painted_by_ray(const PixelPaint& e, const Situation& at, Out& out) {
       matrix_row<Rounded>(view[0][2], view[1][2], view[2][2], view[3][2], Rounded(ray.x_0) + t * Rounded(ray.dir_x),
                           Rounded(ray.y_0) + t * Rounded(ray.dir_y), Rounded(ray.z_0) + t * Rounded(ray.dir_z));
   out.near(&PixelPaint::z,
-           vertex_depth(at.header.conventions.depth, parallel, Rounded(camera.near), Rounded(camera.far), z_v));
+           vertex_depth(depth_scale(camera, at.header.conventions.depth, [](double number) { return Rounded(number); }),
+                        z_v));
 }
 
 }  // namespace detail

@@ -32,12 +32,21 @@ auto of_scene(Out& out, std::string_view name, double value) {
 
 namespace detail {
 
+/// The scale of a camera's depths, the near and the far distance being given already.
+template <class Out, class T>
+DepthScale<T> depth_scale_of(Out& out, const Camera& camera, Conventions::Depth depth, const T& near, const T& far) {
+  const Camera::DepthRange& range = camera.depth_range;
+  const bool parallel = camera.kind == Camera::Kind::orthographic;
+  if (range.is_standard()) return {depth, parallel, near, far, false, near, far};
+  return {depth, parallel, near, far, true, of_scene(out, "low", range.low), of_scene(out, "high", range.high)};
+}
+
 /// The farthest depth that the scene can have: at the far plane, or of its points.
 inline std::optional<double> farthest_depth(const Situation& at) {
   if (!at.header.declares(Convention::depth) || !at.header.declares(Convention::nearer)) return std::nullopt;
   if (at.camera && !at.on_screen())
-    return vertex_depth<double>(at.header.conventions.depth, at.camera->kind == Camera::Kind::orthographic,
-                                at.camera->near, at.camera->far, at.camera->far);
+    return vertex_depth(depth_scale(*at.camera, at.header.conventions.depth, [](double number) { return number; }),
+                        at.camera->far);
   std::optional<double> farthest;
   for (const glm::dvec3& point : at.scene.points)
     if (!farthest || at.header.comparison.behind(point.z, *farthest) > 0) farthest = point.z;
@@ -137,7 +146,7 @@ void derive(const Projection& e, const Situation& at, Out& out) {
   if (!(camera.near < camera.far)) return;
   const auto near = detail::of_scene(out, "f", camera.near), far = detail::of_scene(out, "F", camera.far);
   if (depth != Conventions::Depth::pseudodepth)
-    return out.gives(&Projection::z, other_depth(depth, parallel, near, far, z_v));
+    return out.gives(&Projection::z, other_depth(detail::depth_scale_of(out, camera, depth, near, far), z_v));
   out.gives(&Projection::z, parallel ? parallel_pseudodepth(near, far, z_v)
                                      : pseudodepth(near, out.named("a", pseudodepth_a(near, far)),
                                                    out.named("b", pseudodepth_b(near, far)), z_v));

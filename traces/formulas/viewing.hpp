@@ -2,7 +2,9 @@
 // rays through pixels. Templates for the reason in outlines.hpp.
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
 #include "traces/conventions.hpp"
@@ -42,20 +44,45 @@ T parallel_pseudodepth(const T& near, const T& far, const T& z_v) {
   return T(2) * (z_v - near) / (far - near) - T(1);
 }
 
+/// All that the depth of a vertex follows from, besides its z_v.
+template <class T>
+struct DepthScale {
+  Conventions::Depth depth;
+  bool parallel;
+  T near, far;
+  bool ranged;  ///< has `low` and `high` in place of 0 and 1
+  T low, high;
+};
+/// A camera's; number(x) is x as a T.
+template <class Number>
+auto depth_scale(const Camera& camera, Conventions::Depth depth, const Number& number) {
+  using T = decltype(number(camera.near));
+  const Camera::DepthRange& range = camera.depth_range;
+  return DepthScale<T>{depth,
+                       camera.kind == Camera::Kind::orthographic,
+                       number(camera.near),
+                       number(camera.far),
+                       !range.is_standard(),
+                       number(range.low),
+                       number(range.high)};
+}
+
 /// The depth that a vertex takes along, where it is not the pseudodepth: z_v; 1/z_v; what is 1 at the near plane and 0
 /// at the far one; the (z - z_min)/((1 + z_min)(-z)) of 001 with z = -z_v/F and z_min = -f/F; or its negative.
 template <class T>
-T other_depth(Conventions::Depth depth, bool parallel, const T& near, const T& far, const T& z_v) {
-  switch (depth) {
+T other_depth(const DepthScale<T>& as, const T& z_v) {
+  const T &near = as.near, &far = as.far;
+  const auto in_range = [&](const T& depth) { return as.ranged ? as.low + (as.high - as.low) * depth : depth; };
+  switch (as.depth) {
     case Conventions::Depth::corrected:
     case Conventions::Depth::reciprocal:
       return T(1) / z_v;
     case Conventions::Depth::reversed:
-      return parallel ? (far - z_v) / (far - near) : near * (far - z_v) / (z_v * (far - near));
+      return in_range(as.parallel ? (far - z_v) / (far - near) : near * (far - z_v) / (z_v * (far - near)));
     case Conventions::Depth::foley:
-      return parallel ? (near - z_v) / (far - near) : far * (near - z_v) / (z_v * (far - near));
+      return as.parallel ? (near - z_v) / (far - near) : far * (near - z_v) / (z_v * (far - near));
     case Conventions::Depth::zero_to_one:
-      return parallel ? (z_v - near) / (far - near) : far * (z_v - near) / (z_v * (far - near));
+      return in_range(as.parallel ? (z_v - near) / (far - near) : far * (z_v - near) / (z_v * (far - near)));
     default:
       return z_v;
   }
@@ -63,10 +90,10 @@ T other_depth(Conventions::Depth depth, bool parallel, const T& near, const T& f
 
 /// Whichever of the two it is that a vertex at z_v takes along.
 template <class T>
-T vertex_depth(Conventions::Depth depth, bool parallel, const T& near, const T& far, const T& z_v) {
-  if (depth != Conventions::Depth::pseudodepth) return other_depth(depth, parallel, near, far, z_v);
-  return parallel ? parallel_pseudodepth(near, far, z_v)
-                  : pseudodepth(near, pseudodepth_a(near, far), pseudodepth_b(near, far), z_v);
+T vertex_depth(const DepthScale<T>& as, const T& z_v) {
+  if (as.depth != Conventions::Depth::pseudodepth) return other_depth(as, z_v);
+  return as.parallel ? parallel_pseudodepth(as.near, as.far, z_v)
+                     : pseudodepth(as.near, pseudodepth_a(as.near, as.far), pseudodepth_b(as.near, as.far), z_v);
 }
 
 /// What is in view: from the near to the far plane, and within a window of half width w_x and half height w_y at
@@ -152,6 +179,14 @@ T ray_y(const T& y, const T& w_y, const T& height, const Raster& raster) {
   return raster.y_up ? ray_x(y, w_y, height, raster) : w_y - within(y, raster) * T(2) * w_y / height;
 }
 
+/// The axes of view coordinates in the world, x_v's first: what lies at (x_v, y_v, z_v) from the eye is so much of
+/// each. They are the rows of T_v, which are of length 1 and square to each other, but of a projection matrix of one's
+/// own the columns of its inverse.
+inline glm::dmat3 axes_of_view(const Camera& camera) {
+  const glm::dmat3 view(camera.view);
+  return camera.matrices ? glm::inverse(view) : glm::transpose(view);
+}
+
 class EyeRays {
  public:
   EyeRays(const Camera& camera, const Raster& raster)
@@ -162,11 +197,9 @@ class EyeRays {
         width_(raster.width),
         height_(raster.height),
         raster_(raster) {
-    const glm::dmat4& view = camera.view;
-    right_ = {view[0][0], view[1][0], view[2][0]};
-    up_ = {view[0][1], view[1][1], view[2][1]};
-    away_ = {view[0][2], view[1][2], view[2][2]};
-    const glm::dvec3 origin(view[3]);  // of the world, in view coordinates
+    const glm::dmat3 axes = axes_of_view(camera);
+    right_ = axes[0], up_ = axes[1], away_ = axes[2];
+    const glm::dvec3 origin(camera.view[3]);  // of the world, in view coordinates
     const bool parallel = kind_ == Camera::Kind::orthographic;
     eye_ = parallel ? -(origin.x * right_ + origin.y * up_ + origin.z * away_) : camera.eye;
   }

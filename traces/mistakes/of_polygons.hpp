@@ -54,14 +54,10 @@ inline void suppose(const Projection& e, const Situation& at, Supposed& out) {
   }
   if (!parallel && detail::is_before_near(at, e.vertex)) out.says(not_clipped_near, true, false);
   if (!at.header.declares(Convention::depth) || !(at.camera->near < at.camera->far)) return;
-  const Rounded near = at.camera->near, far = at.camera->far;
-  using enum Conventions::Depth;
   const auto depth = at.header.conventions.depth;
-  if (depth == view) return;
-  const Rounded right = depth != pseudodepth ? formulas::other_depth(depth, parallel, near, far, z_v)
-                        : parallel           ? formulas::parallel_pseudodepth(near, far, z_v)
-                                             : formulas::pseudodepth(near, formulas::pseudodepth_a(near, far),
-                                                                     formulas::pseudodepth_b(near, far), z_v);
+  if (depth == Conventions::Depth::view) return;
+  const Rounded right = formulas::vertex_depth(
+      formulas::depth_scale(*at.camera, depth, [](double number) { return Rounded(number); }), z_v);
   out.number(z_v_for_depth, "z", e.z, {z_v}, right);
 }
 

@@ -135,13 +135,16 @@ std::vector<Point> common_part(Outline one, Outline other) {
 namespace {
 
 Point scaled(const Point& p, const Rational& by) { return {p.x * by, p.y * by, p.z * by}; }
+Point cross(const Point& a, const Point& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 }  // namespace
 
 Rational depth_of_view(const Camera& camera, Conventions::Depth depth, const Rational& z_v) {
   if (camera.kind == Camera::Kind::screen) return z_v;
-  const Rational near = exactly(camera.near), far = exactly(camera.far);
-  return formulas::vertex_depth(depth, camera.kind == Camera::Kind::orthographic, near, far, z_v);
+  return formulas::vertex_depth(formulas::depth_scale(camera, depth, [](double number) { return exactly(number); }),
+                                z_v);
 }
 
 const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
@@ -152,9 +155,14 @@ const ExactRays::Ray& ExactRays::ray(std::int32_t x, std::int32_t y) {
     ray_.from = {x, y, 0}, ray_.along = {0, 0, 1};
     return ray_;
   }
-  // The axes of view coordinates are the rows of T_v.
   const auto row = [&](int i) { return exactly(glm::dvec3(camera.view[0][i], camera.view[1][i], camera.view[2][i])); };
-  const Point right = row(0), up = row(1), away = row(2);
+  Point right = row(0), up = row(1), away = row(2);
+  if (camera.matrices) {  // the columns of the inverse (formulas::axes_of_view)
+    const Point across = cross(up, away);
+    const Rational by = Rational(1) / (right.x * across.x + right.y * across.y + right.z * across.z);
+    const Point axes[] = {scaled(across, by), scaled(cross(away, right), by), scaled(cross(right, up), by)};
+    right = axes[0], up = axes[1], away = axes[2];
+  }
   const Rational width = scene_.raster.width, height = scene_.raster.height, w_y = exactly(camera.window),
                  w_x = formulas::window_width(w_y, width, height);
   const Rational x_p = formulas::ray_x(Rational(x), w_x, width, scene_.raster),

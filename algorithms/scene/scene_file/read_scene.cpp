@@ -18,6 +18,7 @@
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/mesh.hpp"
+#include "algorithms/scene/scene_file/clip_points.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
 #include "algorithms/scene/surface/surface_scene.hpp"
 #include "algorithms/viewing/camera.hpp"
@@ -119,6 +120,12 @@ void read_camera(Keys& top, const std::string& file, bool screen, Camera& camera
   if (const toml::node* far = keys.find("far")) {
     const bool infinite = camera.kind == Camera::Kind::perspective && far->value<double>() == HUGE_VAL;
     camera.far = infinite ? HUGE_VAL : number_in(*far, file, "far");
+  }
+  if (const toml::array* ends = keys.array("depth_range")) {
+    if (ends->size() == 2)
+      camera.depth_range = {number_in((*ends)[0], file, "depth_range"), number_in((*ends)[1], file, "depth_range")};
+    if (ends->size() != 2 || !camera.depth_range.is_right())
+      fail_at(*ends, file, "depth_range is not two numbers, the smaller one first", "write as [0, 1]");
   }
   keys.finish();
   if (keys.has("near") && !(camera.near > 0))
@@ -225,7 +232,8 @@ MaterialKeys read_material(Keys& keys, const std::string& file) {
 std::optional<Light> read_light(Keys& top, const std::string& file, bool screen) {
   const toml::table* table = top.table("light");
   if (table == nullptr) return std::nullopt;
-  if (screen) fail_at(*table, file, "a light cannot stand in a scene in screen coordinates", "use world coordinates");
+  if (screen)
+    fail_at(*table, file, "a light needs a scene in world coordinates", "take it out, or use world coordinates");
   Keys keys(*table, file, "[light]");
   Light light;
   const auto position = keys.point("position");
@@ -267,9 +275,12 @@ class Reader {
     scene.name = top_.text("name").value_or(title);
     scene.source = file_;
     scene.background = color(top_, "background").value_or(scene.background);
-    screen_ = top_.choice("coordinates", {"world", "screen"}) == 1;
+    const auto coordinates = top_.choice("coordinates", {"world", "screen", "clip", "clip_zero_to_one"}).value_or(0);
+    screen_ = coordinates == 1;
+    if (coordinates >= 2) clip_.emplace(file_, coordinates == 2 ? ClipNear::minus_w : ClipNear::zero);
     read_raster(top_, file_, screen_, scene.raster);
     read_camera(top_, file_, screen_, scene.camera);
+    if (clip_) check_camera_of_clip_points();
     const toml::table* surface = top_.table("surface");
     // In screen coordinates there is no inside and outside, as textbooks give outlines either way round; a surface is
     // looked at from above and from below.
@@ -278,7 +289,7 @@ class Reader {
       fail_at(*top_.table("options")->get("cull"), file_,
               "cull needs an eye that sees backs, and these points are on the screen already",
               "leave it out, or give the scene a [camera] with an eye");
-    scene.light = read_light(top_, file_, screen_);
+    scene.light = read_light(top_, file_, screen_ || clip_);
     const toml::array* points = top_.array("points");
     keep_points_ = top_.boolean("keep_points").value_or(false);
     const toml::array* order = top_.array("order");
@@ -301,6 +312,7 @@ class Reader {
     read_in_file_order(polygons, meshes, builder);
     if (builder.size() == 0) throw InputError(file_, "the scene has no polygons", "add a [[polygon]] or a [[mesh]]");
     result = builder.finish();
+    if (clip_) clip_->give_camera(result.scene.camera);
     if (order != nullptr) put_in_order_of(*order, result);
     return result;
   }
@@ -347,9 +359,22 @@ class Reader {
     return found;
   }
 
+  glm::dvec3 point_of(const toml::node& node) {
+    return clip_ ? clip_->read(node) : point_in(node, file_, "a point", screen_);
+  }
+
+  /// Points in clip coordinates have been looked at already.
+  void check_camera_of_clip_points() {
+    const toml::table* table = top_.table("camera");
+    if (table == nullptr) return;
+    for (const auto& [key, node] : *table)
+      if (key != "near" && key != "far" && key != "depth_range")
+        fail_at(node, file_, fmt::format("'{}' stands in a scene in clip coordinates", key.str()),
+                "take it out: of the camera only near, far and depth_range are left");
+  }
+
   void read_points(const toml::array& list) {
-    for (const toml::node& node : list)
-      shared_points_.push_back({point_in(node, file_, "a point", screen_), line_of(node)});
+    for (const toml::node& node : list) shared_points_.push_back({point_of(node), line_of(node)});
   }
 
   // The polygons' indices follow the file, whichever way [[polygon]] and [[mesh]] alternate.
@@ -425,7 +450,7 @@ class Reader {
       fail_at(table, file_, "the polygon has fewer than three corners", "add some");
     if (points != nullptr)
       for (const toml::node& node : *points)
-        soup.add_corner(merger.add(soup, point_in(node, file_, "a point", screen_), line_of(node), where), where);
+        soup.add_corner(merger.add(soup, point_of(node), line_of(node), where), where);
     else
       for (const toml::node& node : *corners) {
         const auto index = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
@@ -513,7 +538,10 @@ class Reader {
 
   void read_mesh_entry(const toml::table& table, SceneBuilder& builder) {
     Keys keys(table, file_, "[[mesh]]");
-    if (screen_) fail_at(table, file_, "a mesh cannot stand in a scene in screen coordinates", "use world coordinates");
+    if (screen_ || clip_)
+      fail_at(table, file_,
+              fmt::format("a mesh cannot stand in a scene in {} coordinates", screen_ ? "screen" : "clip"),
+              "use world coordinates");
     const auto path = keys.text("file"), built_in = keys.text("builtin");
     keys.not_both("file", "builtin", "keep one");
     const auto base = color(keys, "color");
@@ -548,8 +576,10 @@ class Reader {
   }
 
   SceneFile read_surface_scene(const toml::table& table, SceneFile result) {
-    if (screen_)
-      fail_at(table, file_, "a surface cannot stand in a scene in screen coordinates", "use world coordinates");
+    if (screen_ || clip_)
+      fail_at(table, file_,
+              fmt::format("a surface cannot stand in a scene in {} coordinates", screen_ ? "screen" : "clip"),
+              "use world coordinates");
     Keys keys(table, file_, "[surface]");
     const Surface surface = read_surface(keys, file_);
     const auto base = color(keys, "color");
@@ -578,6 +608,7 @@ class Reader {
   const std::string& file_;
   const MeshFiles& meshes_;
   bool screen_ = false;
+  std::optional<ClipPoints> clip_;
   bool keep_points_ = false;  ///< each of the list is a vertex, under its number there
   std::vector<SharedPoint> shared_points_;
   /// Values at the vertices of polygons, by name, and which of them each corner of the soup at work has.

@@ -274,6 +274,11 @@ bool edit_numbers(TomlText& text, const std::array<CameraKey, Count>& keys, cons
   return edited;
 }
 
+bool edit_depth_range(TomlText& text, const Camera::DepthRange& was, const Camera::DepthRange& is) {
+  if (was != is) text.set("camera", "depth_range", fmt::format("[{}, {}]", is.low, is.high));
+  return was != is;
+}
+
 bool edit_eye(TomlText& text, const Camera& was, const Camera& is) {
   bool edited = was.kind != is.kind;
   if (edited) text.set("camera", "orthographic", in_toml(is.kind == Camera::Kind::orthographic));
@@ -316,7 +321,8 @@ bool edit_view(TomlText& text, const Wanted& wanted) {
   if (edit_raster(text, was.raster, is.raster) || edit_options(text, file.conventions, wanted.conventions)) return true;
   if (is.camera.kind == Camera::Kind::screen) return false;
   return edit_eye(text, was.camera, is.camera) || edit_window(text, was.camera, is.camera) ||
-         edit_numbers(text, plane_keys, was.camera, is.camera) || edit_light(text, was.light, is.light);
+         edit_numbers(text, plane_keys, was.camera, is.camera) ||
+         edit_depth_range(text, was.camera.depth_range, is.camera.depth_range) || edit_light(text, was.light, is.light);
 }
 
 }  // namespace zstep::scene

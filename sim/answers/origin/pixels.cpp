@@ -25,7 +25,7 @@ void tell_along_ray(Datum& datum, Work& work, std::int64_t step) {
   const Number t = work.field(end, "t", datum.number());
   if (work.scene.camera.kind == Camera::Kind::screen) return datum.same_as("t", t);
   const viewing::Lens lens(work.scene.camera, work.scene.raster, work.conventions.depth);
-  const bool view = lens.depth == Conventions::Depth::view;
+  const bool view = lens.scale.depth == Conventions::Depth::view;
   if (lens.orthographic && view) return datum.same_as("t", t);
   Operands of;
   const Formula along = of("t", t), d = of("d", lens.d), n = of("n", lens.near), f = of("f", lens.far);
@@ -176,7 +176,7 @@ void tell_row(Datum& datum, const glm::dmat4& matrix, const char* letter, Axis3 
 
 /// A depth of the buffer, of this name, as far from the eye as it is.
 void tell_view_depth(Datum& datum, const viewing::Lens& lens, const std::string& name, const Number& depth) {
-  if (lens.depth == Conventions::Depth::view || std::isinf(depth.value)) return datum.same_as(name, depth);
+  if (lens.scale.depth == Conventions::Depth::view || std::isinf(depth.value)) return datum.same_as(name, depth);
   Operands of;
   const Formula n = of("n", lens.near), f = of("f", lens.far), z = of(name, depth);
   datum.is(
@@ -308,7 +308,8 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   if (field == "z_light") {
     const Formula n = of("n", lens.near), a = of("a", lens.a), z_v = of("z_v", through.seen(Axis3::z)),
                   b = of("b", lens.b);
-    return datum.is(lens.depth == Conventions::Depth::view ? z_v : formulas::pseudodepth(n, a, b, z_v), of, false);
+    return datum.is(lens.scale.depth == Conventions::Depth::view ? z_v : formulas::pseudodepth(n, a, b, z_v), of,
+                    false);
   }
   tell_lit(datum, through, std::round(e.x_light), std::round(e.y_light), e.lit,
            {work.field(step, "z_light"), work.field(step, "x_light"), work.field(step, "y_light")});

@@ -186,16 +186,17 @@ void tell_eye_direction(Datum& datum, Work& work, std::int64_t step, const RayBe
     datum.is("dz", {{"dz", axis == Axis3::z ? 1 : 0}});
     return datum.note("along z");
   }
-  const glm::dmat4& view = camera.view;
+  const glm::dmat3 axes = formulas::axes_of_view(camera);
   if (lens.orthographic) {
-    datum.is("T_3", {{"T_3", view[+axis][2]}});
+    datum.is("T_3", {{"T_3", axes[2][+axis]}});
     return datum.note(fmt::format("the line of sight, the third row of T_v; T_3: column {}", +axis + 1));
   }
   Operands of;
-  const Formula across = across_window(of, work, step, lens, e, view[+axis][0], view[+axis][1]), d = of("d", lens.d),
-                t_3 = of("T_3", view[+axis][2]);
+  const Formula across = across_window(of, work, step, lens, e, axes[0][+axis], axes[1][+axis]), d = of("d", lens.d),
+                t_3 = of("T_3", axes[2][+axis]);
   datum.is(across + d * t_3, of);
-  datum.note(fmt::format("T_1, T_2, T_3: column {} of T_v", +axis + 1));
+  datum.note(fmt::format("T_1, T_2, T_3: {} {} of {}", camera.matrices ? "row" : "column", +axis + 1,
+                         camera.matrices ? "the inverse of T_v" : "T_v"));
 }
 
 void tell_eye_start(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, Axis3 axis) {

@@ -145,6 +145,6 @@ TEST_SUITE("lights and materials") {
     CHECK(contains(error_of("[light]\nposition = [1, 0, 0]\nposiiton = 1\n" + cube), "did you mean 'position'?"));
     CHECK(contains(error_of("light = 3\n" + cube), "write it as a table: [light]"));
     CHECK(contains(error_of("coordinates = \"screen\"\n[light]\nposition = [1, 0, 0]\n" + triangle),
-                   "a light cannot stand in a scene in screen coordinates"));
+                   "a light needs a scene in world coordinates"));
   }
 }

@@ -182,7 +182,7 @@ TEST_SUITE("scene files") {
 
   TEST_CASE("a projection matrix of one's own, and a far plane at infinity") {
     // gluPerspective(90, 2, ...): half of the window's height is d, half of its width twice that.
-    const std::string projection = "projection = [[0.5, 0, 0, 0], [0, 1, 0, 0], [0, 0, 9, 9], [0, 0, -1, 0]]\n";
+    const std::string projection = "projection = [[0.5, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, -1], [0, 0, -1, 0]]\n";
     const SceneFile file = read("raster.width = 60\nraster.height = 30\n" + triangle + "[camera]\neye = [5, 0, 0]\n" +
                                 projection + "near = 0.5\nfar = inf\n");
     const Scene own = look_at_scene(file.scene, {});
@@ -199,6 +199,21 @@ TEST_SUITE("scene files") {
     CHECK(look_at_scene(file.scene, wider).camera.view[1][0] == doctest::Approx(own.camera.view[1][0] / 2));
     wider.window = 2;  // a camera of zstep's from there on
     CHECK(!look_at_scene(file.scene, wider).camera.matrices);
+    const auto with_row = [&](const std::string& row, const std::string& more) {
+      std::string text = projection;
+      text.replace(text.find("[0, 0, -1, -1]"), 14, row);
+      return input_error([&] {
+        look_at_scene(read(triangle + "[camera]\neye = [5, 0, 0]\n" + text + "near = 0.5\nfar = inf\n" + more).scene,
+                      {});
+      });
+    };
+    CHECK(
+        contains(with_row("[0, 0, 9, 9]", ""), "the row of z_c of its projection gives 9 at near = 0.5 and -9 at far"));
+    CHECK(with_row("[0, 0, 0, 0]", "") == "no error");
+    CHECK(with_row("[0, 0, -0.75, 0]", "").find("0.75 at near") != std::string::npos);
+    CHECK(with_row("[0, 0, -0.75, -0.25]", "depth_range = [0.25, 0.75]\n") == "no error");
+    CHECK(contains(error_of(triangle + "[camera]\ndepth_range = [1, 0]\n"), "the smaller one first"));
+    CHECK(contains(error_of(triangle + "[camera]\ndepth_range = [1]\n"), "two numbers"));
     CHECK(contains(error_of(triangle + "[camera]\n" + projection), "'projection' stands without 'eye'"));
     CHECK(contains(error_of(triangle + "[camera]\neye = [5, 0, 0]\nd = 1\n" + projection), "keep one"));
     CHECK(contains(error_of(triangle + "[camera]\neye = [5, 0, 0]\nprojection = [[1, 0], [0, 1]]\n"),
