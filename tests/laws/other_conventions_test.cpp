@@ -358,6 +358,31 @@ TEST_CASE("left-handed view coordinates are proposed for a run that prints facin
   CHECK(proposed_for(left, {{centre, right_handed + centre}}) == "view_coordinates left_handed ");
 }
 
+TEST_CASE("another depth is proposed for a right-handed run, also where the one declared would have another sign") {
+  const Scene scene = seen("pyramid-behind", 33, 62, false);
+  using Depth = Conventions::Depth;
+  int proposed = 0;
+  for (const Depth of_run : values_of<Depth>)
+    for (const Depth declared : values_of<Depth>) {
+      if (of_run == declared) continue;
+      Conventions conventions;
+      conventions.depth = of_run;
+      Header header = header_for(method("z-buffer"), conventions);
+      header.written.axes = WrittenAs::Axes::right_handed;
+      TraceRecorder recorder(header, scene);
+      method("z-buffer").record(scene, conventions, recorder);
+      recorder.finish();
+      const Trace run = Trace::from_bytes(recorder.take_bytes(), "run");
+      const auto in_header = [](Depth depth) { return fmt::format("\"depth\":\"{}\"", word_of(depth)); };
+      CAPTURE(word_of(of_run));
+      CAPTURE(word_of(declared));
+      const std::string said = proposed_for(run, {{in_header(of_run), in_header(declared)}});
+      CHECK(said.starts_with(fmt::format("depth {} ", word_of(of_run))));
+      ++proposed;
+    }
+  CHECK(proposed == 42);
+}
+
 TEST_CASE("zoo: a wrong renderer after a library is found") {
   int seen = 0, found = 0, at_first = 0;
   std::string table;

@@ -267,6 +267,7 @@ std::optional<std::int64_t> wrong_steps_under(const Others& others, const Trace&
   turn(header, Turned::as_written);
   bool anew = false;
   for (const Otherwise* other : others) other->change(header), anew |= other->is_of_raster || other->is_of_numbers;
+  anew = anew || depths_change_sign(header) != depths_change_sign(trace.header());
   if (anew && !kind_that_cannot_turn(header).empty()) return std::nullopt;
   const CheckReport report = [&] {
     if (anew) {

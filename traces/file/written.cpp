@@ -12,15 +12,15 @@
 #include "traces/events/fields.hpp"
 
 namespace zstep {
-namespace {
 
-/// 1/z_v is negative before a right-handed eye, and so are z_v itself and what is linear in them.
 bool depths_change_sign(const Header& header) {
   using enum Conventions::Depth;
   const Conventions::Depth depth = header.conventions.depth;
   return header.written.axes == WrittenAs::Axes::right_handed &&
          (depth == view || depth == corrected || depth == reciprocal);
 }
+
+namespace {
 
 bool is_of_attribute(const FieldOfKind& field) { return field.name == "over_z" || field.name == "one_over_z"; }
 

@@ -26,6 +26,10 @@ void turn(Header& header, Turned to);
 /// The points of a scene on the raster, which are positions; of a camera whose matrix is right-handed, its third row.
 void turn(Scene& scene, const Header& header, Turned to);
 
+/// Are depths written with the other sign? 1/z_v is negative before a right-handed eye, and so are z_v itself and what
+/// is linear in them.
+bool depths_change_sign(const Header& header);
+
 /// A kind of event of this run whose numbers could not be taken over, planes or cuts on the raster; empty where all
 /// can.
 std::string_view kind_that_cannot_turn(const Header& header);
