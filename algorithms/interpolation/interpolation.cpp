@@ -414,6 +414,10 @@ Page page_with(Page page, const Conventions& conventions) {
     if (line.id == step::shade.id) line.text = shade_texts[shade];
     if (line.id == z_buffer::step::clear.id && ways.comparison.nearer == Comparison::Nearer::greater)
       line.text = "frame[x,y] = background, zbuffer[x,y] = \u2212\u221e for all x, y";
+    if (line.id == z_buffer::step::clear.id && is_given(conventions, initial_depth_option, "far"))
+      line.text = "frame[x,y] = background, zbuffer[x,y] = the farthest depth in view for all x, y";
+    if (line.id == scan_conversion::step::span.id && formulas::fills_non_zero(conventions))
+      line.text = "for each pair (left, right) of active edges between which the winding number is not 0";
     if (line.id == z_buffer::step::compare.id && ways.comparison != Comparison{})
       line.text = fmt::format("if z {} zbuffer[x,y]", ways.comparison.sign());
   }

@@ -36,8 +36,8 @@ inline constexpr Option ties_option{"ties", "first|last", "first",
                                     false};
 inline constexpr Option initial_depth_option{
     "initial-depth", "infinity|far", "infinity",
-    "what the depth buffer is cleared to: behind all depths, or the depth of the far plane, which leaves out what "
-    "lies on it",
+    "what the depth buffer is cleared to: behind all depths, or the farthest depth in view, which leaves out what lies "
+    "on the far plane",
     false};
 inline constexpr Option fill_option{formulas::fill_key, "even-odd|non-zero", "even-odd",
                                     "which parts of an outline that crosses itself are inside: those that it goes "

@@ -13,6 +13,7 @@
 #include "algorithms/scene/load.hpp"
 #include "tests/folder.hpp"
 #include "tests/golden/golden.hpp"
+#include "tests/unit/algorithms/scenes.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
 #include "traces/formulas/shading.hpp"
@@ -36,6 +37,9 @@ std::vector<Scene> scenes_of(Camera::Kind kind) {
     if (kind != Camera::Kind::screen) view.width = 24, view.height = 20;
     all.push_back(look_at_scene(std::move(scene), view));
   }
+  // An outline that goes round its middle twice.
+  if (kind == Camera::Kind::screen)
+    all.push_back(test::screen_scene(24, 24, {{{12, 1, 1}, {19, 22, 1}, {1, 9, 1}, {23, 9, 1}, {5, 22, 1}}}));
   return all;
 }
 

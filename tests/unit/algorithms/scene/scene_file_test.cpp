@@ -74,7 +74,7 @@ TEST_SUITE("scene files") {
 
   TEST_CASE("the examples of docs/scene-format.md are scenes") {
     const auto blocks = examples("docs/scene-format.md");
-    REQUIRE(blocks.size() == 7);
+    REQUIRE(blocks.size() == 8);
     for (const std::string& block : blocks) CHECK_MESSAGE(error_of(block) == "no error", block);
 
     const SceneFile file = read(blocks[1]);
