@@ -214,6 +214,18 @@ void draw_told(Ui& ui, const StepMarks::Told& told) {
   if (!told.lines.empty() || !told.note.empty()) ImGui::Dummy({1, ui.em * 0.25f});
 }
 
+/// All of them, or the last ones, to which those before them lead.
+void tell_formulas(Ui& ui, const Explanation& told) {
+  Ui::TextHeight& its = ui.text_heights[happened_pane.id];
+  if (its.moment != ui.read_now()) its.spared.clear(), its.gone = 0;
+  for (std::size_t k = 0; k < its.gone; ++k) ui.given_way += its.spared[k];
+  for (std::size_t k = its.gone; k < told.formulas.size(); ++k) {
+    const float top = ImGui::GetCursorPosY();
+    tell_formula(ui, told.formulas[k], told.owned);
+    if (its.spared.size() == k && k + 1 < told.formulas.size()) its.spared.push_back(ImGui::GetCursorPosY() - top);
+  }
+}
+
 void draw_happened(Ui& ui) {
   const Theme& c = ui.colors();
   const StepMarks::Told found = ui.marks ? ui.marks->told(ui.session) : StepMarks::Told{};  // moves the replay
@@ -241,7 +253,7 @@ void draw_happened(Ui& ui) {
   else if (!told_by_lesson) tell(ui, told.sentence);
   if (doubts_all || !told_by_lesson) ImGui::Dummy({1, ui.em * 0.25f});
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  for (const std::string& formula : told.formulas) tell_formula(ui, formula, told.owned);
+  tell_formulas(ui, told);
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
   key_to_owners(ui, told.owned);
   if (doubts && !doubts_all) flow(ui, *told.doubt, in_doubt);
