@@ -58,3 +58,14 @@ TEST_CASE("polygons are named at their outlines over Warnock's areas") {
   const Shown shown = words_at("warnock", 3);
   CHECK(shown.count("C") == 2);  // among the polygons of the timeline, too
 }
+
+TEST_CASE("the rays from above show what the text speaks of: a miss, boxes by their numbers, the window") {
+  for (const bool presenter : {false, true}) {
+    CAPTURE(presenter);
+    const Shown miss = words_at("ray-casting", 4, presenter);
+    CHECK(miss.count("t = 3") == 1);
+    CHECK(miss.count("window") == 1);
+    const Shown missed = words_at("ray-casting", 15, presenter);
+    for (const char* name : {"box 0", "box 1", "box 4"}) CHECK_MESSAGE(missed.count(name) == 1, name);
+  }
+}
