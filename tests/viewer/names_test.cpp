@@ -54,6 +54,18 @@ TEST_CASE("an edge at work is named with its vertices, and so is the polygon tha
   }
 }
 
+TEST_CASE(
+    "the scene shows a polygon's normal where its facing is tested, and those at vertices where light is computed") {
+  for (const bool presenter : {false, true}) {
+    CAPTURE(presenter);
+    const Shown facing = words_at("back-faces", 2, presenter);
+    for (const char* name : {"n", "p \u2212 e"}) CHECK_MESSAGE(facing.count(name) == 1, name);
+    CHECK(words_at("back-faces", 1, presenter).count("n") == 0);
+    const Shown vertex = words_at("light-at-vertices", 4, presenter);
+    for (const char* name : {"n", "l"}) CHECK_MESSAGE(vertex.count(name) == 1, name);
+  }
+}
+
 TEST_CASE("polygons are named at their outlines over Warnock's areas") {
   const Shown shown = words_at("warnock", 3);
   CHECK(shown.count("C") == 2);  // among the polygons of the timeline, too

@@ -276,8 +276,9 @@ void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::option
   const Theme& c = ui.colors();
   if (!s.event() || m.keeps_all || count < 3 || count > most_named || map.cell < least_cell) return;
   const std::optional<std::int32_t> now = edge_now(s.event());
-  const bool begins_span = holds<SpanBegin>(s.event()->event), steps = holds<EdgeStep>(s.event()->event);
-  if (!now && !begins_span && !holds<EdgeSwap>(s.event()->event)) return;
+  const SpanBegin* span = get_if<SpanBegin>(&s.event()->event);
+  const bool steps = holds<EdgeStep>(s.event()->event);
+  if (!now && !span && !holds<EdgeSwap>(s.event()->event)) return;
   std::vector<glm::dvec2> corners;
   for (const std::int32_t vertex : m.outline)
     if (const auto at = on_raster(s.scene(), s.state(), vertex)) corners.emplace_back(map.px(at->x), map.py(at->y));
@@ -294,16 +295,25 @@ void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::option
     const double length = portable::length(way.x, way.y);
     return length > 0 ? glm::dvec2(way.y, -way.x) * (area > 0 ? 1 / length : -1 / length) : glm::dvec2(0);
   };
-  if (begins_span && ends)
+  if (span && ends)
     for (const auto& [name, x, side] : {std::tuple{"x_L", ends->left, -1.0f}, {"x_R", ends->right, 1.0f}}) {
       const ImVec2 size = text_size(ui, ui.fonts.bold, name);
       const float beside = x + side * (size.x / 2 + 5 * ui.thin), middle = (ends->top + ends->end) / 2;
       words.put(name, c.now, ui.fonts.bold,
                 {{beside, middle}, {beside, middle + size.y}, {beside, middle - size.y}, {x, ends->end + size.y}});
     }
-  for (std::size_t k = 0; k < count && !begins_span && !steps; ++k)
-    words.around(vertex_label(s.scene(), m.outline[k]), c.text, ui.fonts.small, place(k), out(k) + out(k + count - 1));
-  for (const EdgeTableInsert& edge : edges_at_work(s, most_named))
+  // A span has two edges, and none of the others matters.
+  std::vector<EdgeTableInsert> edges = edges_at_work(s, most_named);
+  if (span)
+    std::erase_if(edges,
+                  [&](const EdgeTableInsert& e) { return e.edge != span->left_edge && e.edge != span->right_edge; });
+  for (std::size_t k = 0; k < count && !steps; ++k) {
+    const std::int32_t vertex = m.outline[k];
+    if (!span || std::any_of(edges.begin(), edges.end(),
+                             [&](const EdgeTableInsert& e) { return e.vertex_0 == vertex || e.vertex_1 == vertex; }))
+      words.around(vertex_label(s.scene(), vertex), c.text, ui.fonts.small, place(k), out(k) + out(k + count - 1));
+  }
+  for (const EdgeTableInsert& edge : edges)
     for (std::size_t k = 0; k < count; ++k)
       if (std::minmax(m.outline[k], m.outline[(k + 1) % count]) == std::minmax(edge.vertex_0, edge.vertex_1))
         words.beside(edge_label(s.scene(), edge), now == edge.edge ? c.now : c.text, ui.fonts.bold, place(k),

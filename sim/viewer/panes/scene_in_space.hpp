@@ -30,6 +30,8 @@ class RoomPen {
       : room(of), colors(theme), picture_(picture), seen_(seen), outside_(outside), thin_(thin) {}
 
   void line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness = 1, bool dashed = false);
+  /// With a name at its tip.
+  void arrow(glm::dvec3 from, glm::dvec3 to, ImU32 color, const std::string& name = "");
   void around(const std::vector<glm::dvec3>& corners, ImU32 color, double thickness = 1, bool dashed = false);
   void around(const std::array<glm::dvec3, 4>& corners, ImU32 color, double thickness = 1, bool dashed = false) {
     around(std::vector(corners.begin(), corners.end()), color, thickness, dashed);
