@@ -81,3 +81,12 @@ TEST_CASE("the rays from above show what the text speaks of: a miss, boxes by th
     for (const char* name : {"box 0", "box 1", "box 4"}) CHECK_MESSAGE(missed.count(name) == 1, name);
   }
 }
+
+TEST_CASE("symbols in a lesson's text are set with their subscripts, names of files and steps are not") {
+  const Shown shown = words_at("which-z", 1);
+  CHECK(shown.count("v") == 3);  // of z_v
+  for (const std::string& word : shown.words) CHECK_MESSAGE(word.find("z_v") == std::string::npos, word);
+  const Shown files = words_at("find-the-bug", 6);
+  CHECK(std::any_of(files.words.begin(), files.words.end(),
+                    [](const std::string& word) { return word.find("write_pixel") != std::string::npos; }));
+}
