@@ -40,6 +40,39 @@ void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel
   }
 }
 
+bool paint_with_glass(Canvas& canvas, const Outside& outside, const Scene& polygons, const std::vector<Pixel32>& colors,
+                      Pixel32 paper) {
+  constexpr std::ptrdiff_t most_glass = 16;
+  const auto is_glass = [&](const Facet& facet) { return polygons.polygons[facet.polygon].material->opacity < 1; };
+  const auto count = std::count_if(polygons.facets.begin(), polygons.facets.end(), is_glass);
+  if (count == 0 || count > most_glass) return false;
+  Scene part = polygons;
+  std::erase_if(part.facets, is_glass);
+  const Picture behind = polygons_seen(outside, part);
+  paint_polygons(canvas, behind, colors, paper);
+  std::vector<std::pair<double, Picture>> panes;  // by their mean depths
+  for (const Facet& facet : polygons.facets) {
+    if (!is_glass(facet)) continue;
+    part.facets = {facet};
+    Picture seen = polygons_seen(outside, part);
+    double sum = 0, pixels = 0;
+    for (std::size_t at = 0; at < seen.polygon.size(); ++at)
+      if (seen.polygon[at] != no_polygon) sum += seen.depth[at], ++pixels;
+    if (pixels > 0) panes.emplace_back(sum / pixels, std::move(seen));
+  }
+  std::stable_sort(panes.begin(), panes.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [depth, seen] : panes)
+    for (int y = 0; y < seen.height; ++y)
+      for (int x = 0; x < seen.width; ++x) {
+        const std::size_t at = seen.at(x, y);
+        const std::int32_t polygon = seen.polygon[at];
+        if (polygon == no_polygon || seen.depth[at] > behind.depth[at] + as_near) continue;
+        const double share = 255 * std::clamp(polygons.polygons[polygon].material->opacity, 0.0, 1.0);
+        canvas.row(y)[x] = mixed(canvas.row(y)[x], colors[polygon], static_cast<unsigned>(share));
+      }
+  return true;
+}
+
 void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness, bool dashed) {
   const auto ends = outside_.line(from, to);
   if (!ends) return;
@@ -115,9 +148,14 @@ bool RoomPen::hidden(const Outside::Spot& a, const Outside::Spot& b) const {
 
 namespace {
 
-void draw_edges(RoomPen& pen, const Scene& polygons) {
-  for (const auto& [from, to] : edges_of(polygons))
-    pen.line(polygons.points[from], polygons.points[to], pen.colors.text, 0.8);
+void draw_edges(RoomPen& pen, const Moment& now) {
+  const Scene& polygons = pen.room.polygons();
+  const auto& surface = now.scene().surface;
+  const bool curves = surface && surface->columns > 0 && records<HorizonTest>(now.header());  // of one z each
+  for (const auto& [from, to] : edges_of(polygons)) {
+    const bool along = curves && from / surface->columns == to / surface->columns;
+    pen.line(polygons.points[from], polygons.points[to], pen.colors.text, along ? 3 : 0.8);
+  }
 }
 
 /// The eye with its window and its planes; of parallel projection the box that is seen.
@@ -446,7 +484,7 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
 }  // namespace
 
 void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing, double arrived) {
-  draw_edges(pen, pen.room.polygons());
+  draw_edges(pen, now);
   draw_axes(pen, now, viewing, arrived);
   draw_eye(pen);
   draw_lamp(pen, now);

@@ -21,6 +21,9 @@ Picture polygons_seen(const Outside& outside, const Scene& polygons);
 void see_polygons(const Outside& outside, const Scene& polygons, Picture& seen);
 /// Each polygon in its colour, and `paper` where none is seen, on a canvas of the picture's size.
 void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel32>& colors, Pixel32 paper);
+/// The same where there is glass: what lies behind it is seen through it. False, and nothing done, where there is none.
+bool paint_with_glass(Canvas& canvas, const Outside& outside, const Scene& polygons, const std::vector<Pixel32>& colors,
+                      Pixel32 paper);
 
 /// Draws lines and planes into the room: what a polygon hides of them is faint. Thicknesses in thin lines.
 class RoomPen {
