@@ -90,3 +90,8 @@ TEST_CASE("symbols in a lesson's text are set with their subscripts, names of fi
   CHECK(std::any_of(files.words.begin(), files.words.end(),
                     [](const std::string& word) { return word.find("write_pixel") != std::string::npos; }));
 }
+
+TEST_CASE("a plan shows the vertex that a cut makes, and the surface of a floating horizon its curves alone") {
+  CHECK(words_at("bsp", 6).count("24") == 1);
+  CHECK(words_at("floating-horizon", 1).count("A") == 0);
+}
