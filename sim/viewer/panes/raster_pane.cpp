@@ -417,7 +417,12 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   }
   ImGui::PushClipRect(origin, end, true);
   const auto ends = span_ends(ui, map, origin);
-  WordPlaces words(ui, origin, end, ends ? ends->taken() : TakenPlaces());
+  const auto on_raster_only = [&](double x, double y) {  // beside it stand the rulers
+    return moved_by(origin, std::clamp(x, 0.0, 1.0 * width), std::clamp(y, 0.0, 1.0 * height));
+  };
+  WordPlaces words(ui, on_raster_only(map.left, map.top),
+                   on_raster_only(map.left + map.width * map.cell, map.top + map.height * map.cell),
+                   ends ? ends->taken() : TakenPlaces());
   const bool has_numbers = cell_text && draw_numbers(ui, map, origin, cells.made, cell_text);
   if (has_numbers)
     words.allowed = [&](ImVec2 low, ImVec2 high) {  // not on what stands in pixels
