@@ -148,7 +148,7 @@ struct Ui {
   struct TextHeight {
     float height = 0;
     std::uint64_t moment = 0;     ///< and layout, at which it was measured
-    std::vector<float> spared{};  ///< heights of its first lines, each of which can give way to those after it
+    std::vector<float> spared{};  ///< heights of lines that can give way, in the order in which they do
     std::size_t gone = 0;         ///< so many of these have done so
     /// Lets them go until the rest, of this height, has room.
     float fit(float room) {
