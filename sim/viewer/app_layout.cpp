@@ -53,11 +53,9 @@ void App::draw_pane_body(Ui& ui, const Pane& pane, ImVec2 at, ImVec2 size) {
       const std::size_t tables = ui.tables_seen ? ui.tables_seen->size() : 0;
       ui.given_way = 0;
       pane.draw(ui);
-      if (pane.id != pseudo_code_pane.id) {  // whose lines depend on its room
-        Ui::TextHeight& its = ui.text_heights[pane.id];
-        its.height = ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y + ui.given_way;
-        its.moment = ui.read_now();
-      }
+      Ui::TextHeight& its = ui.text_heights[pane.id];
+      const float height = ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y + ui.given_way;
+      if (pane.id != pseudo_code_pane.id) its.height = height, its.moment = ui.read_now();  // its lines follow its room
       if (ui.tables_seen)
         for (std::size_t k = tables; k < ui.tables_seen->size(); ++k) (*ui.tables_seen)[k].title = pane.title;
     }
@@ -92,10 +90,6 @@ Workspace stage_of(const Ui& ui, const std::string& lead) {
   stage.leading = {scene_pane};
   return stage;
 }
-
-}  // namespace
-
-namespace {
 
 /// What is asked is asked of pixels: where the frame would stand small and no small pane is shown, it leads.
 void keep_frame(const Ui& ui, std::vector<Pane>& leading) {
@@ -284,7 +278,7 @@ void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
     return std::ceil(around + ui_.text_heights.try_emplace(pane.id, Ui::TextHeight{guess, 0}).first->second.height);
   };
   const std::size_t kept = session_.speaks() && session_.message.empty() ? 1 : 2;
-  float left = size.y - height(panes[0]);
+  float left = size.y - height(panes[0]), below = 0;
   std::vector<float> heights;
   for (std::size_t k = 1; k < panes.size(); ++k) {
     const bool code = panes[k].id == pseudo_code_pane.id, must = k < kept;
@@ -304,10 +298,8 @@ void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
       continue;
     }
     const float its = std::min(whole, room);
-    heights.push_back(its), left -= its + gap;
+    heights.push_back(its), left -= its + gap, below += its + gap;
   }
-  float below = 0;
-  for (const float its : heights) below += its + gap;
   draw_pane(panes[0], at, {size.x, size.y - below});
   at.y += size.y - below + gap;
   for (std::size_t k = 1; k < panes.size(); at.y += heights[k - 1] + gap, ++k)
@@ -340,10 +332,8 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   if (stage.y < size.y) {
     const float width = (stage.x - gap * to_float(said.size() - 1)) / to_float(std::max<std::size_t>(1, said.size()));
     ImVec2 place{at.x, at.y + stage.y + gap};
-    for (const Pane& pane : said) {
-      ui_.text_heights[pane.id].gone = 0;
-      draw_pane(pane, place, {width, size.y - stage.y - gap}), place.x += width + gap;
-    }
+    for (const Pane& pane : said) ui_.text_heights[pane.id].gone = 0;
+    for (const Pane& pane : said) draw_pane(pane, place, {width, size.y - stage.y - gap}), place.x += width + gap;
     said.clear();
   }
   float others = 1 - share - larger;
