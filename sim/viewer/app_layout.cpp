@@ -51,9 +51,11 @@ void App::draw_pane_body(Ui& ui, const Pane& pane, ImVec2 at, ImVec2 size) {
       // Where a pane is scrolled to follows from what it shows, not from what it showed before.
       if (pane.id == lesson_pane.id ? ui_.speaks_now : ui_.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
       const std::size_t tables = ui.tables_seen ? ui.tables_seen->size() : 0;
+      ui.given_way = 0;
       pane.draw(ui);
-      if (pane.id != pseudo_code_pane.id)  // whose lines depend on its room
-        ui.text_heights[pane.id] = {ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y, ui.read_now()};
+      Ui::TextHeight& its = ui.text_heights[pane.id];
+      const float height = ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y + ui.given_way;
+      if (pane.id != pseudo_code_pane.id) its.height = height, its.moment = ui.read_now();  // its lines follow its room
       if (ui.tables_seen)
         for (std::size_t k = tables; k < ui.tables_seen->size(); ++k) (*ui.tables_seen)[k].title = pane.title;
     }
@@ -88,10 +90,6 @@ Workspace stage_of(const Ui& ui, const std::string& lead) {
   stage.leading = {scene_pane};
   return stage;
 }
-
-}  // namespace
-
-namespace {
 
 /// What is asked is asked of pixels: where the frame would stand small and no small pane is shown, it leads.
 void keep_frame(const Ui& ui, std::vector<Pane>& leading) {
@@ -272,33 +270,36 @@ std::vector<Pane> App::words_of_step() {
 }
 
 /// Below each other: the first has all the room that those after it leave, each of which is as high as its text. What
-/// there is no room for is left out, but for what is said nowhere else; code has fewer lines first.
+/// there is no room for is left out, but for what is said nowhere else; code and formulas have fewer lines first.
 void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f), around = ui_.em * 1.5f + 2 * ImGui::GetStyle().WindowPadding.y;
   const float guess = 4 * ui_.line();
   const auto height = [&](const Pane& pane) {
     return std::ceil(around + ui_.text_heights.try_emplace(pane.id, Ui::TextHeight{guess, 0}).first->second.height);
   };
-  // A pane not yet measured at this moment is tried: whether it is shown must not depend on what was shown before.
-  const auto least = [&](const Pane& pane) {
-    const bool measured = ui_.text_heights[pane.id].moment == ui_.read_now();
-    return measured ? height(pane) : std::min(height(pane), around + guess);
-  };
   const std::size_t kept = session_.speaks() && session_.message.empty() ? 1 : 2;
-  float left = size.y - height(panes[0]);
+  float left = size.y - height(panes[0]), below = 0;
   std::vector<float> heights;
   for (std::size_t k = 1; k < panes.size(); ++k) {
     const bool code = panes[k].id == pseudo_code_pane.id, must = k < kept;
     const float room = must ? std::round(size.y * 0.55f) : std::floor(left - gap);
-    if (!must && room < (code ? around + 3 * ui_.line() : least(panes[k]))) {
+    float whole = height(panes[k]);
+    Ui::TextHeight& text = ui_.text_heights[panes[k].id];
+    text.gone = 0;
+    // A pane not yet measured at this moment is tried: whether it is shown must not depend on what was shown before.
+    if (text.moment != ui_.read_now()) {
+      whole = std::min(whole, around + guess);
+    } else if (!must && whole > room) {
+      const float for_code = k + 1 < panes.size() ? gap + around + 3 * ui_.line() : 0;
+      whole = std::ceil(around + text.fit(room - for_code - around));
+    }
+    if (!must && room < (code ? around + 3 * ui_.line() : whole)) {
       panes.erase(panes.begin() + static_cast<std::ptrdiff_t>(k--));
       continue;
     }
-    const float its = std::min(height(panes[k]), room);
-    heights.push_back(its), left -= its + gap;
+    const float its = std::min(whole, room);
+    heights.push_back(its), left -= its + gap, below += its + gap;
   }
-  float below = 0;
-  for (const float its : heights) below += its + gap;
   draw_pane(panes[0], at, {size.x, size.y - below});
   at.y += size.y - below + gap;
   for (std::size_t k = 1; k < panes.size(); at.y += heights[k - 1] + gap, ++k)
@@ -331,6 +332,7 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   if (stage.y < size.y) {
     const float width = (stage.x - gap * to_float(said.size() - 1)) / to_float(std::max<std::size_t>(1, said.size()));
     ImVec2 place{at.x, at.y + stage.y + gap};
+    for (const Pane& pane : said) ui_.text_heights[pane.id].gone = 0;
     for (const Pane& pane : said) draw_pane(pane, place, {width, size.y - stage.y - gap}), place.x += width + gap;
     said.clear();
   }

@@ -123,3 +123,36 @@ TEST_CASE("Shift+P leads from a lesson's layout to every pane and back, and the 
   CHECK(alone.ui().laboratory);
   CHECK(alone.session().message.find("no lesson") != std::string::npos);
 }
+
+TEST_CASE("of formulas that are too long for their place the last are shown, and the code beside them") {
+  Lesson lesson = find_lesson("perspective-correct");
+  const Trace trace = run_lesson(lesson);
+  for (const Shown& look : looks) {
+    Settings settings;
+    settings.presenter = look.presenter;
+    App app(trace, &lesson, settings, look.width, look.height);
+    app.session().to_stop(4);
+    app.settle();
+    const std::vector<std::string> words = test::letters_of(app.ui().fonts).words;
+    const auto said = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+    CAPTURE(look.width);
+    CHECK(said("WHAT JUST HAPPENED"));
+    CHECK(said("PSEUDO-CODE"));
+    CHECK(std::count(words.begin(), words.end(), "0.875") == 1);  // a, which those before it lead to
+  }
+}
+
+TEST_CASE("where formulas give way the one that the stop speaks of stays") {
+  Lesson lesson = find_lesson("back-faces");
+  const Trace trace = run_lesson(lesson);
+  App app(trace, &lesson, {}, 1280, 720);
+  app.session().to_stop(5);  // the determinant, and not the normal after projection that the step tells of last
+  app.settle();
+  const std::vector<std::string> words = test::letters_of(app.ui().fonts).words;
+  const auto said = [&](const char* part) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return word.find(part) != std::string::npos; });
+  };
+  CHECK(said("negative faces away"));
+  CHECK_FALSE(said("after projection"));
+}

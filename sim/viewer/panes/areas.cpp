@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/outline_names.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/since_change.hpp"
@@ -85,22 +86,37 @@ const char* sign_of(AreaCase what) {
   return signs[what];
 }
 
-void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin) {
+/// The polygons that it is about, inside their outlines.
+void name_pieces(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
+  const Session& s = ui.session;
+  const MethodState& m = s.state().machine;
+  std::vector<NamedOutline> outlines;
+  for (std::size_t k = 0; k < m.pieces.size() && k < most_outlines; ++k) {
+    NamedOutline& one = outlines.emplace_back();
+    one.name = piece_label(s.scene(), m, index32(k));
+    for (const std::int32_t vertex : m.pieces[k].outline)
+      if (const auto at = on_raster(s.scene(), s.state(), vertex))
+        one.outline.emplace_back(map.px(at->x), map.py(at->y));
+  }
+  name_outlines(ui, words, origin, outlines);
+}
+
+/// In the middle of each settled area, or where a name stands there in one of its corners.
+void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
   for (const AreaRow& row : ui.session.state().machine.areas) {
     if (!row.decided || !has_pixels(row.entry)) continue;
     const std::string sign = sign_of(row.decided->what);
     const Box b = box_of(map, row.entry);
     const auto width = to_float(b.right - b.left), height = to_float(b.bottom - b.top);
+    const ImVec2 middle = moved_by(origin, (b.left + b.right) / 2.0, (b.top + b.bottom) / 2.0);
     for (const ImFont* font : {ui.fonts.bold, ui.fonts.small}) {
       const ImVec2 size = text_size(ui, font, sign);
-      if (size.x + 6 > width || size.y + 2 > height) continue;
-      const ImVec2 at{origin.x + to_float(b.left) + (width - size.x) / 2,
-                      origin.y + to_float(b.top) + (height - size.y) / 2};
-      if (!sign.empty())
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x - 3, at.y - 1}, {at.x + size.x + 3, at.y + size.y + 1},
-                                                  ui.colors().pane);
-      draw_text(ui, at, font, ui.colors().text, sign);
-      break;
+      if (sign.empty() || size.x + 6 > width || size.y + 2 > height) continue;
+      std::vector<ImVec2> places{middle};
+      for (const float right : {-0.5f, 0.5f})
+        for (const float down : {-0.5f, 0.5f})
+          places.push_back({middle.x + right * (width - size.x - 6), middle.y + down * (height - size.y - 4)});
+      if (words.put(sign, ui.colors().text, font, places)) break;
     }
   }
 }
@@ -233,7 +249,9 @@ void draw_areas(Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + to_float(width - 4), at.y + to_float(height - 4)});
-  draw_signs(ui, map, at);
+  WordPlaces words(ui, at, {at.x + to_float(width - 4), at.y + to_float(height - 4)});
+  name_pieces(ui, map, at, words);
+  draw_signs(ui, map, at, words);
   mark_areas(ui, map, at);
   if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});

@@ -10,16 +10,6 @@
 namespace zstep::viewer {
 namespace {
 
-/// The edge that the current event is about, if it is about one.
-std::optional<std::int32_t> edge_now(const RecordedEvent* event) {
-  if (!event) return std::nullopt;
-  if (const auto* e = get_if<EdgeTableInsert>(&event->event)) return e->edge;
-  if (const auto* e = get_if<EdgeEnter>(&event->event)) return e->edge;
-  if (const auto* e = get_if<EdgeStep>(&event->event)) return e->edge;
-  if (const auto* e = get_if<EdgeRetire>(&event->event)) return e->edge;
-  return std::nullopt;
-}
-
 std::string state_word(EdgeStage stage, bool now, const RecordedEvent* event) {
   if (now && holds<EdgeTableInsert>(event->event)) return "\u2190 new";
   if (now && holds<EdgeEnter>(event->event)) return "\u2192 enters";

@@ -190,48 +190,22 @@ void paint_half_planes(Canvas& canvas, const RasterMap& map, const Moment& now, 
   if (const TriangleWork* triangle = at_work(now.state(), map)) Painter(canvas, map, now, c, thin).paint(*triangle);
 }
 
-void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces& taken, bool stands_in) {
+void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words, bool stands_in) {
   const State& state = ui.session.state();
   const TriangleWork* triangle = at_work(state, map);
   if (!triangle) return;
   constexpr std::array names{"E\u2080", "E\u2081", "E\u2082"};
-  const ImFont* font = ui.fonts.bold;
-  const float rim = std::round(2 * ui.thin);
-  const Picture& picture = ui.session.picture();
   cross_out(ui, map, origin, *triangle, stands_in);
-  const auto is_drawn = [&](float x, float y) {
-    const auto cell = map.cell_at(x - origin.x, y - origin.y);
-    return cell && picture.polygon[picture.at(cell->x, cell->y)] != no_polygon;
-  };
   for (const EdgeFunction& edge : triangle->edges) {
     if (edge.edge_function < 0 || edge.edge_function > 2) continue;
     const auto from = on_raster(ui.session.scene(), state, edge.vertex_0),
                to = on_raster(ui.session.scene(), state, edge.vertex_1);
-    if (!from || !to) continue;
-    const std::string name = names[static_cast<std::size_t>(edge.edge_function)];
-    const ImVec2 size = text_size(ui, font, name);
+    // Outside the triangle; inside, where that is no place.
     const glm::dvec2 inward(edge.edge_a, map.y_up ? -edge.edge_b : edge.edge_b);
-    if (!(glm::length(inward) > 0)) continue;
-    // Outside the triangle, beside the middle of the edge, or nearer to one of its ends; inside, where that is no
-    // place.
-    const glm::dvec2 beside = -glm::normalize(inward) * (0.75 * font->FontSize + 2.0 * rim);
-    bool done = false;
-    for (const double side : {1.0, -1.0})
-      for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
-        const ImVec2 at = moved_by(origin, map.px(from->x + share * (to->x - from->x)) + side * beside.x - size.x / 2,
-                                   map.py(from->y + share * (to->y - from->y)) + side * beside.y - size.y / 2);
-        const ImVec2 low{at.x - rim, at.y}, whole{size.x + 2 * rim, size.y};
-        const float right = low.x + whole.x, end = low.y + whole.y;
-        const bool is_shown = low.x >= origin.x && low.y >= origin.y && right <= origin.x + to_float(map.box_width) &&
-                              end <= origin.y + to_float(map.box_height);
-        const bool covers = stands_in && (is_drawn(low.x, low.y) || is_drawn(right, low.y) || is_drawn(low.x, end) ||
-                                          is_drawn(right, end));
-        if (done || !is_shown || covers || !taken.free(low, whole)) continue;
-        taken.take(low, whole);
-        ImGui::GetWindowDrawList()->AddRectFilled(low, {right, end}, ui.colors().pane);
-        draw_text(ui, at, font, ui.colors().text, name);
-        done = true;
-      }
+    if (from && to && glm::length(inward) > 0)
+      words.beside(names[static_cast<std::size_t>(edge.edge_function)], ui.colors().text, ui.fonts.bold,
+                   moved_by(origin, map.px(from->x), map.py(from->y)), moved_by(origin, map.px(to->x), map.py(to->y)),
+                   -inward);
   }
 }
 

@@ -12,8 +12,8 @@ namespace zstep::viewer {
 /// Nothing where no triangle is at work, or cells are too small to tell.
 void paint_half_planes(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin);
 
-/// A cross on each pixel that is outside an edge, and E₀, E₁, E₂ beside the edges that are set up; where these stand is
-/// taken from then on. Where something `stands_in` the pixels that were drawn, only on those that were not.
-void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces& taken, bool stands_in);
+/// A cross on each pixel that is outside an edge, and E₀, E₁, E₂ beside the edges that are set up. Where something
+/// `stands_in` the pixels that were drawn, crosses only on those that were not.
+void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words, bool stands_in);
 
 }  // namespace zstep::viewer

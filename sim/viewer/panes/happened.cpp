@@ -13,6 +13,7 @@
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/judged.hpp"
+#include "sim/words/numbers.hpp"
 #include "sim/words/owners.hpp"
 #include "traces/error.hpp"
 #include "traces/text.hpp"
@@ -214,6 +215,48 @@ void draw_told(Ui& ui, const StepMarks::Told& told) {
   if (!told.lines.empty() || !told.note.empty()) ImGui::Dummy({1, ui.em * 0.25f});
 }
 
+std::vector<std::string> numbers_of(const std::string& text) {
+  std::vector<std::string> numbers;
+  for (const auto& [from, bytes] : numbers_in(text)) numbers.push_back(text.substr(from, bytes));
+  return numbers;
+}
+
+/// In which order formulas give way where there is no room for all of them. The one whose result the lesson's stop
+/// speaks of stays, or else the last, to which the others lead.
+std::vector<std::size_t> order_of_giving_way(const Session& s, const std::vector<std::string>& formulas) {
+  const std::size_t count = formulas.size();
+  if (count < 2) return {};
+  std::size_t stays = count - 1;
+  if (s.lesson() && s.stop() >= 0 && s.speaks()) {
+    const std::vector<std::string> told = numbers_of(s.lesson()->stops[static_cast<std::size_t>(s.stop())].text);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::vector<std::string> result =
+          numbers_of(formulas[k].substr(std::min(formulas[k].rfind(" = "), formulas[k].size())));
+      if (!result.empty() && std::find(told.begin(), told.end(), result[0]) != told.end()) stays = k;
+    }
+  }
+  std::vector<std::size_t> order;
+  for (std::size_t k = count; --k > stays;) order.push_back(k);
+  for (std::size_t k = 0; k < stays; ++k) order.push_back(k);
+  return order;
+}
+
+void tell_formulas(Ui& ui, const Explanation& told) {
+  Ui::TextHeight& its = ui.text_heights[happened_pane.id];
+  if (its.moment != ui.read_now()) its.spared.clear(), its.gone = 0;
+  const std::vector<std::size_t> order = order_of_giving_way(ui.session, told.formulas);
+  std::vector<float> heights;
+  for (std::size_t k = 0; k < told.formulas.size(); ++k) {
+    const float top = ImGui::GetCursorPosY();
+    const auto place = static_cast<std::size_t>(std::find(order.begin(), order.end(), k) - order.begin());
+    if (place < order.size() && place < its.gone) ui.given_way += its.spared[place];
+    else tell_formula(ui, told.formulas[k], told.owned);
+    heights.push_back(ImGui::GetCursorPosY() - top);
+  }
+  if (its.gone > 0 || !its.spared.empty()) return;
+  for (const std::size_t k : order) its.spared.push_back(heights[k]);
+}
+
 void draw_happened(Ui& ui) {
   const Theme& c = ui.colors();
   const StepMarks::Told found = ui.marks ? ui.marks->told(ui.session) : StepMarks::Told{};  // moves the replay
@@ -241,7 +284,7 @@ void draw_happened(Ui& ui) {
   else if (!told_by_lesson) tell(ui, told.sentence);
   if (doubts_all || !told_by_lesson) ImGui::Dummy({1, ui.em * 0.25f});
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  for (const std::string& formula : told.formulas) tell_formula(ui, formula, told.owned);
+  tell_formulas(ui, told);
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
   key_to_owners(ui, told.owned);
   if (doubts && !doubts_all) flow(ui, *told.doubt, in_doubt);

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -205,6 +207,51 @@ void mark_lines(Ui& ui, ImVec2 origin, const RasterMap& map) {
   }
 }
 
+/// The edge at work with its vertices, the polygon that it is tested against, and where the two cross.
+void name_line(Ui& ui, ImVec2 origin, const RasterMap& map) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const LineRow* row = line_at_work(s.state().machine);
+  const auto ends = row ? ends_of(ui.moment(), map, row->entry) : std::nullopt;
+  if (!ends) return;
+  WordPlaces words(ui, origin, moved_by(origin, map.box_width, map.box_height));
+  const ImVec2 from = moved_by(origin, ends->x0, ends->y0), to = moved_by(origin, ends->x1, ends->y1);
+  const glm::dvec2 way(ends->x1 - ends->x0, ends->y1 - ends->y0), side(way.y, -way.x);
+  words.keep_line_free(from, to);
+  const std::int32_t facet = face_now(s.state().machine);
+  std::vector<ImVec2> corners;
+  glm::dvec2 middle(0);
+  if (facet >= 0 && facet < std::ssize(s.scene().facets)) {
+    const Facet& face = s.scene().facets[static_cast<std::size_t>(facet)];
+    for (std::int32_t k = 0; k < face.corner_count; ++k)
+      if (const auto at = on_raster(s.scene(), s.state(), s.scene().corners[face.first_corner + k]))
+        corners.push_back(moved_by(origin, map.px(at->x), map.py(at->y)));
+  }
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    words.keep_line_free(corners[k], corners[(k + 1) % corners.size()]);
+    middle += glm::dvec2(corners[k].x, corners[k].y) / static_cast<double>(corners.size());
+  }
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float radius = std::round(0.25f * ui.em);
+  const auto* cross = s.event() ? get_if<LineCross>(&s.event()->event) : nullptr;
+  const ImVec2 met = cross ? moved_by(origin, map.px(cross->x_at), map.py(cross->y_at)) : ImVec2();
+  if (cross) {
+    fill_circle(list, met, radius, c.pane);
+    stroke_circle(list, met, radius, c.now, 2 * ui.thin);
+    words.taken.take({met.x - radius, met.y - radius}, {2 * radius, 2 * radius});
+  }
+  for (const auto& [vertex, at, out] : {std::tuple{row->entry.vertex_0, from, -way}, {row->entry.vertex_1, to, way}}) {
+    fill_circle(list, at, std::round(0.2f * ui.em), c.now);
+    words.around(vertex_label(s.scene(), vertex), c.now, ui.fonts.bold, at, out);
+  }
+  words.beside(fmt::format("edge {}", row->entry.line), c.now, ui.fonts.bold, from, to, side);
+  if (cross) words.around(fmt::format("t = {}", number(cross->t)), c.now, ui.fonts.text, met, side);
+  if (corners.empty()) return;
+  const float step = 1.4f * ui.em, x = static_cast<float>(middle.x), y = static_cast<float>(middle.y);
+  words.put(face_label(s.scene(), facet), c.text, ui.fonts.bold,
+            {{x, y}, {x, y - step}, {x, y + step}, {x - step, y}, {x + step, y}});
+}
+
 void draw_lines(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 avail = ImGui::GetContentRegionAvail();
@@ -224,6 +271,7 @@ void draw_lines(Ui& ui) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + to_float(width), at.y + to_float(height)});
   mark_lines(ui, at, map);
+  name_line(ui, at, map);
   if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
   begin_part(ui, "intervals");

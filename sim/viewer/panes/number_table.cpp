@@ -324,6 +324,15 @@ std::vector<TableRow> rows_of_both(Ui& ui, std::vector<TableRow> (*rows_of)(Ui&)
   return all;
 }
 
+std::optional<std::int32_t> edge_now(const RecordedEvent* event) {
+  if (!event) return std::nullopt;
+  if (const auto* e = get_if<EdgeTableInsert>(&event->event)) return e->edge;
+  if (const auto* e = get_if<EdgeEnter>(&event->event)) return e->edge;
+  if (const auto* e = get_if<EdgeStep>(&event->event)) return e->edge;
+  if (const auto* e = get_if<EdgeRetire>(&event->event)) return e->edge;
+  return std::nullopt;
+}
+
 std::string about_edge(const EdgeTableInsert& edge) {
   const auto [first, last] = std::minmax(edge.vertex_0, edge.vertex_1);
   return fmt::format("{}: {}-{}", edge.polygon, first, last);

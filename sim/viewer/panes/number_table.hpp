@@ -55,6 +55,8 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
 /// A table's rows, marked where the run before the last change has them otherwise, and, below each whose numbers the
 /// second run has otherwise, by more than rounding, those of it.
 std::vector<TableRow> rows_of_both(Ui& ui, std::vector<TableRow> (*rows_of)(Ui&));
+/// The edge that the step is about, if it is about one.
+std::optional<std::int32_t> edge_now(const RecordedEvent* event);
 /// What a row of an edge is about: numbers of edges are each run's own.
 std::string about_edge(const EdgeTableInsert& edge);
 

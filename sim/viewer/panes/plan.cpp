@@ -92,7 +92,7 @@ struct View {
   PlanFrame frame;
   std::int32_t node;
   ImDrawList* list;
-  TakenPlaces* names;  ///< of pieces
+  WordPlaces* words;
 
   std::vector<glm::dvec2> outline(const Piece& piece) const {
     std::vector<glm::dvec2> points;
@@ -132,12 +132,20 @@ ImVec2 label_place(const View& v, const std::vector<glm::dvec2>& points, ImVec2 
 /// A piece's name beside it, where no other stands.
 void name_piece(const View& v, std::int32_t number, const std::vector<glm::dvec2>& points, ImU32 color) {
   const std::string name = piece_label(v.s.scene(), v.m, number);
-  const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, name), middle = label_place(v, points, size);
-  const ImVec2 place{std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)};
-  if (!v.names->free({place.x - 1, place.y}, {size.x + 2, size.y})) return;
-  v.list->AddRectFilled({place.x - 1, place.y}, {place.x + size.x + 1, place.y + size.y}, v.c.pane);
-  draw_text(v.ui, place, v.ui.fonts.bold, color, name);
-  v.names->take({place.x - 1, place.y}, {size.x + 2, size.y});
+  v.words->put(name, color, v.ui.fonts.bold, {label_place(v, points, text_size(v.ui, v.ui.fonts.bold, name))});
+}
+
+/// The vertex that a cut has just made.
+void draw_new_vertex(const View& v) {
+  const auto* made = v.s.event() ? get_if<SplitVertex>(&v.s.event()->event) : nullptr;
+  const auto point = made ? cutting_point(v.s.scene(), v.s.state(), made->vertex) : std::nullopt;
+  if (!point) return;
+  const ImVec2 at = v.frame.place(v.section.flat(*point));
+  const float radius = std::round(0.3f * v.ui.em);
+  fill_circle(v.list, at, radius, v.c.pane);
+  stroke_circle(v.list, at, radius, v.c.now, 2 * v.ui.thin);
+  v.words->taken.take({at.x - radius, at.y - radius}, {2 * radius, 2 * radius});
+  v.words->around(vertex_label(v.s.scene(), made->vertex), v.c.now, v.ui.fonts.bold, at, {1, -1});
 }
 
 void draw_pieces(const View& v) {
@@ -201,7 +209,7 @@ void draw_sides(const View& v) {
       const ImVec2 place = v.frame.place(end + normal * (sign * v.ui.em * 0.8 / v.frame.scale));
       return ImVec2{std::round(place.x - size.x / 2), std::round(place.y - size.y / 2)};
     };
-    if (!v.names->free(corner(1), size) || !v.names->free(corner(-1), size)) continue;
+    if (!v.words->taken.free(corner(1), size) || !v.words->taken.free(corner(-1), size)) continue;
     for (const double sign : {1.0, -1.0}) {
       const ImVec2 at = corner(sign);
       v.list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, v.c.pane);
@@ -214,10 +222,10 @@ void draw_sides(const View& v) {
 /// The eye as a ring and a dot; at the border, with an arrow's length towards it, where it stands outside.
 void draw_the_eye(const View& v) {
   const Camera& camera = v.s.scene().camera;
-  if (camera.kind == Camera::Kind::screen) return;
-  const glm::dvec2 middle = v.frame.middle();
-  const bool far = camera.kind == Camera::Kind::orthographic;
-  const glm::dvec2 eye = far ? middle + v.section.flat(camera.eye) * v.frame.reach() : v.section.flat(camera.eye);
+  const bool screen = camera.kind == Camera::Kind::screen, far = screen || camera.kind == Camera::Kind::orthographic;
+  const glm::dvec2 towards = v.section.flat(screen ? glm::dvec3(0, 0, -1) : camera.eye);
+  if (screen && glm::length(towards) < 1e-6) return;
+  const glm::dvec2 eye = far ? v.frame.middle() + towards * v.frame.reach() : towards;
   ImVec2 place = v.frame.place(eye);
   const float margin = v.ui.em * 0.8f;
   const ImVec2 centre{v.frame.top.x + v.frame.size.x / 2, v.frame.top.y + v.frame.size.y / 2};
@@ -229,14 +237,8 @@ void draw_the_eye(const View& v) {
   stroke_circle(v.list, place, margin * 0.7f, v.c.text, 2 * v.ui.thin);
   fill_circle(v.list, place, margin * 0.3f, v.c.text);
   const std::string text = outside ? "eye, further out" : "eye";
-  const ImVec2 size = text_size(v.ui, v.ui.fonts.small, text);
-  const float x =
-      std::max(v.frame.top.x, place.x + margin + size.x > v.frame.top.x + v.frame.size.x ? place.x - margin - size.x
-                                                                                         : place.x + margin);
-  const float y = std::clamp(place.y - size.y / 2, v.frame.top.y, v.frame.top.y + v.frame.size.y - size.y);
-  if (!v.names->free({x - 1, y}, {size.x + 2, size.y})) return;  // the ring says it
-  v.list->AddRectFilled({x - 1, y}, {x + size.x + 1, y + size.y}, v.c.pane);
-  draw_text(v.ui, {std::round(x), std::round(y)}, v.ui.fonts.small, v.c.text, text);
+  v.words->taken.take({place.x - margin, place.y - margin}, {2 * margin, 2 * margin});
+  v.words->around(text, v.c.text, v.ui.fonts.small, place, {1, 0});
 }
 
 void draw_plan(Ui& ui) {
@@ -244,7 +246,8 @@ void draw_plan(Ui& ui) {
   const MethodState& m = s.state().machine;
   if (m.pieces.empty()) return say_empty(ui, "Empty: nothing is gathered yet.");
   const std::int32_t node = node_at_work(m, s.event() ? &s.event()->event : nullptr);
-  TakenPlaces names;
+  const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  WordPlaces words(ui, top, {top.x + room.x, top.y + room.y});
   View v{ui,
          s,
          m,
@@ -253,15 +256,15 @@ void draw_plan(Ui& ui) {
          {},
          node,
          ImGui::GetWindowDrawList(),
-         &names};
+         &words};
   for (const Piece& piece : m.pieces)
     for (const glm::dvec2 p : v.outline(piece)) v.frame.take(p);
-  const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   if (room.x < ui.em * 3 || room.y < ui.em * 3)
     return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   v.frame.fit(top, room);
   v.list->PushClipRect(top, {top.x + room.x, top.y + room.y}, true);
   draw_planes(v);
+  draw_new_vertex(v);
   draw_pieces(v);
   draw_sides(v);
   draw_the_eye(v);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include "sim/viewer/panes/half_planes.hpp"
 #include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/lesson.hpp"
+#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/sweep.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
@@ -248,6 +250,78 @@ void draw_edge_on_its_way(Ui& ui, const RasterMap& map, ImVec2 origin) {
 
 }  // namespace
 
+namespace {
+
+/// The edges of the polygon at work: those in its table, and those that come into it next.
+std::vector<EdgeTableInsert> edges_at_work(const Session& s, std::size_t most) {
+  std::vector<EdgeTableInsert> edges;
+  for (const EdgeTableInsert& entry : s.state().machine.edge_table)
+    if (edges.size() < most) edges.push_back(entry);
+  if (!s.event() || !holds<EdgeTableInsert>(s.event()->event)) return edges;
+  for (std::int64_t position = s.position() + 1; position <= s.size() && edges.size() < most; ++position) {
+    const EdgeTableInsert* next = get_if<EdgeTableInsert>(&s.trace().event(position).event);
+    if (!next) break;
+    edges.push_back(*next);
+  }
+  return edges;
+}
+
+/// Where a step is about edges, their names and those of the vertices that they begin or end at; of a span, its ends'.
+void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional<SpanEnds>& ends, WordPlaces& words) {
+  constexpr std::size_t most_named = 12;
+  constexpr double least_cell = 8;
+  const Session& s = ui.session;
+  const MethodState& m = s.state().machine;
+  const std::size_t count = m.outline.size();
+  const Theme& c = ui.colors();
+  if (!s.event() || m.keeps_all || count < 3 || count > most_named || map.cell < least_cell) return;
+  const std::optional<std::int32_t> now = edge_now(s.event());
+  const SpanBegin* span = get_if<SpanBegin>(&s.event()->event);
+  const bool steps = holds<EdgeStep>(s.event()->event);
+  if (!now && !span && !holds<EdgeSwap>(s.event()->event)) return;
+  std::vector<glm::dvec2> corners;
+  for (const std::int32_t vertex : m.outline)
+    if (const auto at = on_raster(s.scene(), s.state(), vertex)) corners.emplace_back(map.px(at->x), map.py(at->y));
+  if (corners.size() != count) return;
+  const auto corner = [&](std::size_t k) { return corners[k % count]; };
+  const auto place = [&](std::size_t k) { return moved_by(origin, corner(k).x, corner(k).y); };
+  double area = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    area += corner(k).x * corner(k + 1).y - corner(k + 1).x * corner(k).y;
+    words.keep_line_free(place(k), place(k + 1));
+  }
+  const auto out = [&](std::size_t k) {  // of the side from corner k, of length 1
+    const glm::dvec2 way = corner(k + 1) - corner(k);
+    const double length = portable::length(way.x, way.y);
+    return length > 0 ? glm::dvec2(way.y, -way.x) * (area > 0 ? 1 / length : -1 / length) : glm::dvec2(0);
+  };
+  if (span && ends)
+    for (const auto& [name, x, side] : {std::tuple{"x_L", ends->left, -1.0f}, {"x_R", ends->right, 1.0f}}) {
+      const ImVec2 size = text_size(ui, ui.fonts.bold, name);
+      const float beside = x + side * (size.x / 2 + 5 * ui.thin), middle = (ends->top + ends->end) / 2;
+      words.put(name, c.now, ui.fonts.bold,
+                {{beside, middle}, {beside, middle + size.y}, {beside, middle - size.y}, {x, ends->end + size.y}});
+    }
+  // A span has two edges, and none of the others matters.
+  std::vector<EdgeTableInsert> edges = edges_at_work(s, most_named);
+  if (span)
+    std::erase_if(edges,
+                  [&](const EdgeTableInsert& e) { return e.edge != span->left_edge && e.edge != span->right_edge; });
+  for (std::size_t k = 0; k < count && !steps; ++k) {
+    const std::int32_t vertex = m.outline[k];
+    if (!span || std::any_of(edges.begin(), edges.end(),
+                             [&](const EdgeTableInsert& e) { return e.vertex_0 == vertex || e.vertex_1 == vertex; }))
+      words.around(vertex_label(s.scene(), vertex), c.text, ui.fonts.small, place(k), out(k) + out(k + count - 1));
+  }
+  for (const EdgeTableInsert& edge : edges)
+    for (std::size_t k = 0; k < count; ++k)
+      if (std::minmax(m.outline[k], m.outline[(k + 1) % count]) == std::minmax(edge.vertex_0, edge.vertex_1))
+        words.beside(edge_label(s.scene(), edge), now == edge.edge ? c.now : c.text, ui.fonts.bold, place(k),
+                     place(k + 1), out(k));
+}
+
+}  // namespace
+
 void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Theme& c = ui.colors();
   const Session& s = ui.session;
@@ -343,10 +417,25 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   }
   ImGui::PushClipRect(origin, end, true);
   const auto ends = span_ends(ui, map, origin);
-  TakenPlaces taken = ends ? ends->taken() : TakenPlaces();
+  const auto on_raster_only = [&](double x, double y) {  // beside it stand the rulers
+    return moved_by(origin, std::clamp(x, 0.0, 1.0 * width), std::clamp(y, 0.0, 1.0 * height));
+  };
+  WordPlaces words(ui, on_raster_only(map.left, map.top),
+                   on_raster_only(map.left + map.width * map.cell, map.top + map.height * map.cell),
+                   ends ? ends->taken() : TakenPlaces());
   const bool has_numbers = cell_text && draw_numbers(ui, map, origin, cells.made, cell_text);
-  if (!has_numbers || talk.polygons) mark_half_planes(ui, map, origin, taken, has_numbers);
-  if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(taken));
+  if (has_numbers)
+    words.allowed = [&](ImVec2 low, ImVec2 high) {  // not on what stands in pixels
+      const auto is_drawn = [&](float x, float y) {
+        const auto cell = map.cell_at(x - origin.x, y - origin.y);
+        return cell && s.picture().polygon[s.picture().at(cell->x, cell->y)] != no_polygon;
+      };
+      return !is_drawn(low.x, low.y) && !is_drawn(high.x, low.y) && !is_drawn(low.x, high.y) &&
+             !is_drawn(high.x, high.y);
+    };
+  if (!has_numbers || talk.polygons) mark_half_planes(ui, map, origin, words, has_numbers);
+  if (talk.polygons) name_outline(ui, map, origin, ends, words);
+  if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(words.taken));
   cover_cells_to_come(ui, id, map, origin);
   draw_marks(ui, map, origin);
   draw_edge_on_its_way(ui, map, origin);

@@ -6,9 +6,74 @@
 
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/math/portable_math.hpp"
 #include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
+
+bool WordPlaces::put(const std::string& text, ImU32 color, const ImFont* font, const std::vector<ImVec2>& middles) {
+  const ImVec2 size = text_size(ui_, font, text);
+  const float rim = std::round(2 * ui_.thin);
+  for (const ImVec2 middle : middles) {
+    const ImVec2 at{std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)};
+    const ImVec2 low{at.x - rim, at.y}, high{at.x + size.x + rim, at.y + size.y};
+    if (low.x < low_.x || low.y < low_.y || high.x > high_.x || high.y > high_.y ||
+        !taken.free(low, {high.x - low.x, size.y}) || (allowed && !allowed(low, high)))
+      continue;
+    taken.take(low, {high.x - low.x, size.y});
+    if (on_paper) ImGui::GetWindowDrawList()->AddRectFilled(low, high, ui_.colors().pane);
+    draw_text(ui_, at, font, color, text);
+    return true;
+  }
+  return false;
+}
+
+namespace {
+
+/// How far the middle of a text of this size is from what it stands beside in this direction.
+double text_away(ImVec2 size, glm::dvec2 direction, double gap) {
+  return std::abs(direction.x) * size.x / 2 + std::abs(direction.y) * size.y / 2 + gap;
+}
+
+}  // namespace
+
+bool WordPlaces::beside(const std::string& text, ImU32 color, const ImFont* font, ImVec2 from, ImVec2 to,
+                        glm::dvec2 out) {
+  const double length = portable::length(out.x, out.y);
+  out = length > 0 ? out / length : glm::dvec2(0, -1);
+  const double away = text_away(text_size(ui_, font, text), out, 4.0 * ui_.thin);
+  std::vector<ImVec2> middles;
+  for (const double side : {away, -away})
+    for (const float share : {0.5f, 0.35f, 0.65f, 0.2f, 0.8f})
+      middles.push_back(
+          moved_by({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}, side * out.x, side * out.y));
+  return put(text, color, font, middles);
+}
+
+bool WordPlaces::around(const std::string& text, ImU32 color, const ImFont* font, ImVec2 dot, glm::dvec2 out) {
+  const double length = portable::length(out.x, out.y);
+  out = length > 0 ? out / length : glm::dvec2(0, -1);
+  const ImVec2 size = text_size(ui_, font, text);
+  std::vector<ImVec2> middles;
+  constexpr double diagonal = 0.7071;
+  for (const double gap : {0.35 * ui_.em, 1.3 * ui_.em})
+    for (const glm::dvec2 turn :
+         {glm::dvec2(1, 0), {diagonal, diagonal}, {diagonal, -diagonal}, {0, 1}, {0, -1}, {-1, 0}}) {
+      const glm::dvec2 way(out.x * turn.x - out.y * turn.y, out.x * turn.y + out.y * turn.x);
+      const double away = text_away(size, way, gap);
+      middles.push_back(moved_by(dot, away * way.x, away * way.y));
+    }
+  return put(text, color, font, middles);
+}
+
+void WordPlaces::keep_line_free(ImVec2 from, ImVec2 to) {
+  constexpr float every = 6, half = 2;
+  const float length = std::max(1.0f, portable::length(to.x - from.x, to.y - from.y));
+  for (float along = 0; along < length; along += every)
+    taken.take({from.x + (to.x - from.x) * along / length - half, from.y + (to.y - from.y) * along / length - half},
+               {2 * half, 2 * half});
+}
+
 namespace {
 
 Pixel32 hatch_at(int x, int y, const RasterInk& ink) { return (x + y) % 6 == 0 ? ink.hatch_line : ink.hatch; }

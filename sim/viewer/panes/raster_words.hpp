@@ -6,8 +6,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <imgui.h>
 
 #include "sim/viewer/draw/canvas.hpp"
@@ -29,6 +31,29 @@ class TakenPlaces {
 
  private:
   std::vector<ImVec4> boxes_;  ///< left, top, right, bottom
+};
+
+/// Writes on a part of the window, each word where nothing stands yet.
+class WordPlaces {
+ public:
+  WordPlaces(const Ui& ui, ImVec2 low, ImVec2 high, TakenPlaces taken_ = {})
+      : taken(std::move(taken_)), ui_(ui), low_(low), high_(high) {}
+
+  /// In the first of these places, given by their middles, that is free; false where none is.
+  bool put(const std::string& text, ImU32 color, const ImFont* font, const std::vector<ImVec2>& middles);
+  /// Beside the middle of a line or nearer to one of its ends; on the side of `out`, or else on the other.
+  bool beside(const std::string& text, ImU32 color, const ImFont* font, ImVec2 from, ImVec2 to, glm::dvec2 out);
+  /// Around a dot, towards `out` or else elsewhere.
+  bool around(const std::string& text, ImU32 color, const ImFont* font, ImVec2 dot, glm::dvec2 out);
+  void keep_line_free(ImVec2 from, ImVec2 to);
+
+  TakenPlaces taken;
+  bool on_paper = true;                                  ///< with the pane's colour behind each word
+  std::function<bool(ImVec2 low, ImVec2 high)> allowed;  ///< of a place that is free; anywhere where there is none
+
+ private:
+  const Ui& ui_;
+  ImVec2 low_, high_;
 };
 
 // Paints a raster's cells into a canvas of a pane's size.

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <optional>
@@ -13,7 +15,10 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/plan_frame.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
@@ -25,6 +30,14 @@ namespace {
 /// screen scene is seen along its rows: x and z.
 class Plan {
  public:
+  /// On the ray through this part of the window's half width from its middle, at this t.
+  static glm::dvec3 on_window(const Scene& scene, double share, double t) {
+    const Camera& camera = scene.camera;
+    const double half = camera.window * scene.raster.width / scene.raster.height;
+    const glm::dmat3 to_world = glm::transpose(glm::dmat3(camera.view));
+    return camera.eye + t * (to_world * glm::dvec3(share * half, 0, camera.d));
+  }
+
   Plan(const Scene& scene, ImVec2 at, ImVec2 size, float margin)
       : screen_(scene.camera.kind == Camera::Kind::screen), wide_(size.x > size.y), at_(at) {
     const glm::dmat4& view = scene.camera.view;
@@ -34,6 +47,7 @@ class Plan {
     for (const glm::dvec3& point : scene.points) include(flat(point));
     if (scene.camera.kind == Camera::Kind::perspective) include(flat(scene.camera.eye));
     if (scene.light) include(flat(scene.light->position));
+    show_rays(scene);
     const glm::dvec2 span = glm::max(high_ - low_, glm::dvec2(1e-9));
     const glm::dvec2 pane(size.x, size.y);
     scale_ = std::min((pane.x - 2 * margin) / span.x, (pane.y - 2 * margin) / span.y);
@@ -58,6 +72,18 @@ class Plan {
   double farthest() const { return 2 * glm::length(high_ - low_) + 1; }
 
  private:
+  /// What rays meet of planes lies beside polygons, too: as far as the outer rays reach, where that is not much
+  /// farther.
+  void show_rays(const Scene& scene) {
+    const Camera& camera = scene.camera;
+    if (camera.kind != Camera::Kind::perspective) return;
+    const glm::dvec2 least = low_, most = high_, more = 0.25 * (high_ - low_);
+    double deepest = 0;
+    for (const glm::dvec3& point : scene.points)
+      deepest = std::max(deepest, (glm::dmat3(camera.view) * (point - camera.eye)).z);
+    for (const double side : {-1.0, 1.0})
+      include(glm::clamp(flat(on_window(scene, side, deepest / std::max(1e-9, camera.d))), least - more, most + more));
+  }
   void include(glm::dvec2 p) { low_ = glm::min(low_, p), high_ = glm::max(high_, p); }
 
   bool screen_, wide_;
@@ -67,39 +93,78 @@ class Plan {
   double scale_ = 1;
 };
 
-void outline_box(const Plan& plan, glm::dvec3 low, glm::dvec3 high, ImU32 color, float thickness) {
-  const ImVec2 corners[4] = {plan.place({low.x, low.y, low.z}), plan.place({high.x, low.y, low.z}),
-                             plan.place({high.x, high.y, high.z}), plan.place({low.x, high.y, high.z})};
-  stroke_lines(ImGui::GetWindowDrawList(), corners, color, thickness, true);
+std::array<ImVec2, 4> corners_of(const Plan& plan, const BoxMake& b) {
+  return {plan.place({b.x_min, b.y_min, b.z_min}), plan.place({b.x_max, b.y_min, b.z_min}),
+          plan.place({b.x_max, b.y_max, b.z_max}), plan.place({b.x_min, b.y_max, b.z_max})};
 }
 
-void dash(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
-  const float length = portable::length(to.x - from.x, to.y - from.y), step = 9;
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  for (float at = 0; at < length && at < 4000; at += step) {
-    const float a = at / length, b = std::min(at + 5, length) / length;
-    stroke_line(list, {from.x + (to.x - from.x) * a, from.y + (to.y - from.y) * a},
-                {from.x + (to.x - from.x) * b, from.y + (to.y - from.y) * b}, color, thickness);
-  }
-}
-
+/// Those that the ray meets before what it has met are drawn through, the others dashed.
 void draw_boxes(const Ui& ui, const Plan& plan) {
   const MethodState& machine = ui.session.state().machine;
   const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
   constexpr std::size_t most_drawn = 400;
-  if (machine.boxes.size() <= most_drawn) {
-    for (const BoxRow& row : machine.boxes) {
-      const BoxMake& b = row.entry;
-      outline_box(plan, {b.x_min, b.y_min, b.z_min}, {b.x_max, b.y_max, b.z_max}, c.rule, ui.thin);
+  if (machine.boxes.size() <= most_drawn)
+    for (const BoxRow& row : machine.boxes) stroke_lines(list, corners_of(plan, row.entry), c.rule, ui.thin, true);
+  const RecordedEvent* event = ui.session.event();
+  for (const bool hit : {true, false})
+    for (const BoxTest& test : machine.rays.boxes) {
+      if (test.hit != hit || test.box < 0 || test.box >= std::ssize(machine.boxes)) continue;
+      const std::array corners = corners_of(plan, machine.boxes[static_cast<std::size_t>(test.box)].entry);
+      const bool now = event && holds<BoxTest>(event->event) && &test == &machine.rays.boxes.back();
+      const ImU32 color = now ? c.now : hit ? c.selected : c.text;
+      if (hit) stroke_lines(list, corners, color, 2.5f * ui.thin, true);
+      for (std::size_t k = 0; k < 4 && !hit; ++k) {
+        stroke_line(list, corners[k], corners[(k + 1) % 4], c.pane, 3.5f * ui.thin);
+        stroke_dashed(list, corners[k], corners[(k + 1) % 4], color, 2 * ui.thin);
+      }
     }
-  }
+}
+
+/// Of those that the ray was tested against, at their corners.
+void name_boxes(const Ui& ui, const Plan& plan, WordPlaces& words) {
+  const MethodState& machine = ui.session.state().machine;
+  constexpr std::size_t most_named = 8;
+  if (machine.rays.boxes.size() > most_named) return;
   for (const BoxTest& test : machine.rays.boxes) {
-    const std::size_t i = test.box;
-    if (test.box < 0 || i >= machine.boxes.size()) continue;
-    const BoxMake& b = machine.boxes[i].entry;
-    outline_box(plan, {b.x_min, b.y_min, b.z_min}, {b.x_max, b.y_max, b.z_max}, test.hit ? c.selected : c.muted,
-                (test.hit ? 2.5f : 1.0f) * ui.thin);
+    if (test.box < 0 || test.box >= std::ssize(machine.boxes)) continue;
+    const std::array corners = corners_of(plan, machine.boxes[static_cast<std::size_t>(test.box)].entry);
+    const std::string name = fmt::format("box {}", test.box);
+    const ImVec2 size = text_size(ui, ui.fonts.small, name);
+    const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x, corners[3].x});
+    const auto [top, end] = std::minmax({corners[0].y, corners[1].y, corners[2].y, corners[3].y});
+    std::vector<ImVec2> places;
+    for (const float inside : {1.0f, -1.0f})
+      for (const float y : {end - inside * size.y * 0.75f, top + inside * size.y * 0.75f})
+        for (const float x : {right - size.x * 0.65f, left + size.x * 0.65f}) places.push_back({x, y});
+    words.put(name, ui.colors().text, ui.fonts.small, places);
   }
+}
+
+/// The window on the projection plane, divided in columns of pixels; the one at work is marked.
+void draw_window(const Ui& ui, const Plan& plan, WordPlaces& words) {
+  const Session& s = ui.session;
+  const Scene& scene = s.scene();
+  if (scene.camera.kind != Camera::Kind::perspective) return;
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const std::int32_t columns = std::max(1, scene.raster.width);
+  const auto at = [&](std::int32_t border) {
+    return plan.place(Plan::on_window(scene, 2.0 * border / columns - 1, 1));
+  };
+  const ImVec2 from = at(0), to = at(columns);
+  stroke_line(list, from, to, c.text, 1.5f * ui.thin);
+  const float length = portable::length(to.x - from.x, to.y - from.y), tick = std::round(0.25f * ui.em);
+  if (!(length > 0)) return;
+  const ImVec2 across{(to.y - from.y) / length * tick, (from.x - to.x) / length * tick};
+  for (std::int32_t k = 0; k <= columns && length / to_float(columns) >= 4; ++k) {
+    const ImVec2 border = at(k);
+    stroke_line(list, {border.x - across.x, border.y - across.y}, {border.x + across.x, border.y + across.y}, c.text,
+                1.5f * ui.thin);
+  }
+  const auto& tree = s.state().machine.rays.tree;
+  if (!tree.empty()) stroke_line(list, at(tree.front().entry.x), at(tree.front().entry.x + 1), c.now, 4 * ui.thin);
+  words.keep_line_free(from, to);
 }
 
 void draw_cells(const Ui& ui, const Plan& plan) {
@@ -158,22 +223,27 @@ void draw_facets(const Ui& ui, const Plan& plan) {
   }
 }
 
-/// Letters beside their facets, clear of them and of what else lies there.
-void draw_names(const Ui& ui, const Plan& plan) {
+/// Letters beside their facets.
+void draw_names(const Ui& ui, const Plan& plan, WordPlaces& words) {
   const Scene& scene = ui.session.scene();
   if (scene.facets.size() > 16) return;
-  for (const Facet& facet : scene.facets) {
-    glm::dvec3 sum(0);
-    for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-      sum += scene.points[scene.corners[facet.first_corner + k]];
+  const auto each = [&](auto&& use) {
+    for (const Facet& facet : scene.facets) {
+      std::vector<ImVec2> corners;
+      for (std::int32_t k = 0; k < facet.corner_count; ++k)
+        corners.push_back(plan.place(scene.points[scene.corners[facet.first_corner + k]]));
+      // Seen from its edge it is as long as this.
+      const auto away = [&](ImVec2 p) { return portable::length(p.x - corners[0].x, p.y - corners[0].y); };
+      use(facet, corners[0],
+          *std::max_element(corners.begin(), corners.end(), [&](ImVec2 a, ImVec2 b) { return away(a) < away(b); }));
     }
-    const std::string name = polygon_label(scene, facet.polygon);
-    const ImVec2 middle = plan.place(sum / static_cast<double>(facet.corner_count)),
-                 size = text_size(ui, ui.fonts.bold, name), at{middle.x - size.x - 5, middle.y - size.y - 2};
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + std::round(size.y * 0.18f)},  // as high as the letter is
-                                              {at.x + size.x, at.y + std::round(size.y * 0.85f)}, ui.colors().pane);
-    draw_text(ui, at, ui.fonts.bold, ui.colors().text, name);
-  }
+  };
+  each([&](const Facet&, ImVec2 from, ImVec2 to) { words.keep_line_free(from, to); });
+  each([&](const Facet& facet, ImVec2 from, ImVec2 to) {
+    const glm::dvec2 along(to.x - from.x, to.y - from.y);
+    words.beside(polygon_label(scene, facet.polygon), ui.colors().text, ui.fonts.bold, from, to,
+                 along.x < 0 ? glm::dvec2(-along.y, along.x) : glm::dvec2(along.y, -along.x));
+  });
 }
 
 /// Where a ray that is still waiting met something: its first child begins there.
@@ -183,7 +253,7 @@ const RayBegin* first_child(const RayWork& rays, std::int32_t ray) {
   return nullptr;
 }
 
-void draw_rays(Ui& ui, const Plan& plan) {
+void draw_rays(Ui& ui, const Plan& plan, WordPlaces& words) {
   const MethodState& machine = ui.session.state().machine;
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -203,20 +273,35 @@ void draw_rays(Ui& ui, const Plan& plan) {
       b = moved_by(a, (b.x - a.x) * share, (b.y - a.y) * share);
     }
     const ImU32 color = now ? c.now : c.text;
-    if (ray.role == RayRole::shadow || (!met && !child)) dash(a, b, color, (now ? 2.0f : 1.2f) * ui.thin);
+    if (ray.role == RayRole::shadow || (!met && !child))
+      stroke_dashed(list, a, b, color, (now ? 2.0f : 1.2f) * ui.thin);
     else stroke_line(list, a, b, color, (now ? 2.5f : 1.5f) * ui.thin);
     if (met || child) fill_circle(list, b, 4, color);
+    words.keep_line_free(a, b);
   }
+  const float reach = std::round(0.35f * ui.em);
   for (const RayHit& hit : machine.rays.hits) {
     const ImVec2 p = plan.place({hit.x_hit, hit.y_hit, hit.z_hit});
     if (hit.inside) {
-      fill_circle(list, p, 5, hit.nearest ? c.now : c.pane);
-      stroke_circle(list, p, 5, c.now, 1.5f * ui.thin);
+      fill_circle(list, p, reach, hit.nearest ? c.now : c.pane);
+      stroke_circle(list, p, reach, c.now, 1.5f * ui.thin);
     } else {
-      stroke_line(list, {p.x - 4, p.y - 4}, {p.x + 4, p.y + 4}, c.muted, 1.5f * ui.thin);
-      stroke_line(list, {p.x - 4, p.y + 4}, {p.x + 4, p.y - 4}, c.muted, 1.5f * ui.thin);
+      for (const auto& [color, thick] : {std::pair{c.pane, 5.0f}, {c.text, 2.5f}})
+        for (const float down : {reach, -reach})
+          stroke_line(list, {p.x - reach, p.y - down}, {p.x + reach, p.y + down}, color, thick * ui.thin);
     }
+    words.taken.take({p.x - reach, p.y - reach}, {2 * reach, 2 * reach});
   }
+}
+
+/// How far along the ray it meets planes.
+void name_hits(const Ui& ui, const Plan& plan, WordPlaces& words) {
+  constexpr std::size_t most_named = 4;
+  const std::vector<RayHit>& hits = ui.session.state().machine.rays.hits;
+  for (const RayHit& hit : hits)
+    if (hits.size() <= most_named)
+      words.around(fmt::format("t = {}", number(hit.t)), hit.nearest ? ui.colors().now : ui.colors().text,
+                   ui.fonts.small, plan.place({hit.x_hit, hit.y_hit, hit.z_hit}), {1, 0});
 }
 
 void draw_ray_plan(Ui& ui) {
@@ -229,23 +314,30 @@ void draw_ray_plan(Ui& ui) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
   const Plan plan(scene, at, size, ui.em * 1.4f);
+  WordPlaces words(ui, at, {at.x + size.x, at.y + size.y});
   draw_cells(ui, plan);
   draw_boxes(ui, plan);
   draw_facets(ui, plan);
-  if (machine.rays.plane_test && s.event() && holds<RayPlane>(s.event()->event)) {
+  if (machine.rays.plane_test && s.event() && holds<RayPlane>(s.event()->event))
     mark_facet(ui, plan, machine.rays.plane_test->facet, ui.colors().now, 5);
-  }
-  draw_rays(ui, plan);
-  draw_names(ui, plan);
+  draw_window(ui, plan, words);
+  draw_rays(ui, plan, words);
   const auto label = [&](glm::dvec3 point, const std::string& word) {
-    const ImVec2 p = plan.place(point), width = text_size(ui, ui.fonts.text, word);
+    const ImVec2 p = plan.place(point);
     fill_circle(list, p, 4, ui.colors().text);
-    const float left = std::clamp(p.x + 7, at.x, at.x + size.x - width.x - 2);
-    draw_text(ui, {left, std::clamp(p.y - width.y, at.y, at.y + size.y - width.y)}, ui.fonts.text, ui.colors().text,
-              word);
+    words.around(word, ui.colors().text, ui.fonts.text, p, {1, 0});
   };
-  if (scene.camera.kind == Camera::Kind::perspective) label(scene.camera.eye, "eye");
+  if (scene.camera.kind == Camera::Kind::perspective) {
+    label(scene.camera.eye, "eye");
+    const ImVec2 from = plan.place(Plan::on_window(scene, -1, 1)), to = plan.place(Plan::on_window(scene, 1, 1));
+    const glm::dvec2 along(to.x - from.x, to.y - from.y);
+    for (const auto& [end, out] : {std::pair{to, along}, {from, -along}})
+      if (words.around("window", ui.colors().text, ui.fonts.small, end, out)) break;
+  }
   if (scene.light) label(scene.light->position, "light");
+  draw_names(ui, plan, words);
+  name_hits(ui, plan, words);
+  name_boxes(ui, plan, words);
   list->PopClipRect();
 }
 

@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/panes/outline_names.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
@@ -120,75 +121,22 @@ void paint_scene(Canvas& canvas, const RasterMap& map, const Kept<Canvas>& wires
   draw_polygon(canvas, map, now, lit, c, thin);
 }
 
-/// An outline on the picture, in its pixels.
-using Outline = std::vector<glm::dvec2>;
-
-bool encloses(const Outline& outline, glm::dvec2 p) {
-  bool inside = false;
-  for (std::size_t k = 0, last = outline.size() - 1; k < outline.size(); last = k++) {
-    const glm::dvec2 &a = outline[last], &b = outline[k];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
-}
-bool crosses(const Outline& outline, glm::dvec2 low, glm::dvec2 high) {
-  for (std::size_t k = 0, last = outline.size() - 1; k < outline.size(); last = k++) {
-    double from = 0, to = 1;  // the part of the side that lies within the box
-    const glm::dvec2 a = outline[last], way = outline[k] - a;
-    for (int axis = 0; axis < 2; ++axis) {
-      if (way[axis] == 0) {
-        if (a[axis] < low[axis] || a[axis] > high[axis]) to = -1;
-        continue;
-      }
-      const double one = (low[axis] - a[axis]) / way[axis], other = (high[axis] - a[axis]) / way[axis];
-      from = std::max(from, std::min(one, other)), to = std::min(to, std::max(one, other));
-    }
-    if (from <= to) return true;
-  }
-  return false;
-}
-
-/// The names of polygons that are on the screen already, as in a textbook's figure: each inside its own outline, on no
-/// line, and within as few others as can be.
+/// The names of polygons that are on the screen already, as in a textbook's figure.
 void name_polygons(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces taken) {
   const Scene& scene = ui.session.scene();
-  constexpr std::size_t most_named = 26;
-  if (scene.camera.kind != Camera::Kind::screen || scene.polygons.size() > most_named) return;
-  std::vector<Outline> outlines(scene.polygons.size());
+  if (scene.camera.kind != Camera::Kind::screen) return;
+  std::vector<NamedOutline> outlines(scene.polygons.size());
   for (const Facet& facet : scene.facets)
-    if (Outline& outline = outlines[static_cast<std::size_t>(facet.polygon)]; outline.empty())
+    if (NamedOutline& one = outlines[static_cast<std::size_t>(facet.polygon)]; one.outline.empty()) {
+      one.name = polygon_label(scene, facet.polygon);
       for (std::int32_t k = 0; k < facet.corner_count; ++k) {
         const glm::dvec3& p = scene.points[static_cast<std::size_t>(scene.corners[facet.first_corner + k])];
-        outline.emplace_back(map.px(p.x), map.py(p.y));
+        one.outline.emplace_back(map.px(p.x), map.py(p.y));
       }
-  for (std::size_t polygon = 0; polygon < outlines.size(); ++polygon) {
-    const Outline& own = outlines[polygon];
-    if (own.empty()) continue;
-    const std::string name = polygon_label(scene, static_cast<std::int32_t>(polygon));
-    const ImVec2 text = text_size(ui, ui.fonts.bold, name);
-    const glm::dvec2 half(text.x / 2.0 + 2, text.y / 2.0);
-    glm::dvec2 low = own[0], high = own[0];
-    for (const glm::dvec2& p : own) low = glm::min(low, p), high = glm::max(high, p);
-    std::optional<glm::dvec2> best;
-    std::ptrdiff_t least = std::ssize(outlines) + 1;
-    constexpr int places = 14;  // along each side of the polygon's box
-    for (int row = 0; row <= places; ++row)
-      for (int column = 0; column <= places; ++column) {
-        const glm::dvec2 at = low + half + (high - low - 2.0 * half) * (glm::dvec2(column, row) / double(places));
-        const ImVec2 corner = moved_by(origin, at.x - half.x, at.y - half.y);
-        if (!encloses(own, at) || !taken.free(corner, {text.x + 4, text.y}) ||
-            std::any_of(outlines.begin(), outlines.end(),
-                        [&](const Outline& one) { return !one.empty() && crosses(one, at - half, at + half); }))
-          continue;
-        const auto within = std::count_if(outlines.begin(), outlines.end(),
-                                          [&](const Outline& one) { return !one.empty() && encloses(one, at); });
-        if (within < least) best = at, least = within;
-      }
-    if (!best) continue;
-    const ImVec2 corner = moved_by(origin, best->x - half.x, best->y - half.y);
-    draw_text(ui, {std::round(corner.x + 2), std::round(corner.y)}, ui.fonts.bold, ui.colors().text, name);
-    taken.take(corner, {text.x + 4, text.y});
-  }
+    }
+  WordPlaces words(ui, origin, moved_by(origin, map.box_width, map.box_height), std::move(taken));
+  words.on_paper = false;
+  name_outlines(ui, words, origin, outlines);
 }
 
 /// As the run's own eye sees it.

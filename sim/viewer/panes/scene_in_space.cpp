@@ -13,6 +13,7 @@
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
+#include "traces/formulas/shading.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/scene.hpp"
 
@@ -39,6 +40,39 @@ void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel
   }
 }
 
+bool paint_with_glass(Canvas& canvas, const Outside& outside, const Scene& polygons, const std::vector<Pixel32>& colors,
+                      Pixel32 paper) {
+  constexpr std::ptrdiff_t most_glass = 16;
+  const auto is_glass = [&](const Facet& facet) { return polygons.polygons[facet.polygon].material->opacity < 1; };
+  const auto count = std::count_if(polygons.facets.begin(), polygons.facets.end(), is_glass);
+  if (count == 0 || count > most_glass) return false;
+  Scene part = polygons;
+  std::erase_if(part.facets, is_glass);
+  const Picture behind = polygons_seen(outside, part);
+  paint_polygons(canvas, behind, colors, paper);
+  std::vector<std::pair<double, Picture>> panes;  // by their mean depths
+  for (const Facet& facet : polygons.facets) {
+    if (!is_glass(facet)) continue;
+    part.facets = {facet};
+    Picture seen = polygons_seen(outside, part);
+    double sum = 0, pixels = 0;
+    for (std::size_t at = 0; at < seen.polygon.size(); ++at)
+      if (seen.polygon[at] != no_polygon) sum += seen.depth[at], ++pixels;
+    if (pixels > 0) panes.emplace_back(sum / pixels, std::move(seen));
+  }
+  std::stable_sort(panes.begin(), panes.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [depth, seen] : panes)
+    for (int y = 0; y < seen.height; ++y)
+      for (int x = 0; x < seen.width; ++x) {
+        const std::size_t at = seen.at(x, y);
+        const std::int32_t polygon = seen.polygon[at];
+        if (polygon == no_polygon || seen.depth[at] > behind.depth[at] + as_near) continue;
+        const double share = 255 * std::clamp(polygons.polygons[polygon].material->opacity, 0.0, 1.0);
+        canvas.row(y)[x] = mixed(canvas.row(y)[x], colors[polygon], static_cast<unsigned>(share));
+      }
+  return true;
+}
+
 void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness, bool dashed) {
   const auto ends = outside_.line(from, to);
   if (!ends) return;
@@ -59,6 +93,18 @@ void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness
                          behind ? 70 : 255);
     first = last + (dashed ? 2 : 0);
   }
+}
+
+void RoomPen::arrow(glm::dvec3 from, glm::dvec3 to, ImU32 color, const std::string& name) {
+  line(from, to, color, 2.4);
+  const auto foot = outside_.spot(from), tip = outside_.spot(to);
+  const glm::dvec2 way = foot && tip ? glm::dvec2(tip->x - foot->x, tip->y - foot->y) : glm::dvec2(0);
+  if (!(glm::length(way) > 1)) return;
+  const glm::dvec2 back = glm::normalize(way) * (9 * thin_), across = 0.45 * glm::dvec2(-back.y, back.x);
+  for (const double side : {1.0, -1.0})
+    picture_.canvas.line(tip->x, tip->y, tip->x - back.x + side * across.x, tip->y - back.y + side * across.y,
+                         2.4 * thin_, to_pixel(color));
+  if (!name.empty()) word(to + 0.06 * (to - from), name, color);
 }
 
 void RoomPen::around(const std::vector<glm::dvec3>& corners, ImU32 color, double thickness, bool dashed) {
@@ -102,9 +148,14 @@ bool RoomPen::hidden(const Outside::Spot& a, const Outside::Spot& b) const {
 
 namespace {
 
-void draw_edges(RoomPen& pen, const Scene& polygons) {
-  for (const auto& [from, to] : edges_of(polygons))
-    pen.line(polygons.points[from], polygons.points[to], pen.colors.text, 0.8);
+void draw_edges(RoomPen& pen, const Moment& now) {
+  const Scene& polygons = pen.room.polygons();
+  const auto& surface = now.scene().surface;
+  const bool curves = surface && surface->columns > 0 && records<HorizonTest>(now.header());  // of one z each
+  for (const auto& [from, to] : edges_of(polygons)) {
+    const bool along = curves && from / surface->columns == to / surface->columns;
+    pen.line(polygons.points[from], polygons.points[to], pen.colors.text, along ? 3 : 0.8);
+  }
 }
 
 /// The eye with its window and its planes; of parallel projection the box that is seen.
@@ -237,20 +288,25 @@ void draw_clipping(RoomPen& pen, const Moment& now) {
   if (std::any_of(m.outline.begin(), m.outline.end(), made)) pen.around(outline, pen.colors.now, 3.4);
 }
 
+std::vector<glm::dvec3> corners_at_work(const Scene& scene, const MethodState& m) {
+  std::vector<glm::dvec3> corners;
+  if (m.facet < 0 || m.facet >= std::ssize(scene.facets)) return corners;
+  const Facet& facet = scene.facets[m.facet];
+  for (std::int32_t k = 0; k < facet.corner_count; ++k)
+    corners.push_back(scene.points[scene.corners[facet.first_corner + k]]);
+  return corners;
+}
+
 /// The polygon or piece at work, and the pair under test.
 void draw_at_work(RoomPen& pen, const Moment& now) {
   const MethodState& m = now.state().machine;
   const Scene& polygons = pen.room.polygons();
   const Theme& c = pen.colors;
-  if (m.facet >= 0 && m.facet < std::ssize(polygons.facets)) {
-    const Facet& facet = polygons.facets[m.facet];
-    std::vector<glm::dvec3> corners;
-    for (std::int32_t k = 0; k < facet.corner_count; ++k)
-      corners.push_back(polygons.points[polygons.corners[facet.first_corner + k]]);
-    pen.around(corners, c.now, 2.6);
-    for (std::size_t k = 0; k < corners.size(); ++k)
-      name_vertex(pen, now, polygons.corners[static_cast<std::size_t>(facet.first_corner) + k], corners[k], c.text);
-  }
+  const std::vector<glm::dvec3> corners = corners_at_work(polygons, m);
+  if (!corners.empty()) pen.around(corners, c.now, 2.6);
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    name_vertex(pen, now, polygons.corners[static_cast<std::size_t>(polygons.facets[m.facet].first_corner) + k],
+                corners[k], c.text);
   const auto piece = [&](std::int32_t number, ImU32 color) {
     if (number >= 0 && number < std::ssize(m.pieces)) draw_outline(pen, now, m.pieces[number].outline, color);
   };
@@ -272,6 +328,53 @@ void draw_vertex(RoomPen& pen, const Moment& now) {
   const glm::dvec3 on_window = pen.room.behind(seen->x, seen->y, pen.room.camera().d);
   pen.line(pen.room.camera().eye, point, c.now, 1.2, true);
   pen.dot(on_window, 4, 1, c.now);
+}
+
+/// Which way a polygon faces: its normal, and the line of sight to its first vertex that the normal is compared with.
+void draw_facing(RoomPen& pen, const Moment& now) {
+  const Room& room = pen.room;
+  const auto corners = corners_at_work(room.polygons(), now.state().machine);
+  if (!now.event() || corners.size() < 3 || room.by_lamp() || room.camera().kind == Camera::Kind::screen) return;
+  const Event& e = now.event()->event;
+  const auto* reject = get_if<PolygonReject>(&e);
+  const bool by_facing = reject && (reject->reason == Reject::back_facing || reject->reason == Reject::edge_on);
+  if (!by_facing && !holds<FacingTest>(e) && !(holds<PolygonBegin>(e) && records<FacingTest>(now.header()))) return;
+  glm::dvec3 normal(0), middle(0);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    normal += glm::cross(corners[k] - corners[0], corners[(k + 1) % corners.size()] - corners[0]);
+    middle += corners[k] / static_cast<double>(corners.size());
+  }
+  if (!(glm::length(normal) > 0)) return;
+  pen.arrow(middle, middle + glm::normalize(normal) * (0.25 * room.size()), pen.colors.text, "n");
+  const glm::dvec3 from =
+      room.has_eye() ? room.camera().eye : corners[0] + glm::normalize(room.towards()) * room.size();
+  pen.arrow(from, corners[0], pen.colors.now);
+  pen.word(0.5 * (from + corners[0]), room.has_eye() ? "p \u2212 e" : "line of sight", pen.colors.now);
+}
+
+/// Where light is computed at vertices: the normal at each vertex of the polygon at work, and at the vertex at work the
+/// direction of the light.
+void draw_light_at_vertices(RoomPen& pen, const Moment& now) {
+  const std::int32_t at_work = vertex_at_work(now.event());
+  const formulas::Shading shading = formulas::shading_of(now.scene(), now.header().conventions);
+  const MethodState& m = now.state().machine;
+  const Scene& scene = pen.room.polygons();
+  if (at_work < 0 || !formulas::is_of_light(shading.shade) || !shading.attribute || m.facet < 0 ||
+      m.facet >= std::ssize(scene.facets))
+    return;
+  const double length = 0.2 * pen.room.size();
+  const Facet& facet = scene.facets[m.facet];
+  for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+    const std::int32_t vertex = scene.corners[facet.first_corner + k];
+    const std::int32_t value = shading.attribute->value_of(facet.polygon, vertex);
+    if (value == no_value) continue;
+    const double* n =
+        shading.attribute->values.data() + static_cast<std::ptrdiff_t>(value) * shading.attribute->components;
+    const glm::dvec3 foot = scene.points[vertex];
+    if (vertex == at_work) pen.arrow(foot, foot + 1.4 * length * shading.lighting.to_light, pen.colors.selected, "l");
+    pen.arrow(foot, foot + length * formulas::unit({n[0], n[1], n[2]}),
+              vertex == at_work ? pen.colors.now : pen.colors.text, vertex == at_work ? "n" : "");
+  }
 }
 
 /// The plane that divides space at the node at work.
@@ -381,7 +484,7 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
 }  // namespace
 
 void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing, double arrived) {
-  draw_edges(pen, pen.room.polygons());
+  draw_edges(pen, now);
   draw_axes(pen, now, viewing, arrived);
   draw_eye(pen);
   draw_lamp(pen, now);
@@ -391,6 +494,8 @@ void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& c
   draw_clipping(pen, now);
   draw_at_work(pen, now);
   draw_vertex(pen, now);
+  draw_facing(pen, now);
+  draw_light_at_vertices(pen, now);
   draw_line_of_sight(pen, now, cell);
   draw_rays(pen, now);
 }

@@ -21,6 +21,9 @@ Picture polygons_seen(const Outside& outside, const Scene& polygons);
 void see_polygons(const Outside& outside, const Scene& polygons, Picture& seen);
 /// Each polygon in its colour, and `paper` where none is seen, on a canvas of the picture's size.
 void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel32>& colors, Pixel32 paper);
+/// The same where there is glass: what lies behind it is seen through it. False, and nothing done, where there is none.
+bool paint_with_glass(Canvas& canvas, const Outside& outside, const Scene& polygons, const std::vector<Pixel32>& colors,
+                      Pixel32 paper);
 
 /// Draws lines and planes into the room: what a polygon hides of them is faint. Thicknesses in thin lines.
 class RoomPen {
@@ -30,6 +33,8 @@ class RoomPen {
       : room(of), colors(theme), picture_(picture), seen_(seen), outside_(outside), thin_(thin) {}
 
   void line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness = 1, bool dashed = false);
+  /// With a name at its tip.
+  void arrow(glm::dvec3 from, glm::dvec3 to, ImU32 color, const std::string& name = "");
   void around(const std::vector<glm::dvec3>& corners, ImU32 color, double thickness = 1, bool dashed = false);
   void around(const std::array<glm::dvec3, 4>& corners, ImU32 color, double thickness = 1, bool dashed = false) {
     around(std::vector(corners.begin(), corners.end()), color, thickness, dashed);

@@ -203,7 +203,9 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
     const bool pale = at_work != no_polygon && at_work != size32(colors);
     colors.push_back(wires ? paper : pale ? mixed(paper, own, 190) : own);
   }
-  paint_polygons(picture.canvas, seen, colors, paper);
+  const bool blends = records<ColorBlend>(now.header()) || records<ColorWrite>(now.header());  // so that glass matters
+  if (wires || !blends || !paint_with_glass(picture.canvas, outside, room.polygons(), colors, paper))
+    paint_polygons(picture.canvas, seen, colors, paper);
   Picture nothing_hides;
   if (wires) nothing_hides = seen, std::fill(nothing_hides.depth.begin(), nothing_hides.depth.end(), HUGE_VAL);
   RoomPen pen(picture, wires ? nothing_hides : seen, room, outside, c, thin);
@@ -289,8 +291,9 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
     draw_text(ui, {at.x + left, at.y + top}, font, color, text);
   };
   const Scene& scene = ui.session.scene();
+  const bool curves = scene.surface && records<HorizonTest>(ui.session.header());  // no polygons
   const auto write_letters = [&] {
-    int letters = 0;
+    int letters = curves ? 26 : 0;
     for (const LabelSpot& spot : seen.letters)
       if (to_float(spot.pixels) > 1.5f * ui.em * ui.em && ++letters <= 26)
         write({to_float(spot.cell.x), to_float(spot.cell.y)}, ui.fonts.bold, ui.colors().text,

@@ -80,31 +80,12 @@ struct View {
   const Theme& c;
   PlanFrame frame;
   ImDrawList* list;
-  TakenPlaces taken;
+  WordPlaces words;
 
   /// No more text on the sides of this outline.
   void keep_lines_free(const std::vector<Corner>& corners) {
-    constexpr float every = 6;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const ImVec2 a = frame.place(corners[k].at), b = frame.place(corners[(k + 1) % corners.size()].at);
-      const float length = std::max(1.0f, portable::length(b.x - a.x, b.y - a.y));
-      for (float along = 0; along < length; along += every)
-        taken.take({a.x + (b.x - a.x) * along / length - 2, a.y + (b.y - a.y) * along / length - 2}, {4, 4});
-    }
-  }
-  /// Text in the first of these places, given by their middles, that is free and within the pane.
-  void put(const std::string& text, ImU32 color, const ImFont* font, const std::vector<ImVec2>& middles) {
-    const ImVec2 size = text_size(ui, font, text);
-    for (const ImVec2 middle : middles) {
-      const ImVec2 at{std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)};
-      if (at.x < frame.top.x || at.y < frame.top.y || at.x + size.x > frame.top.x + frame.size.x ||
-          at.y + size.y > frame.top.y + frame.size.y || !taken.free({at.x - 1, at.y}, {size.x + 2, size.y}))
-        continue;
-      list->AddRectFilled({at.x - 1, at.y}, {at.x + size.x + 1, at.y + size.y}, c.pane);
-      draw_text(ui, at, font, color, text);
-      taken.take({at.x - 1, at.y}, {size.x + 2, size.y});
-      return;
-    }
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      words.keep_line_free(frame.place(corners[k].at), frame.place(corners[(k + 1) % corners.size()].at));
   }
 };
 
@@ -132,7 +113,7 @@ void draw_piece(View& v, std::int32_t which, const std::vector<Corner>& corners,
     const ImVec2 at = v.frame.place(corner.at);
     fill_circle(v.list, at, 0.3f * em, v.c.pane);
     stroke_circle(v.list, at, 0.3f * em, v.c.text, 1.5f * v.ui.thin);
-    v.taken.take({at.x - 0.3f * em, at.y - 0.3f * em}, {0.6f * em, 0.6f * em});
+    v.words.taken.take({at.x - 0.3f * em, at.y - 0.3f * em}, {0.6f * em, 0.6f * em});
   }
   std::vector<glm::dvec2> numbered;  // several corners may lie behind each other
   for (const Corner& corner : corners) {
@@ -141,19 +122,19 @@ void draw_piece(View& v, std::int32_t which, const std::vector<Corner>& corners,
     numbered.push_back(corner.at);
     const ImVec2 at = v.frame.place(corner.at);
     const float side = corner.at.x < middle.x ? -1.0f : 1.0f;
-    v.put(number(corner.value, 2, true), v.c.text, v.ui.fonts.mono,
-          {{at.x + side * 2.2f * em, at.y},
-           {at.x, at.y - 1.1f * em},
-           {at.x, at.y + 1.1f * em},
-           {at.x - side * 2.2f * em, at.y}});
+    v.words.put(number(corner.value, 2, true), v.c.text, v.ui.fonts.mono,
+                {{at.x + side * 2.2f * em, at.y},
+                 {at.x, at.y - 1.1f * em},
+                 {at.x, at.y + 1.1f * em},
+                 {at.x - side * 2.2f * em, at.y}});
   }
   const ImVec2 centre = v.frame.place(middle);
   const float down = middle.y < outwards.y ? 1.0f : -1.0f;
-  v.put(piece_label(v.s.scene(), v.s.state().machine, which), tested ? v.c.now : v.c.text, v.ui.fonts.bold,
-        {{centre.x, centre.y + 1.2f * down * em},
-         {centre.x, centre.y - 1.2f * down * em},
-         {centre.x + 2 * em, centre.y},
-         {centre.x - 2 * em, centre.y}});
+  v.words.put(piece_label(v.s.scene(), v.s.state().machine, which), tested ? v.c.now : v.c.text, v.ui.fonts.bold,
+              {{centre.x, centre.y + 1.2f * down * em},
+               {centre.x, centre.y - 1.2f * down * em},
+               {centre.x + 2 * em, centre.y},
+               {centre.x - 2 * em, centre.y}});
 }
 
 void draw_section(Ui& ui) {
@@ -180,7 +161,7 @@ void draw_section(Ui& ui) {
   const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   if (room.x < ui.em * 8 || room.y < ui.em * 6)
     return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
-  View v{ui, s, ui.colors(), {}, ImGui::GetWindowDrawList(), {}};
+  View v{ui, s, ui.colors(), {}, ImGui::GetWindowDrawList(), {ui, top, {top.x + room.x, top.y + room.y}}};
   for (const auto* corners : {&tested_corners, &own_corners})
     for (const Corner& corner : *corners) v.frame.take(corner.at);
   v.frame.fit(top, room);
@@ -213,7 +194,7 @@ void draw_section(Ui& ui) {
         const double part = glm::dot(v.frame.middle() - first, way) + along * v.frame.reach();
         middles.push_back(moved_by(v.frame.place(first + way * part), far.x * off, -far.y * off));
       }
-      v.put(text, v.c.text, ui.fonts.text, middles);
+      v.words.put(text, v.c.text, ui.fonts.text, middles);
     };
     const std::string whose = piece_label(s.scene(), m, tested->plane_of);
     name_side(fmt::format("far side of {}'s plane", whose), 1);
@@ -221,7 +202,7 @@ void draw_section(Ui& ui) {
   }
   const std::string eye = "\u2193 towards the eye";
   const ImVec2 size = text_size(ui, ui.fonts.small, eye);
-  v.put(eye, v.c.muted, ui.fonts.small, {{top.x + size.x / 2 + 2, top.y + room.y - size.y / 2 - 2}});
+  v.words.put(eye, v.c.muted, ui.fonts.small, {{top.x + size.x / 2 + 2, top.y + room.y - size.y / 2 - 2}});
   v.list->PopClipRect();
 }
 

@@ -34,6 +34,7 @@ struct Word {
   const ImFont* font;
   float width;
   bool space_before, code, breaks_line;
+  bool is_below = false;  ///< a subscript
 };
 
 const ImFont* font_of(const Ui& ui, const TextRun& run, const Flow& how) {
@@ -74,6 +75,23 @@ void push_word(const Ui& ui, std::vector<Word>& words, std::string_view text, co
   }
 }
 
+/// Where a symbol's subscript begins in a word, at its "_", and its bytes with that: of one letter, and one or two
+/// letters or digits below it, as in z_v. Names of files and steps have more.
+std::optional<std::pair<std::size_t, std::size_t>> subscript_in(std::string_view word) {
+  const auto is_part = [&](std::size_t at) {
+    return at < word.size() && (is_letter(word[at]) || is_digit(word[at]) || word[at] == '_');
+  };
+  for (std::size_t at = word.find('_'); at != std::string_view::npos; at = word.find('_', at + 1)) {
+    if (at == 0 || word[at - 1] == '_') continue;
+    std::size_t letter = at - 1, end = at + 1;
+    while (letter > 0 && continues_character(word[letter])) --letter;
+    while (is_part(end)) ++end;
+    const bool one = (is_letter(word[letter]) || letter + 1 < at) && (letter == 0 || !is_part(letter - 1));
+    if (one && end - at >= 2 && end - at <= 3) return std::pair(at, end - at);
+  }
+  return std::nullopt;
+}
+
 std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const Flow& how, float limit) {
   std::vector<Word> words;
   bool space = false;
@@ -81,8 +99,17 @@ std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const
     const ImFont* font = font_of(ui, run, how);
     std::string word;
     const auto end_word = [&] {
-      if (!word.empty())
-        push_word(ui, words, std::exchange(word, {}), font, std::exchange(space, false), run.code, limit);
+      const std::string whole = std::exchange(word, {});
+      std::string_view rest = whole;
+      const bool sets = !run.code && font->FontSize > ui.fonts.small->FontSize;
+      for (auto below = sets ? subscript_in(rest) : std::nullopt; below; below = subscript_in(rest)) {
+        const auto [at, bytes] = *below;
+        push_word(ui, words, rest.substr(0, at), font, std::exchange(space, false), false, limit);
+        const std::string lower(rest.substr(at + 1, bytes - 1));
+        words.push_back({lower, ui.fonts.small, text_size(ui, ui.fonts.small, lower).x, false, false, false, true});
+        rest.remove_prefix(at + bytes);
+      }
+      if (!rest.empty()) push_word(ui, words, rest, font, std::exchange(space, false), run.code, limit);
     };
     for (const char c : run.text) {
       if (c == '\n') {
@@ -145,7 +172,8 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
       x += space;
     }
     if (draw) {
-      const float baseline = std::round((base->Ascent - word.font->Ascent));
+      const float baseline =
+          std::round(base->Ascent - word.font->Ascent + (word.is_below ? 0.18f * base->FontSize : 0.0f));
       const ImVec2 at{origin.x + x, origin.y + y + baseline};
       if (word.code && base != ui.fonts.mono)
         ImGui::GetWindowDrawList()->AddRectFilled(

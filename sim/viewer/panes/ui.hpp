@@ -147,8 +147,17 @@ struct Ui {
   bool laboratory = true;  ///< all panes; else a lesson's layout: what leads, and few words
   struct TextHeight {
     float height = 0;
-    std::uint64_t moment = 0;  ///< and layout, at which it was measured
+    std::uint64_t moment = 0;     ///< and layout, at which it was measured
+    std::vector<float> spared{};  ///< heights of lines that can give way, in the order in which they do
+    std::size_t gone = 0;         ///< so many of these have done so
+    /// Lets them go until the rest, of this height, has room.
+    float fit(float room) {
+      float left = height;
+      for (gone = 0; gone < spared.size() && left > room;) left -= spared[gone++];
+      return left;
+    }
   };
+  float given_way = 0;                             ///< how high what the pane that was drawn last has left out is
   std::map<std::string, TextHeight> text_heights;  ///< of wrapped panes, as they were drawn last
   bool whole_code = false;                         ///< no line of the pseudo-code is folded
   bool vertices_always = false;                    ///< the way of the vertices is shown even where room is scarce

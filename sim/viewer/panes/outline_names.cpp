@@ -1,0 +1,71 @@
+#include "sim/viewer/panes/outline_names.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zstep::viewer {
+namespace {
+
+using Outline = std::vector<glm::dvec2>;
+
+bool encloses(const Outline& outline, glm::dvec2 p) {
+  bool inside = false;
+  for (std::size_t k = 0, last = outline.size() - 1; k < outline.size(); last = k++) {
+    const glm::dvec2 &a = outline[last], &b = outline[k];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+bool crosses(const Outline& outline, glm::dvec2 low, glm::dvec2 high) {
+  for (std::size_t k = 0, last = outline.size() - 1; k < outline.size(); last = k++) {
+    double from = 0, to = 1;  // the part of the side that lies within the box
+    const glm::dvec2 a = outline[last], way = outline[k] - a;
+    for (int axis = 0; axis < 2; ++axis) {
+      if (way[axis] == 0) {
+        if (a[axis] < low[axis] || a[axis] > high[axis]) to = -1;
+        continue;
+      }
+      const double one = (low[axis] - a[axis]) / way[axis], other = (high[axis] - a[axis]) / way[axis];
+      from = std::max(from, std::min(one, other)), to = std::min(to, std::max(one, other));
+    }
+    if (from <= to) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void name_outlines(const Ui& ui, WordPlaces& words, ImVec2 origin, const std::vector<NamedOutline>& all) {
+  constexpr std::size_t most_named = 26;
+  if (all.size() > most_named) return;
+  for (const auto& [own, name] : all) {
+    if (own.empty()) continue;
+    const ImVec2 text = text_size(ui, ui.fonts.bold, name);
+    const glm::dvec2 half(text.x / 2.0 + 2, text.y / 2.0);
+    glm::dvec2 low = own[0], high = own[0];
+    for (const glm::dvec2& p : own) low = glm::min(low, p), high = glm::max(high, p);
+    struct Place {
+      std::ptrdiff_t within;
+      ImVec2 middle;
+    };
+    std::vector<Place> found;
+    constexpr int places = 14;  // along each side of the polygon's box
+    for (int row = 0; row <= places; ++row)
+      for (int column = 0; column <= places; ++column) {
+        const glm::dvec2 at = low + half + (high - low - 2.0 * half) * (glm::dvec2(column, row) / double(places));
+        const auto of_others = [&](auto&& holds) {
+          return std::count_if(all.begin(), all.end(),
+                               [&](const NamedOutline& one) { return !one.outline.empty() && holds(one.outline); });
+        };
+        if (encloses(own, at) && of_others([&](const Outline& one) { return crosses(one, at - half, at + half); }) == 0)
+          found.push_back(
+              {of_others([&](const Outline& one) { return encloses(one, at); }), moved_by(origin, at.x, at.y)});
+      }
+    std::stable_sort(found.begin(), found.end(), [](const Place& a, const Place& b) { return a.within < b.within; });
+    std::vector<ImVec2> middles;
+    for (const Place& place : found) middles.push_back(place.middle);
+    words.put(name, ui.colors().text, ui.fonts.bold, middles);
+  }
+}
+
+}  // namespace zstep::viewer

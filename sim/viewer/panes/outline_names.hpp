@@ -1,0 +1,21 @@
+// Names of polygons inside their outlines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "sim/viewer/panes/raster_words.hpp"
+
+namespace zstep::viewer {
+
+struct NamedOutline {
+  std::vector<glm::dvec2> outline;  ///< in a picture's pixels; an empty one is left out
+  std::string name;
+};
+
+/// Each name inside its own outline, on no line, and within as few others as can be; none where there are too many.
+void name_outlines(const Ui& ui, WordPlaces& words, ImVec2 origin, const std::vector<NamedOutline>& all);
+
+}  // namespace zstep::viewer
