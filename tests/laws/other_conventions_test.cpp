@@ -155,13 +155,14 @@ TEST_CASE("law: a depth buffer that begins at the far plane leaves out what lies
   const Scene scene = look_at_scene(file.scene, {});
   using Depth = Conventions::Depth;
   for (const char* method : {"z-buffer", "half-space"})
-    for (const auto& [depth, far] : {std::pair(Depth::pseudodepth, 1.0),
-                                     {Depth::zero_to_one, 1.0},
-                                     {Depth::reversed, 0.0},
-                                     {Depth::view, 8.0},
-                                     {Depth::corrected, 8.0},
-                                     {Depth::reciprocal, 0.125}}) {
+    for (const auto& [depth, farthest] : {std::pair(Depth::pseudodepth, 1.0),
+                                          {Depth::zero_to_one, 1.0},
+                                          {Depth::reversed, 0.0},
+                                          {Depth::view, 8.0},
+                                          {Depth::corrected, 8.0},
+                                          {Depth::reciprocal, 0.125}}) {
       CAPTURE(method);
+      const double far = farthest;  // a structured binding cannot be captured
       CAPTURE(far);
       Conventions conventions = file.conventions;
       conventions.depth = depth;
