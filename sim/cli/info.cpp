@@ -72,6 +72,10 @@ std::string head_text(const Trace& trace, const std::string& path) {
   table.row({"nearer", declared(Convention::nearer, nearer_text(header.comparison.nearer))});
   table.row({"ties", declared(Convention::ties, ties_text(header.comparison.ties))});
   if (header.initial_depth) table.row({"initial depth", value_text(*header.initial_depth)});
+  std::string given;
+  for (const auto& [name, value] : header.conventions.options)
+    given += fmt::format("{}{}={}", given.empty() ? "" : ", ", name, value);
+  if (!given.empty()) table.row({"options", given});
   table.row({"numbers", declared(Convention::number_format, numbers_text(header.conventions))});
   table.row(
       {"interpolation", declared(Convention::interpolation, interpolation_text(header.conventions.interpolation))});
@@ -144,8 +148,9 @@ int write(const HeaderOptions& options) {
   if (!options.nearer.empty())
     header.comparison.nearer =
         static_cast<Comparison::Nearer>(choice("--nearer", options.nearer, {"smaller", "greater"}));
-  header.comparison.ties = static_cast<Comparison::Ties>(choice("--ties", options.ties, {"first", "last"}));
-  header.initial_depth = options.initial_depth;
+  if (!options.ties.empty())
+    header.comparison.ties = static_cast<Comparison::Ties>(choice("--ties", options.ties, {"first", "last"}));
+  if (options.initial_depth) header.initial_depth = options.initial_depth;
   turn(header, Turned::as_own);
   std::string line = jsonl_header(header, run.scene);
   if (options.as_computed) {

@@ -1,6 +1,7 @@
 #include "sim/cli/run_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/interpolation/interpolation.hpp"
 #include "algorithms/scene/files/tokens.hpp"
 #include "sim/cli/long_work.hpp"
 #include "sim/cli/messages.hpp"
@@ -304,7 +306,7 @@ Run prepare_with(const RunOptions& options, bool notes) {
   }
   if (like != likes.end() && like->corners && has_camera && !view.corners) view.corners = true;
   Conventions asked = file.conventions;
-  asked.options = options.options;
+  for (const auto& [name, value] : options.options) asked.options[name] = value;
   prepare_for_shade(file, asked);
   Run run{look_at_scene(std::move(file.scene), view), file.conventions, &method(options.algorithm), options.written};
   if (like != likes.end()) {
@@ -322,7 +324,14 @@ Run prepare_with(const RunOptions& options, bool notes) {
     throw InputError("--no-cull", fmt::format("means nothing to {}, which drops no back faces by it", run.method->id),
                      "leave it out");
   if (options.no_cull) run.conventions.cull = false;
-  run.conventions.options = options.options;
+  for (const auto& [name, value] : run.conventions.options)
+    if (std::none_of(run.method->options.begin(), run.method->options.end(),
+                     [&](const Option& option) { return option.name == name; }))
+      throw InputError(
+          options.scene,
+          fmt::format("its [options] ask for {} = {}, which {} does not have", name, value, run.method->id),
+          "take z-buffer or half-space, or take it out");
+  for (const auto& [name, value] : options.options) run.conventions.options[name] = value;
   check_run(*run.method, run.scene, run.conventions);
   if (const std::string_view kind = kind_that_cannot_turn(header_of(run)); !kind.empty()) {
     if (!options.written_given.empty())
@@ -341,6 +350,9 @@ Run prepare_with(const RunOptions& options, bool notes) {
 Header header_of(const Run& run) {
   Header header = header_for(*run.method, run.conventions);
   header.written = run.written;
+  if (run.conventions.options.contains(std::string(interpolation::initial_depth_option.name)))
+    if (const double initial = interpolation::initial_depth(run.scene, run.conventions); std::isfinite(initial))
+      header.initial_depth = initial;
   return header;
 }
 

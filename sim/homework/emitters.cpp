@@ -71,11 +71,25 @@ std::string run_schema(const std::vector<StepInfo>& steps) {
                      {"then", {{"$ref", "#/$defs/" + fields.step}}}});
   }
   Json conventions;
-  for_each_convention([&](std::string_view key, auto) { conventions[std::string(key)] = Json::object(); });
+  const auto one_of = [&](std::string_view key, Json words) {
+    conventions[std::string(key)] = {{"enum", std::move(words)}};
+  };
+  for_each_convention([&]<class E>(std::string_view key, E Conventions::*) {
+    Json words = words_of<E>;
+    if constexpr (std::is_same_v<E, NumberFormat>) words.push_back("as computed");
+    one_of(key, words);
+  });
+  one_of("pixel_centre", words_of<WrittenAs::Centre>), one_of("view_coordinates", words_of<WrittenAs::Axes>);
+  one_of("nearer", {"smaller", "greater"}), one_of("ties", {"first", "last"});
+  conventions["cull"] = {{"type", "boolean"}};
+  conventions["initial_depth"] = {{"anyOf", Json::array({{{"type", "number"}}, {{"enum", {"inf", "-inf"}}}})}};
+  conventions["options"] = {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}};
   definitions["header"] = {
       {"description", "the first line, where a program declares how it computes"},
       {"type", "object"},
-      {"properties", {{"ztrace", {{"const", 1}}}, {"conventions", {{"type", "object"}, {"properties", conventions}}}}},
+      {"properties",
+       {{"ztrace", {{"const", 1}}},
+        {"conventions", {{"type", "object"}, {"properties", conventions}, {"additionalProperties", false}}}}},
       {"required", {"ztrace"}}};
   definitions["any_step"] = {
       {"type", "object"}, {"properties", {{"step", {{"enum", names}}}}}, {"required", {"step"}}, {"allOf", cases}};

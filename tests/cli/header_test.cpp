@@ -63,3 +63,20 @@ TEST_CASE("header: a run goes by it, and what it leaves out is not declared") {
 }
 
 }  // namespace
+
+TEST_CASE("header: what a scene or an option says of depths is declared, and a method that does not have it says so") {
+  const Folder folder;
+  write_text(folder / "s.toml",
+             "[camera]\nrho = 8\nnear = 2\nfar = 20\n[options]\nties = \"last\"\ninitial_depth = \"far\"\ndepth = "
+             "\"zero_to_one\"\n[[polygon]]\npoints = [[0, -1, -1], [0, 1, -1], [0, 0, 1]]\n");
+  const auto conventions = head_of(folder, "s.toml")["conventions"];
+  CHECK(conventions["ties"] == "last");
+  CHECK(conventions["initial_depth"] == 1);
+  CHECK(head_of(folder, "s.toml --ties first")["conventions"]["ties"] == "first");
+  CHECK(run(folder, "record s.toml -o s.ztrace").code == 0);
+  CHECK(run(folder, "info s.ztrace").out.find("options        initial-depth=far, ties=last") != std::string::npos);
+  CHECK(run(folder, "check s.ztrace").code == 0);
+  const Outcome refused = run(folder, "render s.toml --algorithm bsp --depth pseudodepth");
+  CHECK(refused.code == 2);
+  CHECK(refused.err.find("s.toml: its [options] ask for initial-depth = far, which bsp does not have") == 0);
+}

@@ -33,7 +33,14 @@ bool is_of(const json& value, const json& schema) {
 /// As far as run.schema.json goes: types, words, required members, and no others.
 bool holds(const json& schema, const json& line) {
   if (!line.is_object()) return false;
-  if (line.contains("ztrace")) return line["ztrace"] == 1;
+  if (line.contains("ztrace")) {
+    const json& known = schema["$defs"]["header"]["properties"]["conventions"]["properties"];
+    const json conventions = line.value("conventions", json::object());
+    return line["ztrace"] == 1 &&
+           std::all_of(conventions.items().begin(), conventions.items().end(), [&](const auto& one) {
+             return known.contains(one.key()) && is_of(one.value(), known[one.key()]);
+           });
+  }
   if (!line.contains("step") || !is_of(line["step"], schema["$defs"]["any_step"]["properties"]["step"])) return false;
   const json& step = schema["$defs"][line["step"].get<std::string>()];
   for (const json& name : step["required"])
@@ -106,6 +113,29 @@ TEST_CASE("schema: each line of a right run holds, and what zstep refuses does n
     CHECK((run(folder, "grade --homework hw crossing.jsonl --scene crossing").code != 2) == one.good);
     all += line + "\n";
   }
+  // The first line: each convention by its words.
+  const std::string head = R"({"ztrace":1,"conventions":{"depth":"reversed","ties":"last","initial_depth":"-inf"}})";
+  const Case heads[] = {
+      {"reversed", "zero_to_one", true},
+      {"reversed", "zero", false},
+      {"\"last\"", "true", false},
+      {"ties", "tie", false},
+      {"-inf", "-Inf", false},
+      {"\"-inf\"", "1", true},
+      {"ties\":\"last", "number_format\":\"as computed", true},
+      {"ties\":\"last\"", "cull\":false", true},
+      {"ties\":\"last\"", "options\":{\"fill\":\"non-zero\"}", true},
+  };
+  for (const Case& one : heads) {
+    std::string line = head;
+    line.replace(line.find(one.from), std::string(one.from).size(), one.to);
+    CAPTURE(line);
+    CHECK(holds(schema, json::parse(line)) == one.good);
+    all += line + "\n";
+  }
+  for (const char* options : {"pyramid --like opengl", "pyramid --like tinyrenderer --as-computed",
+                              "pyramid --option fill=non-zero --initial-depth 1 --positions subpixels"})
+    CHECK(holds(schema, json::parse(run(folder, std::string("header ") + options).out)));
   // Another program's judgement of the same lines.
   if (shell(folder, "python3 -c 'import jsonschema; jsonschema.Draft202012Validator'").code != 0) {
     MESSAGE("python3 has no jsonschema: not run");
@@ -121,5 +151,5 @@ TEST_CASE("schema: each line of a right run holds, and what zstep refuses does n
              "print(''.join('01'[judge.is_valid(json.loads(line))] for line in open('cases.jsonl')))\n");
   const Outcome judged = shell(folder, "python3 judge.py");
   CAPTURE(judged.err);
-  CHECK(judged.out == "11100000000010\n");
+  CHECK(judged.out == "11100000000010100001111\n");
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -178,6 +179,14 @@ TEST_SUITE("scene files") {
     CHECK(!file.scene.camera.polar);
     CHECK(file.scene.camera.window == doctest::Approx(3));
     CHECK((file.scene.camera.view * glm::dvec4(0, 1, 0, 1)) == glm::dvec4(1, 0, 5, 1));
+  }
+
+  TEST_CASE("which depth wins, what the buffer begins with and how outlines are filled") {
+    const SceneFile file = read(
+        triangle + "[options]\nties = \"last\"\nnearer = \"by-depth\"\ninitial_depth = \"far\"\nfill = \"non-zero\"\n");
+    const std::map<std::string, std::string> wanted{{"ties", "last"}, {"initial-depth", "far"}, {"fill", "non-zero"}};
+    CHECK(file.conventions.options == wanted);
+    CHECK(contains(error_of(triangle + "[options]\nties = \"both\"\n"), "s.toml:4"));
   }
 
   TEST_CASE("a projection matrix of one's own, and a far plane at infinity") {
