@@ -324,13 +324,13 @@ Run prepare_with(const RunOptions& options, bool notes) {
     throw InputError("--no-cull", fmt::format("means nothing to {}, which drops no back faces by it", run.method->id),
                      "leave it out");
   if (options.no_cull) run.conventions.cull = false;
-  for (const auto& [name, value] : run.conventions.options)
+  for (const auto& given : run.conventions.options)
     if (std::none_of(run.method->options.begin(), run.method->options.end(),
-                     [&](const Option& option) { return option.name == name; }))
-      throw InputError(
-          options.scene,
-          fmt::format("its [options] ask for {} = {}, which {} does not have", name, value, run.method->id),
-          "take z-buffer or half-space, or take it out");
+                     [&](const Option& option) { return option.name == given.first; }))
+      throw InputError(options.scene,
+                       fmt::format("its [options] ask for {} = {}, which {} does not have", given.first, given.second,
+                                   run.method->id),
+                       "take z-buffer or half-space, or take it out");
   for (const auto& [name, value] : options.options) run.conventions.options[name] = value;
   check_run(*run.method, run.scene, run.conventions);
   if (const std::string_view kind = kind_that_cannot_turn(header_of(run)); !kind.empty()) {
