@@ -77,7 +77,13 @@ std::vector<std::string> notes_of(const Trace& a, const Trace& b, const DiffRepo
   only(b, a, "A");
   const Scene &one = a.scene(), &other = b.scene();
   if (one.points != other.points) notes.push_back("the vertices of the two scenes differ");
-  else if (!(one.camera == other.camera)) notes.push_back("the cameras of the two scenes differ");
+  Camera as_other = one.camera;
+  as_other.depth_range = other.camera.depth_range;
+  if (one.points == other.points && !(as_other == other.camera))
+    notes.push_back("the cameras of the two scenes differ");
+  if (const Camera::DepthRange& range = one.camera.depth_range, &of_b = other.camera.depth_range; range != of_b)
+    notes.push_back(
+        fmt::format("depths of 0 to 1 are {} to {} of A, {} to {} of B", range.low, range.high, of_b.low, of_b.high));
   if (one.raster.y_up != other.raster.y_up)
     notes.push_back(fmt::format("row 0 is {} of A, {} of B", one.raster.y_up ? "at the bottom" : "on top",
                                 other.raster.y_up ? "at the bottom" : "on top"));

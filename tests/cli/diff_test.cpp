@@ -384,3 +384,12 @@ TEST_CASE("diff: what cannot be held against a scene says so") {
 }
 
 }  // namespace
+
+TEST_CASE("diff: runs with other depth ranges, and what they are") {
+  const Folder folder;
+  REQUIRE(run(folder, "record pyramid --depth zero-to-one -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "record pyramid --depth zero-to-one --depth-range 0.25,0.75 -o b.ztrace").code == 0);
+  const std::string said = run(folder, "diff a.ztrace b.ztrace").out;
+  CHECK(said.find("depths of 0 to 1 are 0 to 1 of A, 0.25 to 0.75 of B") != std::string::npos);
+  CHECK(said.find("cameras") == std::string::npos);
+}
