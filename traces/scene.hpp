@@ -264,7 +264,8 @@ glm::dmat4 view_of_matrices(const glm::dmat4& projection, const Raster& raster);
 /// the same everywhere.
 [[nodiscard]] bool take_matrices(Camera& camera, const Raster& raster);
 /// What the row of z_c of a camera's projection says against its near and far plane: z_c/w_c must go there from -1 or 0
-/// to 1, the other way, or between the ends of the depth range. Empty where it agrees, or is 0 and so says nothing.
+/// to 1, the other way, or between the ends of the depth range. Empty where it agrees, and where it is all 0 and says
+/// nothing.
 std::string planes_against_matrix(const Camera& camera);
 inline constexpr std::string_view row_of_depth_remedy =
     "give near and far where it has -1 or 0 and 1, or the depth_range that it has, or write 0 in that row";

@@ -145,9 +145,8 @@ TEST_CASE("law: a depth range moves depths and nothing else, and is kept, declar
 
 TEST_CASE("law: a depth buffer that begins at the far plane leaves out what lies on it, and nothing else") {
   const std::string cards =
-      "[raster]\nwidth = 24\nheight = 16\n[camera]\neye = [0, 0, 0]\ntarget = [0, 0, -1]\nup = [0, 1, 0]\nd = 1\nnear "
-      "= "
-      "1\nfar = 8\n[options]\ncull = false\n"
+      "[raster]\nwidth = 24\nheight = 16\n[camera]\neye = [0, 0, 0]\ntarget = [0, 0, -1]\nup = [0, 1, 0]\n"
+      "d = 1\nnear = 1\nfar = 8\n[options]\ncull = false\n"
       "[[polygon]]\npoints = [[-6, -4, -8], [6, -4, -8], [0, 5, -8]]\n"
       "[[polygon]]\npoints = [[0, -2, -4], [3, -2, -4], [2, 2, -7]]\n";
   const test::Folder folder;

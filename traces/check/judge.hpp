@@ -272,8 +272,8 @@ struct Judge {
   }
 };
 
-/// Looks whether an event is right to the last bit, in float64 without bounds, as most are of most runs; what is not is
-/// for the Judge. Nothing may be wrong with what the event follows from.
+/// Whether an event is right to the last bit, in float64 and without bounds. Most events of most runs are; the Judge
+/// looks at the others. Nothing may be wrong with what the event follows from.
 template <class E>
 struct ToTheBit {
   using Number = double;

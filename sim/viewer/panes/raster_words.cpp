@@ -30,7 +30,7 @@ bool WordPlaces::put(const std::string& text, ImU32 color, const ImFont* font, c
 
 namespace {
 
-/// How far the middle of a text of this size is from what it stands beside in this direction.
+/// How far the middle of a text must be, in this direction, from what the text stands beside; `size`: of the text.
 double text_away(ImVec2 size, glm::dvec2 direction, double gap) {
   return std::abs(direction.x) * size.x / 2 + std::abs(direction.y) * size.y / 2 + gap;
 }
