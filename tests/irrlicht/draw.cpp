@@ -7,7 +7,7 @@
 
 #include <irrlicht.h>
 
-#include "zstep.hpp"
+#include <zstep.hpp>  // of `zstep emit cpp`, beside the build
 
 int polygon_at_work = -1;  // of the triangle renderer's calls
 
