@@ -34,6 +34,7 @@ struct FastEdge {
 struct FastTriangle {
   std::array<FastEdge, 3> edges;
   double twice_area, z_0, dz_1, dz_2;  ///< of the depths of vertices 1 and 2, what they are more than that of 0
+  double reciprocal;                   ///< of twice_area, where E / twice_area may be computed by it; else 0
   std::int32_t first_column, first_row, end_column, end_row, polygon;
 };
 
@@ -41,6 +42,22 @@ ZSTEP_INLINE FastEdge edge_of(const RasterPoint& from, const RasterPoint& to) {
   const bool first = formulas::is_first_end(from.x, from.y, to.x, to.y);
   const double a = from.y - to.y, b = to.x - from.x;
   return {a, b, first ? from.x : to.x, first ? from.y : to.y, formulas::owns_line(a, b)};
+}
+
+/// Has a number, and what is left of it where whole numbers are taken from it, room for all its bits on either side? Of
+/// products and quotients of such, too, none is too small for that, nor too large.
+ZSTEP_INLINE bool has_room(double value) {
+  const double size = std::abs(value);
+  return size == 0 || (size > 0x1p-200 && size < 0x1p200);
+}
+/// 1 / twice_area, where simd::quotient may be asked for E / twice_area, and for so many pixels that it pays.
+ZSTEP_INLINE double reciprocal_of(const FastTriangle& triangle) {
+  constexpr std::int32_t wide = 64;
+  if (triangle.end_column - triangle.first_column < wide) return 0;
+  bool has = has_fma() && has_room(triangle.twice_area) && triangle.z_0 != 0;
+  for (const FastEdge& edge : triangle.edges)
+    has = has && has_room(edge.a) && has_room(edge.b) && has_room(edge.end_x) && has_room(edge.end_y);
+  return has ? 1 / triangle.twice_area : 0;
 }
 
 /// False where it has no area.
@@ -61,6 +78,7 @@ ZSTEP_INLINE bool set_up(const RasterPoint* p, const RasterPoint* q, const Raste
       std::max(fill.first_row, formulas::box_first(std::min(std::min(p->y, q->y), r->y), raster.height));
   triangle.end_row = std::min(fill.end_row, formulas::box_end(std::max(std::max(p->y, q->y), r->y), raster.height));
   triangle.polygon = polygon;
+  triangle.reciprocal = reciprocal_of(triangle);
   return true;
 }
 
@@ -95,11 +113,17 @@ ZSTEP_INLINE void keep_covered(const FastEdge& edge, const Doubles& e, Mask& ins
   else inside &= e > 0;
 }
 
+/// E / twice_area.
+template <bool by_reciprocal>
+ZSTEP_INLINE void weight_of(const FastTriangle& t, const Doubles& e, Doubles& weight) {
+  if constexpr (by_reciprocal) quotient(e, t.twice_area - Doubles{}, t.reciprocal - Doubles{}, weight);
+  else weight = e / t.twice_area;
+}
+
 /// Four pixels from column x on; all are inside, or each is asked.
-template <bool all_inside>
-ZSTEP_INLINE void fill_pixels(const FastTriangle& t, const std::array<double, 3>& of_row, double x, double end,
-                              double* depth, std::int32_t* frame) {
-  const Doubles x_s = x + each_lane;
+template <bool all_inside, bool by_reciprocal>
+ZSTEP_INLINE void fill_pixels(const FastTriangle& t, const std::array<double, 3>& of_row, const Doubles& x_s,
+                              double end, double* depth, std::int32_t* frame) {
   const Doubles e_1 = t.edges[1].a * (x_s - t.edges[1].end_x) + of_row[1],
                 e_2 = t.edges[2].a * (x_s - t.edges[2].end_x) + of_row[2];
   Mask inside = x_s < end;
@@ -107,7 +131,9 @@ ZSTEP_INLINE void fill_pixels(const FastTriangle& t, const std::array<double, 3>
     const Doubles e_0 = t.edges[0].a * (x_s - t.edges[0].end_x) + of_row[0];
     keep_covered(t.edges[0], e_0, inside), keep_covered(t.edges[1], e_1, inside), keep_covered(t.edges[2], e_2, inside);
   }
-  const Doubles z = t.z_0 + (e_1 / t.twice_area * t.dz_1 + e_2 / t.twice_area * t.dz_2);
+  Doubles w_1, w_2;
+  weight_of<by_reciprocal>(t, e_1, w_1), weight_of<by_reciprocal>(t, e_2, w_2);
+  const Doubles z = t.z_0 + (w_1 * t.dz_1 + w_2 * t.dz_2);
   Doubles old_z;
   Ints old_polygon;
   load(old_z, depth), load(old_polygon, frame);
@@ -127,6 +153,16 @@ ZSTEP_INLINE void fill_pixel(const FastTriangle& t, const std::array<double, 3>&
   if (z < depth[x]) depth[x] = z, frame[x] = t.polygon;
 }
 
+/// Four by four while x is before a column, and there is room.
+template <bool all_inside, bool by_reciprocal>
+ZSTEP_INLINE void fill_row(const FastTriangle& t, const std::array<double, 3>& of_row, std::int32_t& x,
+                           std::int32_t before, double end, std::ptrdiff_t room, double* depth, std::int32_t* frame) {
+  Doubles x_s = x + each_lane;
+  for (; x < before && x + four <= room; x += four, x_s += four)
+    fill_pixels<all_inside, by_reciprocal>(t, of_row, x_s, end, depth + x, frame + x);
+}
+
+template <bool by_reciprocal>
 ZSTEP_INLINE void fill_triangle(const FastTriangle& t, Fill& fill) {
   for (std::int32_t y = t.first_row; y < t.end_row; ++y) {
     std::array<double, 3> of_row;
@@ -141,13 +177,9 @@ ZSTEP_INLINE void fill_triangle(const FastTriangle& t, Fill& fill) {
     std::int32_t* const frame = fill.picture.polygon.data() + start;
     const std::ptrdiff_t room = fill.picture.at(0, fill.end_row) - start;
     auto x = static_cast<std::int32_t>(columns.first);
-    const auto some = [&](std::int32_t before) {
-      for (; x < before && x + four <= room; x += four) fill_pixels<false>(t, of_row, x, to, depth + x, frame + x);
-    };
-    some(std::min(sure_first, end));
-    for (; x + four <= sure_end && x + four <= room; x += four)
-      fill_pixels<true>(t, of_row, x, to, depth + x, frame + x);
-    some(end);
+    fill_row<false, by_reciprocal>(t, of_row, x, std::min(sure_first, end), to, room, depth, frame);
+    fill_row<true, by_reciprocal>(t, of_row, x, sure_end - four + 1, to, room, depth, frame);
+    fill_row<false, by_reciprocal>(t, of_row, x, end, to, room, depth, frame);
     for (; x < end; ++x) fill_pixel(t, of_row, x, depth, frame);  // the last pixels of the band
   }
 }
@@ -162,8 +194,10 @@ ZSTEP_INLINE void fill_band(Fill& fill) {
       const RasterPoint* const points = fill.all.points.data();
       for (std::int32_t i = 1; i + 1 < outline.count; ++i) {
         FastTriangle triangle;
-        if (set_up(points + corners[0], points + corners[i], points + corners[i + 1], fill, outline.polygon, triangle))
-          fill_triangle(triangle, fill);
+        if (!set_up(points + corners[0], points + corners[i], points + corners[i + 1], fill, outline.polygon, triangle))
+          continue;
+        if (triangle.reciprocal != 0) fill_triangle<true>(triangle, fill);
+        else fill_triangle<false>(triangle, fill);
       }
     }
 }

@@ -13,14 +13,13 @@
 
 #define ZSTEP_INLINE [[gnu::always_inline]] inline
 
-// Makes FUNCTION_on_this_processor(TASK&): FUNCTION, or where there is AVX2 the same compiled for it.
+// Makes FUNCTION_on_this_processor(TASK&): FUNCTION, or where there are AVX2 and FMA the same compiled for them.
 #if defined(__x86_64__)
-#define ZSTEP_FOR_THIS_PROCESSOR(FUNCTION, TASK)                                    \
-  [[gnu::target("avx2")]] void FUNCTION##_with_avx2(TASK& task) { FUNCTION(task); } \
-  void FUNCTION##_with_sse2(TASK& task) { FUNCTION(task); }                         \
-  void FUNCTION##_on_this_processor(TASK& task) {                                   \
-    const bool avx2 = __builtin_cpu_supports("avx2");                               \
-    return avx2 ? FUNCTION##_with_avx2(task) : FUNCTION##_with_sse2(task);          \
+#define ZSTEP_FOR_THIS_PROCESSOR(FUNCTION, TASK)                                             \
+  [[gnu::target("avx2,fma")]] void FUNCTION##_with_avx2(TASK& task) { FUNCTION(task); }      \
+  void FUNCTION##_with_sse2(TASK& task) { FUNCTION(task); }                                  \
+  void FUNCTION##_on_this_processor(TASK& task) {                                            \
+    return zstep::simd::has_fma() ? FUNCTION##_with_avx2(task) : FUNCTION##_with_sse2(task); \
   }
 #else
 #define ZSTEP_FOR_THIS_PROCESSOR(FUNCTION, TASK) \
@@ -28,6 +27,15 @@
 #endif
 
 namespace zstep::simd {
+
+/// Is a b + c one operation here, with one rounding, in what is compiled for this processor?
+inline bool has_fma() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+  return false;
+#endif
+}
 
 using Doubles = double __attribute__((vector_size(32)));
 using Mask = std::int64_t __attribute__((vector_size(32)));  ///< what a compare of Doubles gives: all bits or none
@@ -79,6 +87,25 @@ ZSTEP_INLINE Ints narrow(const Mask& mask) {
   Halves halves;
   std::memcpy(&halves, &mask, sizeof halves);
   return __builtin_shufflevector(halves, halves, 0, 2, 4, 6);
+}
+
+/// a b + c with one rounding. Slow where has_fma() is false.
+ZSTEP_INLINE void fused(const Doubles& a, const Doubles& b, const Doubles& c, Doubles& sum) {
+  Doubles all;
+  for (int lane = 0; lane < four; ++lane) all[lane] = __builtin_fma(a[lane], b[lane], c[lane]);
+  sum = all;
+}
+
+/// e / b to the last bit, from y = 1 / b rounded, in five operations (P. W. Markstein, "Computation of elementary
+/// functions on the IBM RISC System/6000 processor", IBM J. Res. Dev. 34, 1990): e y is off by less than two units of
+/// its last digit; with e - b q, which is at hand but for a last bit, less than one is left; then e - b q is exact, and
+/// with it the quotient is rounded once. Nothing on the way may be too small or too large for all its bits; and of e =
+/// -0 it makes 0.
+ZSTEP_INLINE void quotient(const Doubles& e, const Doubles& b, const Doubles& y, Doubles& q) {
+  q = e * y;
+  Doubles off;
+  fused(-q, b, e, off), fused(off, y, q, q);
+  fused(-q, b, e, off), fused(off, y, q, q);
 }
 
 /// The whole numbers at or above x, for |x| < 2^51: what is added leaves no room for a fraction.
