@@ -222,7 +222,10 @@ struct Judge {
   /// Nothing is wrong with the step, nor with what it follows from.
   bool is_clean() const { return !checker.any_fault && checker.inherited == Inheritance::clean; }
   bool breaks(Rule rule) const { return checker.broken == rule; }
-  void rule(Rule rule, bool holds) { this->rule(rule, holds, Fault()); }
+  void rule(Rule rule, bool holds) {
+    checker.any_judged = true;
+    if (!holds) this->rule(rule, false, Fault());
+  }
   /// `fault`: with what is known of it besides.
   void rule(Rule rule, bool holds, Fault fault) {
     checker.any_judged = true;

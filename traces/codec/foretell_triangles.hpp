@@ -165,8 +165,8 @@ inline void Foreteller::evaluate(InsideTest& event) {
 
 template <>
 inline void Foreteller::note(const InsideTest& event) {
-  triangle_.test_before = triangle_.test;
-  triangle_.test = event;
+  if (!triangle_.told) triangle_.test_before = triangle_.test;
+  keep(triangle_.test, event);
 }
 
 /// Where its tile was accepted a pixel is not tested.
@@ -191,15 +191,15 @@ inline void Foreteller::evaluate(BarycentricWeights& event) {
 
 template <>
 inline void Foreteller::note(const BarycentricWeights& event) {
-  triangle_.test = tested_at(event.x, event.y);
-  triangle_.weights = event;
+  if (triangle_.test.x != event.x || triangle_.test.y != event.y) triangle_.test = tested_at(event.x, event.y);
+  keep(triangle_.weights, event);
   if (!triangle_.told && event.w_0 != 0) triangle_.twice_area = triangle_.test.e_0 / event.w_0;
 }
 
 template <>
 inline void Foreteller::note(const DepthInterpolate& event) {
   triangle_.depth_before = triangle_.depth;
-  triangle_.depth = event;
+  keep(triangle_.depth, event);
 }
 
 inline double Foreteller::depth_by_weights(std::int32_t x, std::int32_t y) const {

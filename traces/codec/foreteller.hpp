@@ -307,6 +307,12 @@ class Foreteller {
     note(event);
   }
 
+  /// Field by field, as the numbers are still at hand: a struct that was just stored by its parts is slow to load.
+  template <class E>
+  static void keep(E& known, const E& event) {
+    for_each_index<E>([&]<std::size_t I>() { known.*field_at<E, I>.member = event.*field_at<E, I>.member; });
+  }
+
   /// The next event wholly as guessed; false when a guess is no value that its field can have.
   template <class E>
   bool guess_all(E& event) {

@@ -33,18 +33,17 @@ inline bool has_edges(const Situation& at) { return at.method().triangle.edges.s
 
 /// E_i at a pixel's centre; nothing where its ends are not known.
 template <class Out>
-auto edge_value_at(Out& out, const Situation& at, std::size_t i, std::int32_t x, std::int32_t y)
-    -> std::optional<typename Out::Number> {
+[[gnu::always_inline]] inline auto edge_value_at(Out& out, const Situation& at, std::size_t i, std::int32_t x,
+                                                 std::int32_t y) -> std::optional<typename Out::Number> {
+  const Situation::TriangleNow::End& from = at.triangle().ends[i];
+  if (from.vertex < 0) return std::nullopt;
   const EdgeFunction& edge = at.method().triangle.edges[i];
-  const auto from = at.on_raster(edge.vertex_0), to = at.on_raster(edge.vertex_1);
-  if (!from || !to) return std::nullopt;
-  const bool first = is_first_end(from->x, from->y, to->x, to->y);
-  const Place end{Place::In::vertex, first ? edge.vertex_0 : edge.vertex_1};
+  const Place end{Place::In::vertex, from.vertex};
   const auto index = static_cast<std::int64_t>(i);
   const auto a = out.number(numbered("A_0 A_1 A_2", i), edge.edge_a, triangle_place(index, "edge_a"));
   const auto b = out.number(numbered("B_0 B_1 B_2", i), edge.edge_b, triangle_place(index, "edge_b"));
-  const auto end_x = out.number(numbered("X_0 X_1 X_2", i), first ? from->x : to->x, end["x_s"]);
-  const auto end_y = out.number(numbered("Y_0 Y_1 Y_2", i), first ? from->y : to->y, end["y_s"]);
+  const auto end_x = out.number(numbered("X_0 X_1 X_2", i), from.x, end["x_s"]);
+  const auto end_y = out.number(numbered("Y_0 Y_1 Y_2", i), from.y, end["y_s"]);
   if (at.steps_edges) return edge_value_stepped(a, b, x, end_x, y, end_y);
   return edge_value(a, b, out.number("x", x, Place{}), end_x, out.number("y", y, Place{}), end_y);
 }
@@ -52,14 +51,11 @@ auto edge_value_at(Out& out, const Situation& at, std::size_t i, std::int32_t x,
 /// The depths of the triangle's vertices; nothing where the run does not have them.
 template <class Out>
 auto depths_of_triangle(Out& out, const Situation& at) -> std::optional<std::array<typename Out::Number, 3>> {
-  const auto& setup = at.method().triangle.setup;
-  if (!setup) return std::nullopt;
-  const std::array<std::int32_t, 3> vertices{setup->vertex_0, setup->vertex_1, setup->vertex_2};
-  for (const std::int32_t vertex : vertices)
-    if (!at.on_raster(vertex) || !at.has_depth(vertex)) return std::nullopt;
+  const Situation::TriangleNow& triangle = at.triangle();
+  if (!triangle.depths) return std::nullopt;
   const auto depth = [&](std::size_t i) {
-    return out.number(numbered("z_0 z_1 z_2", i), at.on_raster(vertices[i])->z,
-                      Place{Place::In::vertex, vertices[i], "z"});
+    return out.number(numbered("z_0 z_1 z_2", i), (*triangle.depths)[i],
+                      Place{Place::In::vertex, triangle.vertices[i], "z"});
   };
   const auto z_0 = depth(0), z_1 = depth(1), z_2 = depth(2);
   return std::array{z_0, z_1, z_2};

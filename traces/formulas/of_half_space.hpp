@@ -245,15 +245,17 @@ void derive(const BarycentricWeights& e, const Situation& at, Out& out) {
   if (!triangle.setup || !detail::has_edges(at)) return;
   const auto area =
       out.number("area2", triangle.setup->twice_area, detail::triangle_place(detail::setup_place, "twice_area"));
-  const auto value = [&](std::size_t i, double tested, std::string_view field) {
-    using T = typename Out::Number;
-    if (!test) return detail::edge_value_at(out, at, i, e.x, e.y);
-    return std::optional<T>(
-        out.number(detail::numbered("E_0 E_1 E_2", i), tested, detail::triangle_place(detail::test_place, field)));
+  const auto give = [&](std::size_t i, Follows<BarycentricWeights, double> weight, double tested,
+                        std::string_view field) {
+    if (test)
+      return out.gives(weight, out.number(detail::numbered("E_0 E_1 E_2", i), tested,
+                                          detail::triangle_place(detail::test_place, field)) /
+                                   area);
+    if (const auto value = detail::edge_value_at(out, at, i, e.x, e.y)) out.gives(weight, *value / area);
   };
-  if (const auto e_0 = value(0, test ? test->e_0 : 0, "e_0")) out.gives(&BarycentricWeights::w_0, *e_0 / area);
-  if (const auto e_1 = value(1, test ? test->e_1 : 0, "e_1")) out.gives(&BarycentricWeights::w_1, *e_1 / area);
-  if (const auto e_2 = value(2, test ? test->e_2 : 0, "e_2")) out.gives(&BarycentricWeights::w_2, *e_2 / area);
+  give(0, &BarycentricWeights::w_0, test ? test->e_0 : 0, "e_0");
+  give(1, &BarycentricWeights::w_1, test ? test->e_1 : 0, "e_1");
+  give(2, &BarycentricWeights::w_2, test ? test->e_2 : 0, "e_2");
 }
 
 namespace detail {

@@ -84,9 +84,9 @@ inline Rounded round(Rounded a) { return made_whole(std::round(a.value), a, 0.5 
 /// Is this what the formula gives, but for rounding?
 inline bool gives(const Rounded& formula, double recorded, double rounding) {
   if (recorded == formula.value || (std::isnan(recorded) && std::isnan(formula.value))) return true;
-  if (!std::isfinite(recorded) || !std::isfinite(formula.value)) return false;
-  const double scale = std::max({formula.spread, std::abs(formula.value), std::abs(recorded)});
-  return std::abs(recorded - formula.value) <= rounding * scale;
+  const double off = std::abs(recorded - formula.value);
+  if (!std::isfinite(off)) return false;
+  return off <= rounding * std::max(std::max(formula.spread, std::abs(formula.value)), std::abs(recorded));
 }
 
 /// By how much a recorded number may differ from its formula where the two are shown together. (`zstep check` knows

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "traces/formulas/edge_functions.hpp"
+
 namespace zstep::formulas {
 
 namespace {
@@ -17,6 +19,28 @@ std::int64_t lines_of(const DrawnFacet& facet, const Raster& raster) {
 }
 
 }  // namespace
+
+Situation::TriangleNow Situation::find_triangle() const {
+  TriangleNow found;
+  const TriangleWork& work = method().triangle;
+  for (std::size_t i = 0; i < std::min(work.edges.size(), found.ends.size()); ++i) {
+    const EdgeFunction& edge = work.edges[i];
+    const auto from = on_raster(edge.vertex_0), to = on_raster(edge.vertex_1);
+    if (!from || !to) continue;
+    if (is_first_end(from->x, from->y, to->x, to->y)) found.ends[i] = {edge.vertex_0, from->x, from->y};
+    else found.ends[i] = {edge.vertex_1, to->x, to->y};
+  }
+  if (!work.setup) return found;
+  found.vertices = {work.setup->vertex_0, work.setup->vertex_1, work.setup->vertex_2};
+  std::array<double, 3> depths{};
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const auto at = on_raster(found.vertices[i]);
+    if (!at || !has_depth(found.vertices[i])) return found;
+    depths[i] = at->z;
+  }
+  found.depths = depths;
+  return found;
+}
 
 std::optional<DrawnFacet> Situation::draw_facet() const {
   const MethodState& now = method();

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -176,6 +177,17 @@ struct Situation {
     std::int64_t spent = 0;  ///< on all that were found: their corners times their scan lines
   };
   mutable DrawnNow drawn_now = {};  ///< see drawn_facet()
+  /// The triangle at work as its vertices are on the raster.
+  struct TriangleNow {
+    struct End {
+      std::int32_t vertex = -1;
+      double x = 0, y = 0;
+    };
+    std::array<End, 3> ends{};  ///< by which each edge function is computed; vertex -1 where that is not known
+    std::array<std::int32_t, 3> vertices{-1, -1, -1};
+    std::optional<std::array<double, 3>> depths;  ///< of the vertices
+  };
+  mutable std::optional<TriangleNow> triangle_now = {};  ///< see triangle()
   double roundoff = 0;              ///< of what the program computes with, where it is not what the header says; else 0
   bool is_fixed = false;            ///< it computes in fixed point, whatever the header says
   double written = 0;               ///< by what share of itself a number may be off that is written with fewer digits
@@ -196,6 +208,9 @@ struct Situation {
     constexpr bool begins = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>;
     if constexpr (begins) ahead.begin(e.polygon);
     if constexpr (begins || std::is_same_v<E, OutlineVertex>) drawn_now.known = false;
+    if constexpr (at_pixel<E> == AtPixel::nothing && !std::is_same_v<E, InsideTest> &&
+                  !std::is_same_v<E, BarycentricWeights>)
+      triangle_now.reset();
     if constexpr (std::is_same_v<E, EdgeTableInsert>)
       if (e.edge == 0 && !of_any()) ahead.begin(e.polygon);
     if constexpr (std::is_same_v<E, SpanBegin>) {
@@ -303,6 +318,12 @@ struct Situation {
     return drawn_now.drawn ? &*drawn_now.drawn : nullptr;
   }
   std::optional<DrawnFacet> draw_facet() const;
+  /// What is known of the triangle at work; found once for all its pixels.
+  const TriangleNow& triangle() const {
+    if (!triangle_now) triangle_now = find_triangle();
+    return *triangle_now;
+  }
+  TriangleNow find_triangle() const;
   /// The pixel at work, where it is this one.
   const Fragment* fragment(std::int32_t x, std::int32_t y) const {
     const auto& found = method().fragment;

@@ -598,11 +598,11 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
   } else if constexpr (std::is_same_v<E, DepthInterpolate>) {
     set_fragment(fragment_at(event.x, event.y, event.z));
   } else if constexpr (std::is_same_v<E, DepthCompare>) {
-    const auto& now = state.machine.fragment;
-    Fragment fragment = now && now->x == event.x && now->y == event.y ? *now : fragment_at(event.x, event.y, event.z);
-    fragment.z = event.z;
-    fragment.nearer = event.nearer;
-    set_fragment(fragment);
+    auto& now = state.machine.fragment;
+    log.fragment(now);
+    if (!now || now->x != event.x || now->y != event.y) now = fragment_at(event.x, event.y, event.z);
+    now->z = event.z;
+    now->nearer = event.nearer;
     if (event.nearer && state.machine.compares_write) detail::set_depth(state, log, event.x, event.y, event.z);
   } else if constexpr (std::is_same_v<E, DepthWrite>) {
     detail::set_depth(state, log, event.x, event.y, event.z);
