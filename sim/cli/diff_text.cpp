@@ -1,6 +1,7 @@
 // What zstep diff prints of two runs, as text and as JSON.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,6 +64,26 @@ std::string nearer_text(const Comparison& a, const Comparison& b) {
   return fmt::format("of A the {} depth is nearer, of B the {}", of(a), of(b));
 }
 
+/// "option samples: 4 of A, not given of B": of runs of one method those that the two do not have alike.
+std::vector<std::string> option_notes(const Header& a, const Header& b) {
+  std::vector<std::string> notes;
+  if (a.algorithm != b.algorithm) return notes;
+  const auto &of_a = a.conventions.options, &of_b = b.conventions.options;
+  std::set<std::string> names;
+  for (const auto* options : {&of_a, &of_b})
+    for (const auto& [name, value] : *options) names.insert(name);
+  for (const std::string& name : names) {
+    const auto value = [&](const auto& options) {
+      const auto found = options.find(name);
+      return found == options.end() ? std::string("not given") : found->second;
+    };
+    if (value(of_a) != value(of_b))
+      notes.push_back(
+          fmt::format("option {}: {} of A, {} of B", printable(name), printable(value(of_a)), printable(value(of_b))));
+  }
+  return notes;
+}
+
 std::vector<std::string> notes_of(const Trace& a, const Trace& b, const DiffReport& report) {
   std::vector<std::string> notes;
   const auto only = [&](const Trace& has, const Trace& has_not, const char* name) {
@@ -107,6 +128,7 @@ std::vector<std::string> notes_of(const Trace& a, const Trace& b, const DiffRepo
         "how an attribute is interpolated");
   parts(Convention::nearer, h.comparison.nearer != k.comparison.nearer, nearer_text(h.comparison, k.comparison));
   parts(Convention::ties, h.comparison.ties != k.comparison.ties, ties_text(h.comparison, k.comparison));
+  for (const std::string& note : option_notes(h, k)) notes.push_back(note);
   return notes;
 }
 

@@ -393,3 +393,11 @@ TEST_CASE("diff: runs with other depth ranges, and what they are") {
   CHECK(said.find("depths of 0 to 1 are 0 to 1 of A, 0.25 to 0.75 of B") != std::string::npos);
   CHECK(said.find("cameras") == std::string::npos);
 }
+
+TEST_CASE("diff: runs of one method with other options, and what they are") {
+  const Folder folder;
+  REQUIRE(run(folder, "record cyclic --algorithm half-space -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "record cyclic --algorithm half-space --option samples=4 -o b.ztrace").code == 0);
+  CHECK(run(folder, "diff a.ztrace b.ztrace").out.find("option samples: not given of A, 4 of B") != std::string::npos);
+  CHECK(run(folder, "diff a.ztrace a.ztrace").out.find("option") == std::string::npos);
+}
