@@ -127,15 +127,6 @@ std::vector<std::string> fields_of_step(const Trace& trace, std::int64_t step) {
   return fields_in(trace.event(step).event);
 }
 
-std::string field_called(const Trace& trace, std::int64_t step, const std::string& name) {
-  if (step < 1 || step > trace.size()) return "";
-  const Event event = trace.event(step).event;
-  const std::string depth = depth_symbol(trace.scene(), trace.header().conventions);
-  for (const std::string& field : fields_in(event))
-    if (field == name || shown_name(event, field, depth) == name) return field;
-  return "";
-}
-
 std::string field_shown_as(const Trace& trace, std::int64_t step, std::string_view number) {
   if (step < 1 || step > trace.size()) return "";
   const Event event = trace.event(step).event;

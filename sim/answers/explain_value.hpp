@@ -69,9 +69,6 @@ Chain explain_value(const Trace& trace, Replay& replay, const Question& question
 
 /// The fields of a step's event, by name.
 std::vector<std::string> fields_of_step(const Trace& trace, std::int64_t step);
-/// The field that a formula before a step's numbers calls so: "x_edge" for "x" of an edge_step. Empty where there is
-/// none.
-std::string field_called(const Trace& trace, std::int64_t step, const std::string& name);
 /// The field of a step whose value is written so in a sentence, rounded: "z" for "0.3333". Empty where there is none.
 std::string field_shown_as(const Trace& trace, std::int64_t step, std::string_view number);
 /// The link that explains the number written so in the formulas of the first one: of an operand, or of what was asked

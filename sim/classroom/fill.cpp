@@ -235,6 +235,17 @@ std::string fill(std::string_view text, const Place& place, Replay& replay, cons
   return filled;
 }
 
+std::vector<std::string> names_in(std::string_view text, const Place& place) {
+  std::vector<std::string> names;
+  split(
+      text, place, [](std::string_view) {},
+      [&](std::string_view inside, std::int32_t line) {
+        const Slot slot = parse_slot(inside, place.str(line));
+        if (slot.mark != '"' && slot.expression.kind == Kind::name) names.push_back(slot.expression.text);
+      });
+  return names;
+}
+
 void check_fill(std::string_view text, const Place& place, std::uint8_t kind, const Page& page) {
   split(
       text, place, [](std::string_view) {},

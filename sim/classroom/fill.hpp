@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/classroom/names.hpp"
 #include "traces/record/recorder.hpp"
@@ -25,6 +26,9 @@ struct Place {
 /// The text with its braces filled. Doubled braces are braces. Throws InputError with the line.
 std::string fill(std::string_view text, const Place& place, Replay& replay, const RecordedEvent* event,
                  std::int64_t position);
+
+/// What stands alone in braces, and is no word: of `{z ~ 0.7} < {stored}` z and stored. Throws as `fill` does.
+std::vector<std::string> names_in(std::string_view text, const Place& place);
 
 /// Checks all of it that can be checked without a run; that no number stands in it that no run could check, too.
 void check_fill(std::string_view text, const Place& place, std::uint8_t kind, const Page& page);

@@ -16,6 +16,7 @@ namespace zstep {
 struct Explanation {
   std::string sentence;                                ///< plain text, one sentence or two
   std::vector<std::string> formulas;                   ///< one line each: symbols = numbers = result
+  std::vector<std::string> given;                      ///< of each: the event's field that it gives, if it gives one
   std::vector<std::pair<std::string, double>> values;  ///< by name, for who wants every digit
   std::vector<words::Owned> owned;                     ///< whose the numbers of the formulas are
   std::optional<std::string> doubt;                    ///< the trace's number is not what its formula gives

@@ -143,7 +143,8 @@ void tell(Telling& t, const HorizonCross& e) {
                           operand(e.upper ? passage->upper : passage->lower, entry), number(d)));
   }
   const Shown x_0("x_0", from.x), x_1("x_1", to.x), at_0("d_0", d_0), at_1("d_1", d_1);
-  if (d_0 != d_1) t.gives("x", formulas::part_of_way<Shown>(x_0, x_1, formulas::where_zero(at_0, at_1)), e.x_at);
+  if (d_0 != d_1)
+    t.gives("x", "x_at", formulas::part_of_way<Shown>(x_0, x_1, formulas::where_zero(at_0, at_1)), e.x_at);
   t.value("x", e.x_at);
   t.value("y", e.y_at);
 }
@@ -153,7 +154,7 @@ void tell(Telling& t, const HorizonMove& e) {
   if (step == "clear_horizons") {
     t.say(fmt::format("Nothing is drawn yet on column {}: {} the {} horizon.", e.x,
                       e.upper ? "every row is above" : "every row is below", e.upper ? "upper" : "lower"));
-    return t.formula(fmt::format("{}[{}] = {}", e.upper ? "upper" : "lower", e.x, number(e.y_curve)));
+    return t.formula(fmt::format("{}[{}] = {}", e.upper ? "upper" : "lower", e.x, number(e.y_curve)), "y_curve");
   }
   const double was = horizon_before(t, t.after.position, e.x, e.upper);
   const char* horizon = e.upper ? "upper" : "lower";
@@ -163,7 +164,7 @@ void tell(Telling& t, const HorizonMove& e) {
   else
     t.say(fmt::format("The {} horizon of column {} {} from row {} to row {}{}.", horizon, e.x,
                       e.upper ? "rises" : "sinks", before, now, why));
-  t.formula(fmt::format("{}[{}] = {}", horizon, e.x, now));
+  t.formula(fmt::format("{}[{}] = {}", horizon, e.x, now), "y_curve");
   t.value("y", e.y_curve);
 }
 
@@ -222,7 +223,7 @@ void crossing_on_picture(Telling& t, const LineCross& e, const LineBegin& line) 
   const auto [x_1, y_1] = at("1", line.vertex_1);
   const auto [x_a, y_a] = at("a", (*edge)[0]);
   const auto [x_b, y_b] = at("b", (*edge)[1]);
-  t.gives("t", formulas::where_lines_cross(x_0, y_0, x_1, y_1, x_a, y_a, x_b, y_b), e.t,
+  t.gives("t", "t", formulas::where_lines_cross(x_0, y_0, x_1, y_1, x_a, y_a, x_b, y_b), e.t,
           formulas::nearest_of(e.t, found.on_picture));
 }
 
@@ -299,7 +300,7 @@ void tell(Telling& t, const LineCross& e) {
     const auto d_0 = distance_behind(t, *plane, row->entry.vertex_0),
                d_1 = distance_behind(t, *plane, row->entry.vertex_1);
     if (d_0 && d_1) {
-      t.gives("t", formulas::where_zero(Shown("d_0", *d_0), Shown("d_1", *d_1)), e.t);
+      t.gives("t", "t", formulas::where_zero(Shown("d_0", *d_0), Shown("d_1", *d_1)), e.t);
     }
   }
   if (!e.in_space) crossing_on_picture(t, e, row->entry);

@@ -194,7 +194,8 @@ void tell(Telling& t, const EdgeStep& e) {
   t.follows("x", "x_edge", e.x_edge);
   t.follows(t.along, "z_edge", e.z_edge);
   t.owns("x", t.about), t.owns(t.along, t.about);
-  if (t.out.formulas.empty()) t.formula(fmt::format("x = {}, {} = {}", number(e.x_edge), t.along, number(e.z_edge)));
+  if (t.out.formulas.empty())
+    t.formula(fmt::format("x = {}, {} = {}", number(e.x_edge), t.along, number(e.z_edge)), "x_edge");
   t.value("x", e.x_edge);
   t.value(t.along, e.z_edge);
 }
@@ -332,7 +333,7 @@ void tell(Telling& t, const CoverageAdd& e) {
   const std::string who = e.owner == no_polygon ? "Nothing but background" : t.label(e.owner);
   t.say(fmt::format("{} is seen on {} % of the area of pixel ({}, {}).", who, number(100 * e.coverage, 1, true), e.x,
                     e.y));
-  t.formula(fmt::format("share = {}", number(e.coverage)));
+  t.formula(fmt::format("share = {}", number(e.coverage)), "coverage");
   t.value("share", e.coverage);
 }
 

@@ -47,7 +47,10 @@ struct Telling {
     out.doubt = sentence, out.besides.clear();
     say(std::move(sentence));
   }
-  void formula(std::string line) { out.formulas.push_back(std::move(line)); }
+  /// `field`: of the event, whose number the line ends in.
+  void formula(std::string line, std::string_view field = {}) {
+    out.formulas.push_back(std::move(line)), out.given.emplace_back(field);
+  }
   /// A symbol of the formulas stands for a number of this polygon.
   void owns(std::string symbol, std::int32_t polygon) { add_owned(out.owned, {std::move(symbol), polygon}); }
   void value(std::string name, double v) { out.values.emplace_back(std::move(name), v); }
@@ -82,17 +85,19 @@ struct Telling {
   }
   /// "name = symbols = numbers = recorded" as a line of its own, held against what it gives: then that is what it ends
   /// in.
-  void gives(const std::string& name, const Shown& formula, double recorded) {
-    gives(name, formula, recorded, formula.rounded());
+  void gives(const std::string& name, std::string_view field, const Shown& formula, double recorded) {
+    gives(name, field, formula, recorded, formula.rounded());
   }
   /// The same of what may be off by more than its formula's rounding.
-  void gives(const std::string& name, const Shown& formula, double recorded, const formulas::Rounded& computed) {
+  void gives(const std::string& name, std::string_view field, const Shown& formula, double recorded,
+             const formulas::Rounded& computed) {
     for (const Owned& one : formula.owned()) owns(one.symbol, one.polygon);
     owns(name, about);
     const bool so = hold_against(name, recorded, computed);
     this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(),
                                    as_held(formula.value(), recorded, number(recorded), rounding_word(conventions)))
-                     : contradicted(name, formula, recorded));
+                     : contradicted(name, formula, recorded),
+                  field);
   }
   /// Finds what the formulas give for the event's fields: of those whose operands the event leaves as they were.
   void derive(const Event& event) { derived = derived_fields(event, at); }
@@ -112,7 +117,7 @@ struct Telling {
   /// A line for a field, by the formula that gives it; false where none does.
   bool follows(const std::string& name, std::string_view field, double recorded) {
     const DerivedField* found = derived_of(field);
-    if (found) gives(name, found->formula, recorded);
+    if (found) gives(name, field, found->formula, recorded);
     return found != nullptr;
   }
   /// Holds a field against its formula without a line for it.
@@ -122,7 +127,7 @@ struct Telling {
   /// The depth that the span at work has at a pixel, held against the recorded one.
   void depth_on_span(double recorded) {
     const DerivedField* found = derived_of("z");
-    if (found) gives(found->formula.is_operand() ? "x_L = x_R: " + z : z, found->formula, recorded);
+    if (found) gives(found->formula.is_operand() ? "x_L = x_R: " + z : z, "z", found->formula, recorded);
   }
   /// A depth that was taken over from the step before: "The trace writes z = 0.35, but had compared z = 0.3."
   bool taken_over(const char* does, double recorded, const char* had, double before) {
@@ -142,10 +147,11 @@ struct Telling {
     const std::string ought = limited ? fmt::format("{}, within the raster {}", number(formula.value()), within_raster)
                                       : number(formula.value());
     if (recorded == within_raster) {
-      this->formula(fmt::format("{} = {} = {}", name, formula.equation(), ought));
+      this->formula(fmt::format("{} = {} = {}", name, formula.equation(), ought), field);
       return true;
     }
-    this->formula(fmt::format("{} = {} = {}, but the trace records {}", name, formula.equation(), ought, recorded));
+    this->formula(fmt::format("{} = {} = {}, but the trace records {}", name, formula.equation(), ought, recorded),
+                  field);
     doubt(fmt::format("The trace records {} = {}, but this formula gives {}.", name, recorded, within_raster));
     return false;
   }

@@ -70,11 +70,12 @@ void tell(Telling& t, const SplitVertex& e) {
                     e.vertex_0, e.vertex_1, e.vertex));
   const auto d0 = value_found(t, e.vertex_0), d1 = value_found(t, e.vertex_1);
   if (d0 && d1) {
-    t.gives("t", formulas::where_zero(Shown("d_0", *d0), Shown("d_1", *d1)), e.t);
+    t.gives("t", "t", formulas::where_zero(Shown("d_0", *d0), Shown("d_1", *d1)), e.t);
   } else {
     t.formula(fmt::format("t = {} = {}   d: {} at either end",
                           in_symbols([](auto&& name) { return formulas::where_zero(name("d_0"), name("d_1")); }),
-                          number(e.t), plane_in_symbols(cutting_names(t))));
+                          number(e.t), plane_in_symbols(cutting_names(t))),
+              "t");
   }
   t.formula(
       fmt::format("{} = ({}, {}, {})", point_on_way("V_0", "V_1"), number(e.x_cut), number(e.y_cut), number(e.z_cut)));
@@ -100,7 +101,7 @@ void tell(Telling& t, const PixelPaint& e) {
   t.say(fmt::format("Pixel ({}, {}) takes the colour of {}.{}", e.x, e.y, t.label(e.polygon), before));
   t.value(t.z, e.z);
   t.derive(e);
-  if (t.derived_of("z") == nullptr) return t.formula(fmt::format("{} = {}", t.z, number(e.z)));
+  if (t.derived_of("z") == nullptr) return t.formula(fmt::format("{} = {}", t.z, number(e.z)), "z");
   t.depth_on_span(e.z);
 }
 
@@ -162,7 +163,7 @@ void tell(Telling& t, const RootCandidate& e) {
   t.say(fmt::format("{} is tried as the root: its plane would cut {} of the other pieces{}.", t.piece(e.piece),
                     e.splits == 0 ? std::string("none") : std::to_string(e.splits),
                     e.splits == 0 ? ", and no root can do better" : ""));
-  t.formula(fmt::format("splits = {}", e.splits));
+  t.formula(fmt::format("splits = {}", e.splits), "splits");
 }
 
 void tell(Telling& t, const NodeMake& e) {

@@ -380,7 +380,7 @@ void tell(Telling& t, const ShadowBias& e) {
   if (!point || !options.declared) return;
   const Shown z_v("z_v", point->seen.z.value), constant("constant", options.bias), factor("factor", options.slope_bias),
       m("m", slope);
-  t.gives("bias", formulas::light_bias(z_v, constant, factor, m), e.bias);
+  t.gives("bias", "bias", formulas::light_bias(z_v, constant, factor, m), e.bias);
 }
 
 void tell(Telling& t, const ShadowNeighbour& e) {
@@ -410,7 +410,7 @@ void tell(Telling& t, const LightShare& e) {
                     : e.share == 0 ? "none"
                                    : number(e.share),
                     e.x, e.y));
-  t.gives("share", Shown("lit", static_cast<double>(lit)) / Shown("k²", across * across), e.share);
+  t.gives("share", "share", Shown("lit", static_cast<double>(lit)) / Shown("k²", across * across), e.share);
 }
 
 namespace {

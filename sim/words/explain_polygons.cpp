@@ -30,11 +30,11 @@ Shown row_times_point(const glm::dmat4& m, int row, const glm::dvec3& p) {
 
 void tell_depth(Telling& t, const Projection& e) {
   if (t.conventions.depth == Conventions::Depth::view) {
-    t.formula(fmt::format("z_v stays: {}", number(e.z)));
+    t.formula(fmt::format("z_v stays: {}", number(e.z)), "z");
     t.hold_derived("z_v", "z", e.z);
     return;
   }
-  if (!t.follows(t.along, "z", e.z)) return t.formula(fmt::format("{} = {}", t.along, number(e.z)));
+  if (!t.follows(t.along, "z", e.z)) return t.formula(fmt::format("{} = {}", t.along, number(e.z)), "z");
   if (t.conventions.depth != Conventions::Depth::pseudodepth || t.at.camera->kind == Camera::Kind::orthographic) return;
   const Shown f("f", t.at.camera->near), F("F", t.at.camera->far);
   const Shown a = formulas::pseudodepth_a(f, F), b = formulas::pseudodepth_b(f, F);
@@ -72,9 +72,9 @@ void tell(Telling& t, const ViewTransform& e) {
   for (int row = 0; row < 3; ++row) {
     const glm::dmat4& m = t.at.camera->view;
     if (p) {
-      t.gives(names[row], row_times_point(m, row, *p), out[row]);
+      t.gives(names[row], names[row], row_times_point(m, row, *p), out[row]);
     } else {
-      t.formula(fmt::format("{} = {}", names[row], number(out[row])));
+      t.formula(fmt::format("{} = {}", names[row], number(out[row])), names[row]);
     }
     t.value(names[row], out[row]);
   }
@@ -91,7 +91,7 @@ void tell(Telling& t, const Projection& e) {
                   e.vertex));
   t.derive(e);
   if (!perspective) {
-    t.formula(fmt::format("x_p = x_v = {}, y_p = y_v = {}", number(e.x_p), number(e.y_p)));
+    t.formula(fmt::format("x_p = x_v = {}, y_p = y_v = {}", number(e.x_p), number(e.y_p)), "x_p");
   } else {
     t.follows("x_p", "x_p", e.x_p);
     t.follows("y_p", "y_p", e.y_p);
@@ -139,7 +139,8 @@ void formulas_of_determinant(Telling& t, const FacingTest& e) {
   const DerivedField* found = t.derived_of("determinant");
   const bool parallel = t.at.camera && t.at.camera->kind == Camera::Kind::orthographic, fan = corners.size() > 3;
   if (!found || corners.size() < 3) {
-    t.formula(fmt::format("{} = {}{}", fan ? "sum over the fan" : "determinant", number(e.determinant), verdict));
+    t.formula(fmt::format("{} = {}{}", fan ? "sum over the fan" : "determinant", number(e.determinant), verdict),
+              "determinant");
     return;
   }
   const auto view = [&](std::size_t i) { return t.at.viewed(corners[i])->view; };
@@ -154,7 +155,8 @@ void formulas_of_determinant(Telling& t, const FacingTest& e) {
   if (!fan) {
     const bool so = t.hold_against("determinant", e.determinant, found->formula.rounded());
     t.formula(so ? fmt::format("{} = {}{}", first.symbols(), number(e.determinant), verdict)
-                 : Telling::contradicted(first.symbols(), Shown(first.value()), e.determinant));
+                 : Telling::contradicted(first.symbols(), Shown(first.value()), e.determinant),
+              "determinant");
     return;
   }
   t.formula(fmt::format("{} = {}   of three vertices alone", first.symbols(), number(first.value())));
@@ -163,9 +165,9 @@ void formulas_of_determinant(Telling& t, const FacingTest& e) {
   for (std::size_t i = 2; i + 1 < corners.size() && corners.size() <= few; ++i) sum = sum + term(i);
   const std::string name = "sum over the fan",
                     added = corners.size() > few ? "" : fmt::format(" = {} = {}", sum.symbols(), sum.numbers());
-  if (so) return t.formula(fmt::format("{}{} = {}{}", name, added, number(e.determinant), verdict));
+  if (so) return t.formula(fmt::format("{}{} = {}{}", name, added, number(e.determinant), verdict), "determinant");
   const auto [is, ought] = tell_apart(e.determinant, found->formula.value());
-  t.formula(fmt::format("{}{} = {}, but the trace records {}", name, added, ought, is));
+  t.formula(fmt::format("{}{} = {}, but the trace records {}", name, added, ought, is), "determinant");
 }
 
 /// The normal whose length counts in (p − e)·n and in the plane: as long as twice the area.
@@ -183,12 +185,15 @@ void formulas_of_facing(Telling& t, const FacingTest& e) {
   const std::size_t corners = formulas::detail::corners_of(t.at, t.machine.facet).size();
   if (corners >= 3) t.formula(normal_of(corners));
   t.formula(fmt::format("{}\u00b7n = {}{}   positive faces away", parallel ? "line of sight" : "(p \u2212 e)",
-                        number(e.view_dot_normal), sign(e.view_dot_normal)));
+                        number(e.view_dot_normal), sign(e.view_dot_normal)),
+            "view_dot_normal");
   t.formula(fmt::format("{} at the eye = {}   (A, B, C) = n; negative faces away",
-                        plane_in_symbols(world_names, parallel ? "" : "D"), number(e.plane_at_eye)));
+                        plane_in_symbols(world_names, parallel ? "" : "D"), number(e.plane_at_eye)),
+            "plane_at_eye");
   formulas_of_determinant(t, e);
   t.formula(fmt::format("n_z after projection = {}   {} faces away", number(e.projected_normal_z),
-                        t.scene.raster.y_up ? "negative" : "positive"));
+                        t.scene.raster.y_up ? "negative" : "positive"),
+            "projected_normal_z");
 }
 
 std::string in_binary(std::int32_t bits) { return fmt::format("{:06b}", static_cast<unsigned>(bits) & 63u); }
@@ -274,7 +279,7 @@ void tell(Telling& t, const ClipVertex& e) {
   t.derive(e);
   const DerivedField* found = t.derived_of("distance");
   const std::string inside = found ? found->formula.equation() : "how far inside";
-  t.formula(fmt::format("{} = {} {} 0", inside, number(e.distance), e.distance >= 0 ? "\u2265" : "<"));
+  t.formula(fmt::format("{} = {} {} 0", inside, number(e.distance), e.distance >= 0 ? "\u2265" : "<"), "distance");
   t.value("distance", e.distance);
 }
 
@@ -284,7 +289,8 @@ void tell(Telling& t, const ClipCross& e) {
   t.derive(e);
   if (!t.follows("t", "t", e.t))
     t.formula(
-        fmt::format("t = {} = {}", formulas::where_zero(Shown("d_in", 0), Shown("d_out", 0)).symbols(), number(e.t)));
+        fmt::format("t = {} = {}", formulas::where_zero(Shown("d_in", 0), Shown("d_out", 0)).symbols(), number(e.t)),
+        "t");
   t.formula(
       fmt::format("{} = ({}, {}, {})", point_on_way("V_in", "V_out"), number(e.x_v), number(e.y_v), number(e.z_v)));
   t.value("t", e.t);

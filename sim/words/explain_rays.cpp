@@ -92,14 +92,14 @@ void tell(Telling& t, const BoxTest& e) {
                           enter, leave));
     t.say(fmt::format("The ray misses {}: it would enter the last of its slabs only after it has left the first.",
                       box_name(e.box)));
-    t.formula(fmt::format("t_enter = {} > {} = t_leave", enter, leave));
+    t.formula(fmt::format("t_enter = {} > {} = t_leave", enter, leave), "t_enter");
   } else if (e.hit) {
     t.say(fmt::format("The ray meets {}: what is inside must be tested.", box_name(e.box)));
-    t.formula(fmt::format("t_enter = {} \u2264 {} = t_leave", enter, leave));
+    t.formula(fmt::format("t_enter = {} \u2264 {} = t_leave", enter, leave), "t_enter");
   } else {
     t.say(fmt::format("The ray meets {}, but something nearer is known already: nothing inside can be seen.",
                       box_name(e.box)));
-    t.formula(fmt::format("t_enter = {} lies beyond the t that is kept", number(e.t_enter)));
+    t.formula(fmt::format("t_enter = {} lies beyond the t that is kept", number(e.t_enter)), "t_enter");
   }
   t.value("t_enter", e.t_enter);
   t.value("t_leave", e.t_leave);
@@ -110,12 +110,13 @@ void tell(Telling& t, const RayPlane& e) {
   if (std::isnan(e.t)) {
     t.say(fmt::format("The ray runs along the plane of {}: it never meets it.", who));
     t.formula(fmt::format("{} = {}{}", along_normal(), number(e.denominator),
-                          e.denominator == 0 ? "" : ", which is 0 to rounding"));
+                          e.denominator == 0 ? "" : ", which is 0 to rounding"),
+              "denominator");
     return;
   }
   if (e.t < 0) t.say(fmt::format("The plane of {} lies behind the ray's start.", who));
   else t.say(fmt::format("The ray meets the plane of {} at t = {}.", who, number(e.t)));
-  t.gives("t", Shown(above_plane(), e.numerator) / Shown("(" + along_normal() + ")", e.denominator), e.t);
+  t.gives("t", "t", Shown(above_plane(), e.numerator) / Shown("(" + along_normal() + ")", e.denominator), e.t);
   t.value("numerator", e.numerator);
   t.value("denominator", e.denominator);
   t.value("t", e.t);
@@ -210,7 +211,7 @@ void tell(Telling& t, const RayEnd& e) {
   if (!back || (e.red == 0 && e.green == 0 && e.blue == 0)) return;  // to some programs colours are nothing
   const double light[] = {e.red, e.green, e.blue};
   const char* names[] = {"red", "green", "blue"};
-  for (std::size_t k = 0; k < 3; ++k) t.gives(names[k], back->channel<Shown>(k), light[k]);
+  for (std::size_t k = 0; k < 3; ++k) t.gives(names[k], names[k], back->channel<Shown>(k), light[k]);
 }
 
 }  // namespace zstep::words

@@ -189,15 +189,14 @@ void tell(Ui& ui, const std::string& sentence) {
 
 /// A click on a formula asks about the number that it gives, or else about the step's main one; on one of its numbers,
 /// about that.
-void tell_formula(Ui& ui, const std::string& formula, const std::vector<words::Owned>& owned) {
+void tell_formula(Ui& ui, const std::string& formula, const std::string& field,
+                  const std::vector<words::Owned>& owned) {
   Flow how;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float right = top.x + ImGui::GetContentRegionAvail().x;
   const auto ask = [&](ImVec2 a, ImVec2 b, const std::string& number) {
     if (!ImGui::IsMouseHoveringRect(a, b)) return false;
-    const std::int64_t step = ui.session.position();
-    const std::string result = formula.substr(0, formula.find(" = "));
-    return number_at(ui, a, b, {step, answers::field_called(ui.session.trace(), step, result)}, number);
+    return number_at(ui, a, b, {ui.session.position(), field}, number);
   };
   bool on_number = false;
   how.on_number = [&](const std::string& number, ImVec2 a, ImVec2 b) { on_number = ask(a, b, number) || on_number; };
@@ -215,25 +214,16 @@ void draw_told(Ui& ui, const StepMarks::Told& told) {
   if (!told.lines.empty() || !told.note.empty()) ImGui::Dummy({1, ui.em * 0.25f});
 }
 
-std::vector<std::string> numbers_of(const std::string& text) {
-  std::vector<std::string> numbers;
-  for (const auto& [from, bytes] : numbers_in(text)) numbers.push_back(text.substr(from, bytes));
-  return numbers;
-}
-
-/// In which order formulas give way where there is no room for all of them. The one whose result the lesson's stop
-/// speaks of stays, or else the last, to which the others lead.
-std::vector<std::size_t> order_of_giving_way(const Session& s, const std::vector<std::string>& formulas) {
-  const std::size_t count = formulas.size();
+/// In which order formulas give way where there is no room for all of them. The last whose field the lesson's stop
+/// gives stays, or else the last of all, to which the others lead.
+std::vector<std::size_t> order_of_giving_way(const Session& s, const Explanation& told) {
+  const std::size_t count = told.formulas.size();
   if (count < 2) return {};
   std::size_t stays = count - 1;
   if (s.lesson() && s.stop() >= 0 && s.speaks()) {
-    const std::vector<std::string> told = numbers_of(s.lesson()->stops[static_cast<std::size_t>(s.stop())].text);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::vector<std::string> result =
-          numbers_of(formulas[k].substr(std::min(formulas[k].rfind(" = "), formulas[k].size())));
-      if (!result.empty() && std::find(told.begin(), told.end(), result[0]) != told.end()) stays = k;
-    }
+    const std::vector<std::string>& names = s.lesson()->stops[static_cast<std::size_t>(s.stop())].names;
+    for (std::size_t k = 0; k < count; ++k)
+      if (std::find(names.begin(), names.end(), told.given[k]) != names.end()) stays = k;
   }
   std::vector<std::size_t> order;
   for (std::size_t k = count; --k > stays;) order.push_back(k);
@@ -244,13 +234,13 @@ std::vector<std::size_t> order_of_giving_way(const Session& s, const std::vector
 void tell_formulas(Ui& ui, const Explanation& told) {
   Ui::TextHeight& its = ui.text_heights[happened_pane.id];
   if (its.moment != ui.read_now()) its.spared.clear(), its.gone = 0;
-  const std::vector<std::size_t> order = order_of_giving_way(ui.session, told.formulas);
+  const std::vector<std::size_t> order = order_of_giving_way(ui.session, told);
   std::vector<float> heights;
   for (std::size_t k = 0; k < told.formulas.size(); ++k) {
     const float top = ImGui::GetCursorPosY();
     const auto place = static_cast<std::size_t>(std::find(order.begin(), order.end(), k) - order.begin());
     if (place < order.size() && place < its.gone) ui.given_way += its.spared[place];
-    else tell_formula(ui, told.formulas[k], told.owned);
+    else tell_formula(ui, told.formulas[k], told.given[k], told.owned);
     heights.push_back(ImGui::GetCursorPosY() - top);
   }
   if (its.gone > 0 || !its.spared.empty()) return;

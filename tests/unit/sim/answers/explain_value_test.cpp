@@ -262,9 +262,6 @@ TEST_SUITE("explain a value") {
     CHECK(place->step == 211);
     CHECK_FALSE(answers::place_of(trace, answers::made_by<EdgeStep>(219, "x_edge", {{"edge", 77}})));
     CHECK_FALSE(answers::place_of(trace, Question{219, "no_such_field"}));
-    CHECK(answers::field_called(trace, 211, "x") == "x_edge");
-    CHECK(answers::field_called(trace, 157, "1/m") == "dx_dy");
-    CHECK(answers::field_called(trace, 157, "x_s").empty());
     CHECK(explain_value(trace, Question{0, ""}).links.empty());
     CHECK(explain_value(trace, answers::of_pixel(trace.size(), {7, 7})).links.empty());
   }

@@ -42,6 +42,12 @@ TEST_CASE("what the author writes after = or ~ is shown as written, and must hol
   CHECK(contains(small.error(13, "{z = stored}"), "no number that a reader can be shown"));
 }
 
+TEST_CASE("what stands alone in braces is known by its name") {
+  CHECK(names_in("{z ~ 0.7} < {stored}, {x + 1}, {\"8x8\"}, {polygon = A}", {"t.md", 20}) ==
+        std::vector<std::string>{"z", "stored", "polygon"});
+  CHECK(names_in("no braces", {"t.md", 20}).empty());
+}
+
 TEST_CASE("braces that cannot be read") {
   Small small;
   CHECK(contains(small.error(13, "a {z"), "t.md:20: a `{` is not closed on its line"));
