@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,11 +69,14 @@ struct Stop {
   std::optional<Task> task;
   std::optional<Marking> marking;  ///< at most one of the three
   std::optional<SpeakerNotes> notes;
-  std::string anchor;                    ///< as written in the file: step name and condition
-  std::string focus;                     ///< the pane that leads meanwhile, as the viewer calls it; mostly none
-  int viewing_step = 0;                  ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
-  std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
-  std::int64_t position = 0;             ///< where the trace is when it speaks; set by resolve()
+  std::vector<std::string> names;  ///< that stand alone in braces of its text, fields of its step among them
+  std::string anchor;              ///< as written in the file: step name and condition
+  std::string focus;               ///< the pane that leads meanwhile, as the viewer calls it; mostly none
+  std::string beside;              ///< a run in JSON Lines, from the lesson's folder: its picture stands beside
+  std::shared_ptr<const Trace> beside_run;  ///< it; set by resolve()
+  int viewing_step = 0;                     ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
+  std::int32_t line = 0, text_line = 0;     ///< of the lesson's file
+  std::int64_t position = 0;                ///< where the trace is when it speaks; set by resolve()
 };
 
 /// What a lesson may change about its scene's conventions. Unset: as the scene has them.

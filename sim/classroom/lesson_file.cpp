@@ -216,7 +216,7 @@ class Reader {
   }
 
  private:
-  /// What a stop shows, as "focus: edge-table" or "viewing: T_2".
+  /// What a stop shows, as "focus: edge-table", "viewing: T_2" or "beside: runs/first.jsonl".
   void read_shown(std::string_view text, Stop& stop) const {
     const std::string_view value = trim(text.substr(std::min(text.size(), text.find(':') + 1)));
     if (starts_with(text, "focus:") && !value.empty()) {
@@ -229,8 +229,16 @@ class Reader {
       stop.viewing_step = value[2] - '0';
       return;
     }
+    if (starts_with(text, "beside:") && !value.empty()) {
+      stop.beside = value;
+      if (!std::filesystem::is_regular_file(lesson_.path.parent_path() / stop.beside))
+        lines_.fail(fmt::format("there is no run `{}`", stop.beside),
+                    "give the path of its .jsonl from the lesson's folder, `beside: runs/first.jsonl`");
+      return;
+    }
     lines_.fail(fmt::format("`{}` is left over in the anchor", text),
-                "after ; write `focus: edge-table` or another pane, and `viewing: T_1` to T_4 for a step of viewing");
+                "after ; write `focus: edge-table` or another pane, `viewing: T_1` to T_4 for a step of viewing, or "
+                "`beside: runs/first.jsonl` for another run's picture");
   }
 
   void begin_stop() {

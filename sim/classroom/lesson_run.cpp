@@ -8,6 +8,7 @@
 #include "sim/classroom/lesson.hpp"
 #include "sim/classroom/marking.hpp"
 #include "traces/error.hpp"
+#include "traces/file/jsonl.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -64,6 +65,13 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
       return fill(text, {file, line}, replay, event ? &*event : nullptr, spot.position);
     };
     stop.heading = filled(stop.heading, stop.line);
+    if (!stop.beside.empty() && !stop.beside_run) {
+      const std::filesystem::path run = lesson.path.parent_path() / stop.beside;
+      for (const Stop& other : lesson.stops)
+        if (other.beside == stop.beside && other.beside_run) stop.beside_run = other.beside_run;
+      if (!stop.beside_run) stop.beside_run = std::make_shared<const Trace>(open_jsonl(run));
+    }
+    stop.names = names_in(stop.text, {file, stop.text_line});
     stop.text = filled(stop.text, stop.text_line);
     if (stop.task) {
       stop.task->text = filled(stop.task->text, stop.task->text_line);

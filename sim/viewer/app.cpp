@@ -161,11 +161,13 @@ std::vector<std::string> App::opening_words() const {
   return words;
 }
 
-/// Body text: 16 px in a window of 1280 x 720. Half of what a window is larger goes into the text, the other half into
-/// room; a screen with more pixels to the inch gets at least its own scale. Presenter mode begins at 24 px.
+/// Body text: 16 px in a window of 1280 x 720. A lesson's grows with its window, as its pictures do; else half of what
+/// a window is larger goes into the text, the other half into room. A screen with more pixels to the inch gets at least
+/// its own scale. Presenter mode begins at 24 px.
 void App::update_fonts() {
   const float larger = std::min(to_float(renderer_.width()) / 1280, to_float(renderer_.height()) / 720);
-  const float grown = std::max(dpi_scale_, 1 + (std::max(larger, 1.0f) - 1) / 2);
+  const bool lesson = !ui_.laboratory && !ui_.presenter;
+  const float grown = std::max(dpi_scale_, 1 + (std::max(larger, 1.0f) - 1) * (lesson ? 1.0f : 0.5f));
   const float pixels =
       std::clamp(std::round((ui_.presenter ? 24.0f : 16.0f) * grown * settings_.text_scale), 9.0f, 96.0f);
   if (pixels == built_for_) return;

@@ -396,6 +396,7 @@ class App {
   void draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size);
   void draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size);
   void draw_lesson_layout(ImVec2 at, ImVec2 size);
+  Ui* run_beside();
   void draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size);
   std::vector<Pane> words_of_step();
   float frame_height(float width) const;
@@ -518,8 +519,14 @@ class App {
   std::vector<PixelMark> changed_here_;  ///< of its pixels those that are marked at this moment
   std::unique_ptr<BeforeChange> before_;
   std::unique_ptr<Ui> before_ui_;
-  std::string saved_scene_;  ///< what was said of it; until the next change
-  Race::RunBy run_by_;       ///< none: nothing can be run from here
+  struct Beside {
+    Beside(const Trace& trace, Renderer& renderer) : session(trace, nullptr), ui(session, renderer) {}
+    Session session;
+    Ui ui;
+  };
+  std::unique_ptr<Beside> beside_;  ///< another run, at its end, while a stop of the lesson shows it
+  std::string saved_scene_;         ///< what was said of it; until the next change
+  Race::RunBy run_by_;              ///< none: nothing can be run from here
   struct RaceView {
     RaceView(const Trace& shown, Race::RunBy run_by) : race(shown, std::move(run_by)) {}
     Race race;

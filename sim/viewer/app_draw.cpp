@@ -215,8 +215,8 @@ void App::draw() {
   if (race_ && growth().at_work && growth().shown++ > 0) growth().measure_next(ends_waiting);
   follow_overlay();
   follow_selected();
-  update_fonts();
   ui_.laboratory = laboratory_ || against_ || only_ || !(session_.lesson() || lesson_waits || ui_.presenter);
+  update_fonts();
   apply_style(ui_);
   const ImVec2 size{to_float(renderer_.width()), to_float(renderer_.height())};
   ImGui::GetIO().DisplaySize = size;

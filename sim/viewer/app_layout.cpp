@@ -306,20 +306,38 @@ void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
     draw_pane(panes[k], at, {size.x, heights[k - 1]});
 }
 
+/// The run whose picture a stop of the lesson shows beside its own, at its end; nullptr where it shows none.
+Ui* App::run_beside() {
+  const Lesson* lesson = session_.lesson();
+  const Trace* run = lesson && session_.stop() >= 0 ? lesson->stops[session_.stop()].beside_run.get() : nullptr;
+  if (!run) beside_.reset();
+  else if (!beside_ || &beside_->session.trace() != run) {
+    beside_ = std::make_unique<Beside>(*run, renderer_);
+    beside_->session.go_to(run->size());
+    beside_->ui.asks = false, beside_->ui.still = true;
+  }
+  if (beside_) share_look(beside_->ui);
+  return beside_ ? &beside_->ui : nullptr;
+}
+
 /// A lesson, and whatever is shown to a class: one large picture, or two that belong together, and beside it what the
 /// lesson says, or without one what happens, with the formula and the few lines of code that matter now. Two pictures
 /// are as high as their frame needs, and have the formula and the code below them. The drawer stands where the words
 /// stand, so that the pictures stay where they are.
 void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
+  constexpr float low_row = 11;  // in em
+  std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
+  Ui* const other = run_beside();
+  if (other) leading = {frame_pane, frame_pane};
+  else if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   float& share = settings_.layout.lesson;
-  const float gap = std::round(ui_.em * 0.35f), larger = ui_.presenter ? 0.07f : 0;
   share = std::clamp(share, 0.15f, 0.45f);
+  // Beside one picture stand formula and code, too.
+  const float gap = std::round(ui_.em * 0.35f), larger = ui_.presenter ? 0.07f : leading.size() == 1 ? 0.03f : 0;
   float words = std::round(size.x * (share + larger));
   if (drawer_ != Drawer::none)
     words = std::max(words, std::min(std::round(page_of(drawer_)->least.x * ui_.em), std::round(size.x * 0.5f)));
   const float x = at.x + size.x - words;
-  std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
-  if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   ImVec2 stage{size.x - words - gap, size.y};
   if (leading.size() > 1) {
     constexpr float least = 0.451f;  // of the window
@@ -328,13 +346,31 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
         std::max(frame_height((stage.x - gap) / 2) - std::round(0.8f * ui_.em), std::ceil(least * window / stage.x));
     if (size.y - needed >= 7.5f * ui_.em) stage.y = needed;
   }
-  draw_leading(leading, at, stage);
+  if (other) {
+    const float first = std::round((stage.x - gap) * settings_.layout.frame);
+    const std::string title =
+        fmt::format("ANOTHER RUN, AT ITS END: {}", session_.lesson()->stops[session_.stop()].beside);
+    draw_on_stage(frame_pane, at, {first, stage.y}, true);
+    draw_beside(*other, frame_pane, title, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
+    stage_at_ = {at, stage}, leading_ = {frame_pane};
+  } else {
+    draw_leading(leading, at, stage);
+  }
   if (stage.y < size.y) {
-    const float width = (stage.x - gap * to_float(said.size() - 1)) / to_float(std::max<std::size_t>(1, said.size()));
-    ImVec2 place{at.x, at.y + stage.y + gap};
-    for (const Pane& pane : said) ui_.text_heights[pane.id].gone = 0;
-    for (const Pane& pane : said) draw_pane(pane, place, {width, size.y - stage.y - gap}), place.x += width + gap;
+    const ImVec2 row{stage.x, size.y - stage.y - gap};
+    std::vector<Pane> below = said;
     said.clear();
+    // Where the row is low a formula has all of its width, and the code stands below the lesson, if that leaves it
+    // room.
+    const Ui::TextHeight& text = ui_.text_heights[lesson_pane.id];
+    const float code = 2 * (1.5f * ui_.em + 2 * ImGui::GetStyle().WindowPadding.y) + gap + 3 * ui_.line();
+    const bool has_room = text.moment != ui_.read_now() || text.height + code <= size.y;
+    if (session_.lesson() && drawer_ == Drawer::none && has_room && below.size() == 2 && row.y < low_row * ui_.em)
+      said.push_back(below.back()), below.pop_back();
+    const float width = (row.x - gap * to_float(below.size() - 1)) / to_float(std::max<std::size_t>(1, below.size()));
+    ImVec2 place{at.x, at.y + stage.y + gap};
+    for (const Pane& pane : below) ui_.text_heights[pane.id].gone = 0;
+    for (const Pane& pane : below) draw_pane(pane, place, {width, row.y}), place.x += width + gap;
   }
   float others = 1 - share - larger;
   if (splitter("lesson", {x - gap, at.y}, {gap, size.y}, true, others, size.x)) share = 1 - others - larger;

@@ -26,10 +26,8 @@ namespace {
 struct Shown {
   int width, height;
   bool presenter;
-  double ground;  ///< at most so much of the window is empty, on average
 };
-constexpr Shown looks[] = {
-    {1280, 720, false, 0.30}, {1920, 1080, true, 0.24}, {1024, 768, false, 0.34}, {3840, 2160, false, 0.46}};
+constexpr Shown looks[] = {{1280, 720, false}, {1920, 1080, true}, {1024, 768, false}, {3840, 2160, false}};
 
 double stage_share(App& app, const Shown& look) {
   return static_cast<double>(app.stage_place().size.x * app.stage_place().size.y) / (look.width * look.height);
@@ -65,6 +63,11 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
   for (Lesson& lesson : all_lessons()) {
     const Trace trace = run_lesson(lesson);
     CAPTURE(lesson.id);
+    // Lines of code may begin alike, and are broken where the pane ends.
+    const auto begins_lines_of_code = [&](const std::string& words) {
+      return std::count_if(trace.header().page.begin(), trace.header().page.end(),
+                           [&](const StepInfo& step) { return step.text.starts_with(words); }) > 1;
+    };
     for (const Shown& look : looks) {
       // Each lesson in one size; with ZSTEP_ALL_SIZES set in all of them, at every stop.
       if (!all && &look != &looks[turn % std::size(looks)]) continue;
@@ -91,6 +94,7 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
         std::map<std::string, int> said;
         for (const std::string& words : drawn.words)
           if (std::count(words.begin(), words.end(), ' ') >= 6 && words.find("\u221e \u221e") == std::string::npos &&
+              !begins_lines_of_code(words) &&
               std::any_of(words.begin(), words.end(), [](char c) { return c >= 'a' && c <= 'z'; }))
             CHECK_MESSAGE(++said[words] == 1, words);
       }
@@ -101,7 +105,7 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
     const auto& [sum, count] = ground[look.width];
     CAPTURE(look.width);
     CAPTURE(sum / count);
-    CHECK(sum / count <= look.ground);
+    CHECK(sum / count <= (all ? 0.25 : 0.30));  // of the stops that are looked at; of all of them a quarter
   }
 }
 
@@ -140,6 +144,24 @@ TEST_CASE("of formulas that are too long for their place the last are shown, and
     CHECK(said("PSEUDO-CODE"));
     CHECK(std::count(words.begin(), words.end(), "0.875") == 1);  // a, which those before it lead to
   }
+}
+
+TEST_CASE("another run stands beside the frame where the stop says so, and nowhere else") {
+  Lesson lesson = find_lesson("find-the-bug");
+  const Trace trace = run_lesson(lesson);
+  App app(trace, &lesson, {}, 1280, 720);
+  int beside = 0;
+  for (const Stop& stop : lesson.stops) {
+    app.session().to_stop(static_cast<int>(&stop - lesson.stops.data()));
+    app.settle();
+    const test::Letters drawn = test::letters_of(app.ui().fonts);
+    const bool shown = std::any_of(drawn.words.begin(), drawn.words.end(), [](const std::string& word) {
+      return word.find("ANOTHER RUN") != std::string::npos;
+    });
+    CHECK(shown == !stop.beside.empty());
+    beside += shown;
+  }
+  CHECK(beside == 8);
 }
 
 TEST_CASE("where formulas give way the one that the stop speaks of stays") {

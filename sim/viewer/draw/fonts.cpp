@@ -126,6 +126,7 @@ void Fonts::load(float pixels) {
   const fs::path symbols = find_font(symbol_files);
   text = add(text_path, symbols, std::round(pixels));
   bold = bold_path.empty() ? text : add(bold_path, symbols, std::round(pixels));
+  heading = add(bold_path.empty() ? text_path : bold_path, symbols, std::round(pixels * 1.25f));
   mono = add(mono_path, symbols, std::round(pixels * 0.92f));
   small = add(mono_path, symbols, std::max(std::min(13.0f, std::round(pixels * 0.84f)), std::round(pixels * 0.76f)));
   ImGui::GetIO().Fonts->Build();
@@ -135,7 +136,7 @@ void Fonts::load(float pixels) {
   else if (mono_path.empty()) lacking = "No monospaced font was found: install fonts-dejavu-core for aligned numbers.";
   replace_.clear();
   for (const Substitute& s : substitutes)
-    for (const ImFont* font : {text, bold, mono, small})
+    for (const ImFont* font : {text, bold, heading, mono, small})
       if (!font->FindGlyphNoFallback(s.code)) {
         replace_.emplace_back(s.utf8, s.ascii);
         break;

@@ -12,9 +12,10 @@ namespace zstep::viewer {
 struct Fonts {
   ImFont* text = nullptr;  ///< body
   ImFont* bold = nullptr;
-  ImFont* mono = nullptr;   ///< code and numbers: all digits as wide
-  ImFont* small = nullptr;  ///< monospaced, for cells and legends
-  std::string lacking;      ///< one sentence when something was not found, else empty
+  ImFont* heading = nullptr;  ///< of a lesson's stop
+  ImFont* mono = nullptr;     ///< code and numbers: all digits as wide
+  ImFont* small = nullptr;    ///< monospaced, for cells and legends
+  std::string lacking;        ///< one sentence when something was not found, else empty
 
   /// Builds ImGui's atlas with body text of this many pixels. Looks for fonts in $ZSTEP_FONTS only, when that is set.
   void load(float pixels);

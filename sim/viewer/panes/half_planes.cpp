@@ -138,7 +138,7 @@ class Painter {
     for (const std::int32_t vertex : {box.vertex_0, box.vertex_1, box.vertex_2})
       if (const auto to = on_raster(now_.scene(), now_.state(), vertex)) {
         const double x = map_.px(to->x), y = map_.py(to->y);
-        canvas_.line(map_.px(at.x), map_.py(at.y), x, y, 1.2 * thin_, to_pixel(c_.now), 200);
+        canvas_.line(map_.px(at.x), map_.py(at.y), x, y, 1.2 * thin_, to_pixel(c_.now), 170);
       }
   }
 

@@ -233,7 +233,7 @@ void draw_lesson(Ui& ui) {
   const Stop& stop = s.lesson()->stops[s.stop()];
   ImGui::PushID(s.stop());
   Flow heading;
-  heading.font = ui.fonts.bold;
+  heading.font = ui.fonts.heading;
   heading.color = stop.position == s.position() ? c.now : c.text;
   if (!stop.heading.empty()) flow(ui, stop.heading, heading);
   ImGui::Dummy({1, ui.em * 0.25f});

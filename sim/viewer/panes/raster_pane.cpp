@@ -44,12 +44,14 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
 }
 
 void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const Moment& now,
-           const std::optional<std::int32_t>& lit, const Theme& c, const float& thin) {
+           const std::optional<std::int32_t>& lit, const bool& still, const Theme& c, const float& thin) {
   paint_raster(canvas, map, cells.made.colors,
                {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)},
                cells.made.counts.empty() ? nullptr : &cells.made.counts);
-  draw_geometry(canvas, map, now, lit, c, thin);
-  paint_half_planes(canvas, map, now, c, thin);
+  if (!still) {
+    draw_geometry(canvas, map, now, lit, c, thin);
+    paint_half_planes(canvas, map, now, c, thin);
+  }
   const int line = nearest_int(thin);
   const int x0 = map.column_begin(0) - line, x1 = map.column_begin(map.width) + line - 1;
   const int y0 = nearest_int(map.top) - line, y1 = nearest_int(map.top + map.height * map.cell) + line - 1;
@@ -326,6 +328,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Theme& c = ui.colors();
   const Session& s = ui.session;
   draw_pixel_marks(ui, map, origin);
+  if (ui.still) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const auto& changed = s.looking_back ? s.changed() : s.changed_here();
   if (map.cell >= 6) {
@@ -382,8 +385,8 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
             height = static_cast<int>(avail.y - rulers.below - reserve_below);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, ui.view, width, height);
-  const Kept<Canvas>& canvas =
-      *keep_canvas(ui.canvases, id, width, height, paint, map, cells, ui.moment(), s.lit_edge(), ui.colors(), ui.thin);
+  const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, id, width, height, paint, map, cells, ui.moment(),
+                                            s.lit_edge(), ui.still, ui.colors(), ui.thin);
   const ImVec2 end{origin.x + to_float(width), origin.y + to_float(height)};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), origin, end);
 
@@ -416,7 +419,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     if (ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.here = lines_of_pixel(s, *under, asks);
   }
   ImGui::PushClipRect(origin, end, true);
-  const auto ends = span_ends(ui, map, origin);
+  const auto ends = ui.still ? std::nullopt : span_ends(ui, map, origin);
   const auto on_raster_only = [&](double x, double y) {  // beside it stand the rulers
     return moved_by(origin, std::clamp(x, 0.0, 1.0 * width), std::clamp(y, 0.0, 1.0 * height));
   };
@@ -433,8 +436,8 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
       return !is_drawn(low.x, low.y) && !is_drawn(high.x, low.y) && !is_drawn(low.x, high.y) &&
              !is_drawn(high.x, high.y);
     };
-  if (!has_numbers || talk.polygons) mark_half_planes(ui, map, origin, words, has_numbers);
-  if (talk.polygons) name_outline(ui, map, origin, ends, words);
+  if (!ui.still && (!has_numbers || talk.polygons)) mark_half_planes(ui, map, origin, words, has_numbers);
+  if (!ui.still && talk.polygons) name_outline(ui, map, origin, ends, words);
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(words.taken));
   cover_cells_to_come(ui, id, map, origin);
   draw_marks(ui, map, origin);

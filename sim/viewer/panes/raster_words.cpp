@@ -210,7 +210,8 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
         origin.y + static_cast<float>(std::min<double>(map.box_height, map.top + map.height * map.cell)) + 1.0f;
     draw_text(ui, {std::max(origin.x - rulers.left, origin.x + at), y}, font, c.muted, text);
   }
-  const auto line = ui.session.state().machine.scan_line;
+  const auto& at_work = ui.session.state().machine.scan_line;
+  const std::int32_t* const line = at_work && !ui.still ? &*at_work : nullptr;
   const float edge = origin.x + static_cast<float>(std::max(0.0, map.left));
   for (int y = 0, step = label_step(map.cell, font->FontSize + 2.0); y < map.height; y += step) {
     // A number that would stick out by a little is moved in.

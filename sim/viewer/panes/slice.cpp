@@ -490,8 +490,9 @@ class Labels {
   }
 
  private:
-  /// A line from a to b, left to right.
-  static bool crosses(const Box& line, const Box& box) {
+  /// A line from a to b, left to right, as thick as it is drawn.
+  bool crosses(const Box& line, const Box& box) const {
+    const float half = 2 * ui_.thin;
     if (line.b.x < box.a.x || line.a.x > box.b.x) return false;
     const float length = std::max(1e-3f, line.b.x - line.a.x);
     const auto y = [&](float x) {
@@ -499,7 +500,7 @@ class Labels {
       return line.a.y + share * (line.b.y - line.a.y);
     };
     const float one = y(box.a.x), other = y(box.b.x);
-    return std::max(one, other) > box.a.y && std::min(one, other) < box.b.y;
+    return std::max(one, other) > box.a.y - half && std::min(one, other) < box.b.y + half;
   }
   std::vector<Box> lines_;
   Ui& ui_;
@@ -544,7 +545,7 @@ void name_ends(Ui& ui, Labels& labels, const SlicePlot& plot, ImVec2 origin, con
     const float at = origin.x + plot.x(x), foot = origin.y + plot.bottom - size.y, gap = 3 * ui.thin;
     const float outside = left ? at - gap - size.x : at + gap, inside = left ? at + gap : at - gap - size.x;
     std::vector<ImVec2> places;
-    for (const float up : {0.0f, 1.1f, 2.2f})
+    for (const float up : {0.0f, 1.1f, 2.2f, 3.3f, 4.4f})
       for (const float from : {outside, inside}) places.push_back({from, foot - up * size.y});
     labels.put(text, ui.colors().text, places, font, true);
   };

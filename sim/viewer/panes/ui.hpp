@@ -144,6 +144,7 @@ struct Ui {
   float em = 16;   ///< body text in pixels
   float thin = 1;  ///< pixels of a thin line: more than one on a large screen
   bool presenter = false;
+  bool still = false;      ///< of a run's picture, at which nothing is at work any more
   bool laboratory = true;  ///< all panes; else a lesson's layout: what leads, and few words
   struct TextHeight {
     float height = 0;

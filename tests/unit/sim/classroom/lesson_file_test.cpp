@@ -176,7 +176,12 @@ TEST_CASE("slips in the stops") {
   CHECK(load_lesson(focused.path).stops.at(0).focus == "edge_table");
   CHECK(contains(load_error(head + "## Here {at: start; look: scene}\nText.\n"),
                  ":7: `look: scene` is left over in the anchor; after ; write `focus: edge-table` or another "
-                 "pane, and `viewing: T_1` to T_4 for a step of viewing"));
+                 "pane, `viewing: T_1` to T_4 for a step of viewing, or `beside: "));
+  CHECK(contains(load_error(head + "## Here {at: start; beside: runs/none.jsonl}\nText.\n"),
+                 ":7: there is no run `runs/none.jsonl`; give the path of its .jsonl from the lesson's folder"));
+  const LessonFile beside(head + "## Here {at: start; beside: 7-made-up.md}\nText.\n");
+  Lesson no_run = load_lesson(beside.path);
+  CHECK_THROWS_WITH(run_lesson(no_run), doctest::Contains("7-made-up.md:1"));
   const LessonFile viewing(head + "## Here {at: start; focus: scene; viewing: T_3}\nText.\n");
   CHECK(load_lesson(viewing.path).stops.at(0).focus == "scene");
   CHECK(load_lesson(viewing.path).stops.at(0).viewing_step == 3);
