@@ -103,7 +103,8 @@ Letters letters_of(const Fonts& fonts) {
     const ImFont& font = *glyph->second.font;
     const ImFontGlyph& shape = *glyph->second.shape;
     const float scale = (c.pos.y - a.pos.y) / (shape.Y1 - shape.Y0);
-    Letter letter{a.pos, c.pos, clip, a.col, a.uv, font.FontSize * scale, &font == fonts.bold || &font == fonts.heading, 0};
+    Letter letter{a.pos, c.pos, clip, a.col, a.uv, font.FontSize * scale, &font == fonts.bold || &font == fonts.heading,
+                  0};
     const float on_line = a.pos.y - shape.Y0 * scale;
     const bool goes_on = !out.all.empty() && out.all.back().color == letter.color && std::abs(on_line - line) < 1.5f &&
                          a.pos.x >= out.all.back().first.x && a.pos.x - out.all.back().last.x < letter.size;

@@ -188,11 +188,11 @@ struct Situation {
     std::optional<std::array<double, 3>> depths;  ///< of the vertices
   };
   mutable std::optional<TriangleNow> triangle_now = {};  ///< see triangle()
-  double roundoff = 0;              ///< of what the program computes with, where it is not what the header says; else 0
-  bool is_fixed = false;            ///< it computes in fixed point, whatever the header says
-  double written = 0;               ///< by what share of itself a number may be off that is written with fewer digits
-  double written_off = 0;           ///< and by how much besides
-  bool steps_edges = false;         ///< edge functions are added to from pixel to pixel
+  double roundoff = 0;       ///< of what the program computes with, where it is not what the header says; else 0
+  bool is_fixed = false;     ///< it computes in fixed point, whatever the header says
+  double written = 0;        ///< by what share of itself a number may be off that is written with fewer digits
+  double written_off = 0;    ///< and by how much besides
+  bool steps_edges = false;  ///< edge functions are added to from pixel to pixel
 
   /// Takes the camera that is at work now.
   void look() { camera = before.machine.pass != Pass::light ? &scene.camera : lamp ? &*lamp : nullptr; }
