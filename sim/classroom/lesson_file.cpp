@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fmt/core.h>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <toml++/toml.h>
 #include <utility>
 #include <vector>
@@ -231,7 +233,8 @@ class Reader {
     }
     if (starts_with(text, "beside:") && !value.empty()) {
       stop.beside = value;
-      if (!std::filesystem::is_regular_file(lesson_.path.parent_path() / stop.beside))
+      std::error_code unreadable;
+      if (!std::filesystem::is_regular_file(lesson_.path.parent_path() / stop.beside, unreadable))
         lines_.fail(fmt::format("there is no run `{}`", stop.beside),
                     "give the path of its .jsonl from the lesson's folder, `beside: runs/first.jsonl`");
       return;

@@ -179,6 +179,8 @@ TEST_CASE("slips in the stops") {
                  "pane, `viewing: T_1` to T_4 for a step of viewing, or `beside: "));
   CHECK(contains(load_error(head + "## Here {at: start; beside: runs/none.jsonl}\nText.\n"),
                  ":7: there is no run `runs/none.jsonl`; give the path of its .jsonl from the lesson's folder"));
+  CHECK(contains(load_error(head + "## Here {at: start; beside: " + std::string(5000, 'x') + "}\nText.\n"),
+                 ":7: there is no run `xxx"));
   const LessonFile beside(head + "## Here {at: start; beside: 7-made-up.md}\nText.\n");
   Lesson no_run = load_lesson(beside.path);
   CHECK_THROWS_WITH(run_lesson(no_run), doctest::Contains("7-made-up.md:1"));
