@@ -44,13 +44,14 @@ ZSTEP_INLINE FastEdge edge_of(const RasterPoint& from, const RasterPoint& to) {
   return {a, b, first ? from.x : to.x, first ? from.y : to.y, formulas::owns_line(a, b)};
 }
 
-/// Has a number, and what is left of it where whole numbers are taken from it, room for all its bits on either side? Of
-/// products and quotients of such, too, none is too small for that, nor too large.
+/// Is a number 0, or neither very small nor very large? Then no product, sum or quotient of a few such numbers loses
+/// bits by being too small or too large.
 ZSTEP_INLINE bool has_room(double value) {
   const double size = std::abs(value);
   return size == 0 || (size > 0x1p-200 && size < 0x1p200);
 }
-/// 1 / twice_area, where simd::quotient may be asked for E / twice_area, and for so many pixels that it pays.
+/// 1 / twice_area, where simd::quotient may be asked for E / twice_area, and for so many pixels that it pays. With
+/// z_0 = -0 the sign of a weight that is 0 would show.
 ZSTEP_INLINE double reciprocal_of(const FastTriangle& triangle) {
   constexpr std::int32_t wide = 64;
   if (triangle.end_column - triangle.first_column < wide) return 0;

@@ -69,10 +69,10 @@ struct Stop {
   std::optional<Task> task;
   std::optional<Marking> marking;  ///< at most one of the three
   std::optional<SpeakerNotes> notes;
-  std::vector<std::string> names;  ///< that stand alone in braces of its text, fields of its step among them
-  std::string anchor;              ///< as written in the file: step name and condition
-  std::string focus;               ///< the pane that leads meanwhile, as the viewer calls it; mostly none
-  std::string beside;              ///< a run in JSON Lines, from the lesson's folder: its picture stands beside
+  std::vector<std::string> names;           ///< that stand alone in braces of its text, fields of its step among them
+  std::string anchor;                       ///< as written in the file: step name and condition
+  std::string focus;                        ///< the pane that leads meanwhile, as the viewer calls it; mostly none
+  std::string beside;                       ///< path from the lesson's folder: a run whose final picture is shown, too
   std::shared_ptr<const Trace> beside_run;  ///< it; set by resolve()
   int viewing_step = 0;                     ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
   std::int32_t line = 0, text_line = 0;     ///< of the lesson's file

@@ -101,7 +101,7 @@ void name_pieces(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words)
   name_outlines(ui, words, origin, outlines);
 }
 
-/// In the middle of each settled area; where a name stands there, in one of its corners.
+/// In the middle of each settled area, or in one of its corners if a name is in the middle.
 void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
   for (const AreaRow& row : ui.session.state().machine.areas) {
     if (!row.decided || !has_pixels(row.entry)) continue;

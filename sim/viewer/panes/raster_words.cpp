@@ -30,7 +30,7 @@ bool WordPlaces::put(const std::string& text, ImU32 color, const ImFont* font, c
 
 namespace {
 
-/// How far the middle of a text must be, in this direction, from what the text stands beside; `size`: of the text.
+/// The distance, in this direction, from a thing to the middle of the text beside it; `size` is the text's.
 double text_away(ImVec2 size, glm::dvec2 direction, double gap) {
   return std::abs(direction.x) * size.x / 2 + std::abs(direction.y) * size.y / 2 + gap;
 }
