@@ -26,8 +26,10 @@ namespace {
 struct Shown {
   int width, height;
   bool presenter;
+  double ground;  ///< at most so much of the window is empty, on average over the stops that are looked at
 };
-constexpr Shown looks[] = {{1280, 720, false}, {1920, 1080, true}, {1024, 768, false}, {3840, 2160, false}};
+constexpr Shown looks[] = {
+    {1280, 720, false, 0.25}, {1920, 1080, true, 0.24}, {1024, 768, false, 0.28}, {3840, 2160, false, 0.30}};
 
 double stage_share(App& app, const Shown& look) {
   return static_cast<double>(app.stage_place().size.x * app.stage_place().size.y) / (look.width * look.height);
@@ -64,9 +66,10 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
     const Trace trace = run_lesson(lesson);
     CAPTURE(lesson.id);
     // Lines of code may begin alike, and are broken where the pane ends.
-    const auto begins_lines_of_code = [&](const std::string& words) {
-      return std::count_if(trace.header().page.begin(), trace.header().page.end(),
-                           [&](const StepInfo& step) { return step.text.starts_with(words); }) > 1;
+    const auto may_be_said = [&](const std::string& words) {
+      const auto begin_so = std::count_if(trace.header().page.begin(), trace.header().page.end(),
+                                          [&](const StepInfo& step) { return step.text.starts_with(words); });
+      return std::max<std::ptrdiff_t>(1, begin_so);
     };
     for (const Shown& look : looks) {
       // Each lesson in one size; with ZSTEP_ALL_SIZES set in all of them, at every stop.
@@ -94,9 +97,8 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
         std::map<std::string, int> said;
         for (const std::string& words : drawn.words)
           if (std::count(words.begin(), words.end(), ' ') >= 6 && words.find("\u221e \u221e") == std::string::npos &&
-              !begins_lines_of_code(words) &&
               std::any_of(words.begin(), words.end(), [](char c) { return c >= 'a' && c <= 'z'; }))
-            CHECK_MESSAGE(++said[words] == 1, words);
+            CHECK_MESSAGE(++said[words] <= may_be_said(words), words);
       }
     }
     ++turn;
@@ -105,7 +107,7 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
     const auto& [sum, count] = ground[look.width];
     CAPTURE(look.width);
     CAPTURE(sum / count);
-    CHECK(sum / count <= (all ? 0.25 : 0.30));  // of the stops that are looked at; of all of them a quarter
+    CHECK(sum / count <= (all ? std::min(0.25, look.ground) : look.ground));
   }
 }
 
