@@ -5,6 +5,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/fast/z_buffer.hpp"
+#include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/load.hpp"
 #include "sim/classroom/lesson.hpp"
 #include "sim/cli/commands.hpp"
@@ -40,11 +41,15 @@ Image picture_of(const std::string& name) {
   return image;
 }
 
-std::unique_ptr<Opened> opened(OtherRun run, std::vector<std::string> by, std::string note = {}) {
+/// A scene's run, on its finished picture where the scene is a mesh.
+std::unique_ptr<Opened> opened(OtherRun run, std::vector<std::string> by, const std::string& of_scene = "",
+                               std::string note = {}) {
+  const bool finished = run.whole && scene::mesh_format(of_scene);
   if (!run.whole)
     note += fmt::format("{}Cut off after {} steps, so the picture is not done.", note.empty() ? "" : " ",
                         grouped(run.trace.size()));
-  return std::make_unique<Opened>(Opened{std::move(run.trace), {}, std::move(by), std::move(note)});
+  return std::make_unique<Opened>(
+      Opened{.trace = std::move(run.trace), .opened_by = std::move(by), .note = std::move(note), .finished = finished});
 }
 
 std::unique_ptr<Opened> open_lesson(const std::string& name) {
@@ -74,11 +79,11 @@ std::unique_ptr<Opened> open_scene(const Trace& now, const std::string& name) {
     if (by.id != id) continue;
     if (can_draw(by, run.scene, run.conventions)) {
       if (by.id != run.method->id) words.insert(words.end(), {"--algorithm", id});
-      return opened(record_patiently(by, run.scene, run.conventions), words);
+      return opened(record_patiently(by, run.scene, run.conventions), words, name);
     }
     note = fmt::format("{} cannot draw this scene, so it is drawn by the {}.", by.title, run.method->title);
   }
-  return opened(record_patiently(*run.method, run.scene, run.conventions), words, note);
+  return opened(record_patiently(*run.method, run.scene, run.conventions), words, name, note);
 }
 
 }  // namespace
@@ -329,6 +334,7 @@ ViewerOptions viewer_options(const Trace& trace, const ShowOptions& options, con
   viewer.kept = with.kept;
   viewer.pixel = pixel_selected(options, trace.scene().raster);
   viewer.lead = options.lead;
+  viewer.finished = with.finished && with.whole;
   if (!with.whole)
     viewer.note = fmt::format("Cut off after {} steps, so the picture is not done.", grouped(trace.size()));
   if (options.command != nullptr) viewer.opened_by = words_of(*options.command);

@@ -60,6 +60,7 @@ struct ShownWith {
   const AgainstRun* against = nullptr;  ///< a second run
   bool at_start = false;                ///< with the start page before it
   bool whole = true;                    ///< false: the run was cut off, as it would take too long
+  bool finished = false;                ///< opens on the finished picture: who brings a mesh knows no step of it
   std::shared_ptr<const void> kept{};   ///< what the trace and these lie in, where a window may outlive the call
 };
 

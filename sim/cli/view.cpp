@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/scene/files/read_mesh.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/diff.hpp"
 #include "sim/cli/long_work.hpp"
@@ -35,7 +36,8 @@ int view(const ViewOptionsOfCommand& options) {
     const auto shown = std::make_shared<const OtherRun>(options.show.patient
                                                             ? record_patiently(*run.method, run.scene, run.conventions)
                                                             : OtherRun{record_to_memory(run)});
-    return show(shown->trace, options.show, {.whole = shown->whole, .kept = shown});
+    return show(shown->trace, options.show,
+                {.whole = shown->whole, .finished = scene::mesh_format(what).has_value(), .kept = shown});
   }
   const std::string given = options.run.given();
   if (!given.empty())

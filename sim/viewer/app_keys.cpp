@@ -310,6 +310,7 @@ void App::begin_arriving() {
   }
   ui_.arrived = motion_.arrived();
   ui_.on_its_way = false;
+  ui_.still = session_.at_rest();
   if (ui_.arrived == 1) ui_.canvases_before.clear();
 }
 

@@ -196,6 +196,7 @@ void go_to_start(App& app, const ViewerOptions& options) {
   else if (app.opens_at_cause()) app.to_first_cause();
   else if (const auto place = place_to_go_on(app.settings(), s.trace(), options.lesson)) s.go_to(*place);
   else if (options.lesson && !options.lesson->stops.empty()) s.to_stop(0);
+  else if (options.finished) s.to_finished_picture();
   app.look_at(options.pixel, options.lead);
   if (!options.note.empty()) app.say(options.note);
 }

@@ -45,7 +45,7 @@ std::vector<std::string> wrapped(const Sheet& sheet, const std::string& text, fl
 
 struct Pictures::Impl {
   Impl(const Trace& trace, const PictureOptions& options, const Settings& settings)
-      : notes(options.notes), app(trace, options.lesson, settings, options.width, options.height) {
+      : notes(options.notes), finished(options.finished), app(trace, options.lesson, settings, options.width, options.height) {
     if (options.checked) app.show_findings(*options.checked);
     if (options.against) app.show_against(*options.against);
     look_at = [this, pixel = options.pixel, lead = options.lead] { app.look_at(pixel, lead); };
@@ -53,7 +53,7 @@ struct Pictures::Impl {
     if (options.offers) app.offer(options.offers);
     if (options.race) app.open_race(options.race);
   }
-  const bool notes;
+  const bool notes, finished;
   App app;
   std::function<void()> look_at;  ///< as was asked, after each place that is gone to
 };
@@ -91,6 +91,7 @@ Image Pictures::at(std::int64_t position, bool before_impossible) {
   else if (position >= 0) go_to_or_throw(session, position);
   else if (impl_->app.opens_at_cause()) impl_->app.to_first_cause();
   else if (session.lesson() && !session.lesson()->stops.empty()) session.to_stop(0);
+  else if (impl_->finished) session.to_finished_picture();
   return settled();
 }
 

@@ -26,6 +26,7 @@ struct PictureOptions {
   const AgainstRun* against = nullptr;  ///< likewise
   std::optional<Trace::Pixel> pixel{};  ///< to be selected
   std::string lead{};                   ///< as in ViewerOptions
+  bool finished = false;                ///< as in ViewerOptions
   std::optional<RaceAsked> race{};      ///< in place of the panes; needs run_by
   /// ViewerOptions::run_changed; with it the title offers to change and to race, as the window's does
   std::function<OtherRun(const Trace&, const std::string&, const std::vector<Change>&)> run_by{};

@@ -83,13 +83,14 @@ void Stage::open(const Offer& offer, bool for_class) {
   Session& s = app().session();
   if (const auto place = place_to_go_on(settings, *first_, lesson_)) s.go_to(*place);
   else if (lesson_ && !lesson_->stops.empty()) s.to_stop(0);
+  else if (opened_->finished) s.to_finished_picture();
   else if (offer.what == Offer::What::method) {  // of the same scene: at the same moment
     const MomentThere there = moment_in(*first_, moment);
     s.select(moment.selected);
     s.go_to(there.step);
     opened_->note += fmt::format("{}Here: {}.", opened_->note.empty() ? "" : " ", there.what);
   }
-  if (!opened_->note.empty()) app().say(opened_->note);
+  if (!opened_->note.empty()) app().say(s.message.empty() ? opened_->note : opened_->note + " " + s.message);
 }
 
 void Stage::take_progress_of(const std::string& file) {

@@ -24,7 +24,7 @@ int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   how.pane = options.pane, how.lesson = options.lesson, how.checked = options.checked;
   how.against = options.against;
   how.race = options.race, how.run_by = options.run_changed, how.offers = options.offers;
-  how.pixel = options.pixel, how.lead = options.lead;
+  how.pixel = options.pixel, how.lead = options.lead, how.finished = options.finished;
   Pictures pictures(trace, how);
   const bool says_impossible = how.pane.empty() && !how.notes && !how.embed;
   const Image image = options.stop ? pictures.at_stop(*options.stop) : pictures.at(options.at, says_impossible);

@@ -38,6 +38,7 @@ struct Opened {
   std::vector<std::string> opened_by{};  ///< as in ViewerOptions
   std::string note{};                    ///< what a reader should know of it, in a sentence; mostly empty
   std::string impossible{};              ///< why the step that would come next cannot be; mostly empty
+  bool finished = false;                 ///< as in ViewerOptions
 };
 
 /// A run of another method on the scene of a trace.
@@ -105,6 +106,7 @@ struct ViewerOptions {
   std::optional<Trace::Pixel> pixel{};  ///< to be selected
   std::string lead{};                   ///< the pane that leads on the stage; empty: what the method has
   std::string note{};                   ///< what a reader should know of what is opened, in a sentence
+  bool finished = false;                ///< opens on the finished picture, where it was not left elsewhere
   /// What the trace and all that is pointed to lie in, where the window may outlive the call, as it does in a browser.
   std::shared_ptr<const void> kept{};
 };

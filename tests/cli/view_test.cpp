@@ -40,6 +40,22 @@ TEST_CASE("view and explain: a run of every depth and of every library's convent
   }
 }
 
+TEST_CASE("view: a mesh opens on its finished picture, a built-in scene and what --at names do not") {
+  const Folder folder;
+  write_text(folder / "facet.off", "OFF\n3 1 0\n-0.5 -0.5 0\n0.5 -0.5 0\n0 0.5 0\n3 0 1 2\n");
+  const std::string of_mesh = "view facet.off --size 8x6 --describe";
+  const Outcome opened = run(folder, of_mesh), last = run(folder, of_mesh + " --at 100%");
+  REQUIRE(opened.code == 0);
+  REQUIRE(last.code == 0);
+  const auto first_line = [](const Outcome& one) { return one.out.substr(0, one.out.find('\n')); };
+  CHECK(first_line(opened) == first_line(last));
+  CHECK(first_line(run(folder, of_mesh + " --at 0")) != first_line(last));
+  CHECK(first_line(run(folder, "view pyramid --describe")) == first_line(run(folder, "view pyramid --describe --at 0")));
+  must(folder, "view facet.off --size 8x6 --screenshot facet.png");
+  must(folder, "view facet.off --size 8x6 --at 0 --screenshot first.png");
+  CHECK(text_of(folder / "facet.png") != text_of(folder / "first.png"));
+}
+
 TEST_CASE("zstep alone without a display says so, writes the first picture and names what works") {
   const Folder folder;
   const Outcome outcome = run(folder, "");

@@ -56,3 +56,25 @@ TEST_CASE("a column of steps has room for its longest number, and depths have th
   CHECK(depth_in_list(-1e-7) == "\u22121e\u221207");
   CHECK(depth_in_list(no_depth) == "\u221e");
 }
+
+TEST_CASE("a finished picture proposes a first question: a click on a pixel tells its history, until the next move") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().to_finished_picture();
+  CHECK(app.session().position() == trace.size());
+  CHECK(app.session().message.find("Click a pixel") != std::string::npos);
+  app.settle();
+  test::click(app, 592, 208);
+  CHECK(app.drawer() == Drawer::history);
+  REQUIRE(app.session().selected);
+  CHECK(app.history_of() == *app.session().selected);
+  test::press(app, SDLK_ESCAPE);
+  test::press(app, SDLK_LEFT);
+  CHECK_FALSE(app.session().proposes_why());
+  test::press(app, SDLK_END);
+  app.session().select(std::nullopt);
+  app.settle();
+  test::click(app, 592, 208);
+  CHECK(app.session().selected);
+  CHECK(app.drawer() == Drawer::none);
+}

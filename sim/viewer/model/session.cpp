@@ -86,6 +86,7 @@ void Session::arrived() {
   changed_.reset();
   changed_here_.reset();
   told_to_answer_ = false;
+  proposes_why_ = false;
   message.clear();
 }
 
@@ -143,6 +144,13 @@ bool Session::to_selected_pixel(int direction) {
 }
 
 void Session::select(std::optional<Cell> cell) { selected = cell; }
+
+void Session::to_finished_picture() {
+  go_to(size());
+  proposes_why_ = records<PixelWrite>(header());
+  message = proposes_why_ ? "The picture is done. Click a pixel: why has it this colour? Home leads to the first step."
+                          : "The picture is done. Home leads to the first step.";
+}
 
 // --- Before and after
 

@@ -104,6 +104,12 @@ class Session {
   std::optional<std::int32_t> lit_edge() const;
   ScenePart lit_part() const;
   void select(std::optional<Cell> cell);
+  /// Goes to the end, where a first question is proposed: why a pixel has its colour. Until the next move a click on
+  /// one asks that.
+  void to_finished_picture();
+  bool proposes_why() const { return proposes_why_; }
+  /// The picture is done and looked at as a whole: nothing is at work any more.
+  bool at_rest() const { return position() == size() && (speaks() || proposes_why_); }
 
   // --- Playing
   bool playing = false;
@@ -143,6 +149,7 @@ class Session {
   mutable std::optional<std::int64_t> before_;
   mutable std::optional<std::vector<Cell>> changed_, changed_here_;
   bool told_end_ = false;        ///< of the lesson
+  bool proposes_why_ = false;
   bool told_to_answer_ = false;  ///< the reader wanted to play on from an open question
   int stop_ = -1;
   std::vector<std::optional<int>> chosen_;

@@ -429,21 +429,24 @@ void draw_horizons(Ui& ui) {
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   const ImFont* font = ui.fonts.small;
   const float legend = std::round(font->FontSize * 1.3f);
-  const int width = static_cast<int>(avail.x), height = static_cast<int>(avail.y - legend);
+  const Rulers rulers = room_for_rulers(ui, s.scene().raster);
+  const int width = static_cast<int>(avail.x - rulers.left),
+            height = static_cast<int>(avail.y - rulers.below - legend);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width, height);
   const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "horizons", width, height, paint_horizons, map, ui.moment(),
                                             ui.curves.of(s.trace()), ui.colors(), ui.thin);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), at{corner.x + rulers.left, corner.y};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + to_float(width), at.y + to_float(height)});
   mark_column(ui, at, map);
   mark_columns(ui, at, map);
+  draw_rulers(ui, map, at, rulers);
   const std::string whole = one_horizon(s.header()) ? "solid: the horizon    shaded: hidden, by this rule"
                                                     : "solid: upper   dashed: lower   shaded: hidden";
   for (const std::string& text : {whole, std::string("shaded: hidden")})
     if (text_size(ui, font, text).x <= avail.x) {
-      draw_text(ui, {at.x, at.y + to_float(height) + 2}, font, ui.colors().muted, text);
+      draw_text(ui, {corner.x, at.y + to_float(height) + rulers.below + 2}, font, ui.colors().muted, text);
       break;
     }
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/commands.hpp"
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/half_planes.hpp"
 #include "sim/viewer/panes/happened.hpp"
@@ -322,13 +323,10 @@ void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::option
                      place(k + 1), out(k));
 }
 
-}  // namespace
-
-void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
+/// What the step changed, and where its span ends.
+void mark_changed(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Theme& c = ui.colors();
   const Session& s = ui.session;
-  draw_pixel_marks(ui, map, origin);
-  if (ui.still) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const auto& changed = s.looking_back ? s.changed() : s.changed_here();
   if (map.cell >= 6) {
@@ -361,6 +359,15 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
     }
   }
   if (const auto ends = span_ends(ui, map, origin)) draw_span_ends(ui, *ends);
+}
+
+}  // namespace
+
+void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  const Theme& c = ui.colors();
+  const Session& s = ui.session;
+  draw_pixel_marks(ui, map, origin);
+  if (!ui.still) mark_changed(ui, map, origin);
   draw_picked(ui, map, origin);
   const float small = map.cell < 8 ? 3.0f : 0.0f;
   if (ui.pointed) frame_cell(ui, map, origin, *ui.pointed, small, 1, c.text);
@@ -368,7 +375,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
     frame_cell(ui, map, origin, *s.selected, small + 1, 2, c.selected);
     frame_cell(ui, map, origin, *s.selected, small + 4, 1, c.selected);
   }
-  if (const auto now = s.current_cell()) {
+  if (const auto now = ui.still ? std::nullopt : s.current_cell()) {
     frame_cell(ui, map, origin, *now, small + 2, 3, c.now);
     frame_cell(ui, map, origin, *now, small - 1, 1, ui.colors().pane);
   }
@@ -408,11 +415,13 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
         !ui.asks ? fmt::format("Click: select this pixel in every run. {}", moves)
         : marks  ? fmt::format("Click: mark {}, or take the mark away. {}",
                               s.marking()->kind == Marking::Kind::pixels ? "this pixel" : "this scan line", moves)
+        : s.proposes_why() ? "Click: why this pixel has its colour."
         : asks   ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
                : fmt::format("Click: select this pixel; F goes to the next step that touches it. Right click: more. {}",
                              moves);
     if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
       if (marks) s.mark(*under), s.select(under);
+      else if (ui.asks && s.proposes_why()) s.select(under), ui.clicked = command_called("history");
       else if (asks) ui.asked = asks;
       else s.select(s.selected == under ? std::nullopt : under);
     }
