@@ -172,7 +172,7 @@ void App::update_fonts() {
       std::clamp(std::round((ui_.presenter ? 24.0f : 16.0f) * grown * settings_.text_scale), 9.0f, 96.0f);
   if (pixels == built_for_) return;
   built_for_ = ui_.em = pixels;
-  ui_.thin = std::max(1.0f, std::round(grown));
+  ui_.thin = std::max(1.0f, std::round(ui_.presenter ? pixels / 16 : grown));
   ui_.fonts.load(pixels);
   renderer_.take_fonts();
 }

@@ -260,11 +260,12 @@ float App::frame_height(float width) const {
 /// What a lesson's layout says of the step: its formula, between stops also its sentence, and the lines of code around
 /// it.
 std::vector<Pane> App::words_of_step() {
+  if (viewing_step(ui_) > 0) return {};  // the picture has its matrices
   const RecordedEvent* event = session_.event();
   const bool stop_tells = session_.speaks() && session_.message.empty() && !has_causes();
   const bool tells = !stop_tells || (event && !explain(session_.trace(), session_.state(), *event).formulas.empty());
   std::vector<Pane> words;
-  if (tells) words.push_back(happened_pane);
+  if (tells && !session_.at_rest()) words.push_back(happened_pane);
   if (event && find_step(session_.header().page, event->step)) words.push_back(pseudo_code_pane);
   return words;
 }

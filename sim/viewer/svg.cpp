@@ -20,8 +20,8 @@
 namespace zstep::viewer {
 namespace {
 
-/// A line of DejaVu, in its em: Dear ImGui gives a font's size by the height of its line, SVG by its em.
-constexpr float line_of_em = 1.164f;
+/// Of a font's line, in its em: Dear ImGui gives a font's size by the height of its line, SVG by its em.
+constexpr float line_of_em = 1.164f, line_of_variables = 0.94f;
 
 std::string fill_of(ImU32 color) {
   const std::uint32_t red = color >> IM_COL32_R_SHIFT & 255u, green = color >> IM_COL32_G_SHIFT & 255u,
@@ -106,7 +106,8 @@ class Writer {
     const auto found = letters_.find(in_atlas(corner.uv));
     if (found == letters_.end()) return;
     const auto [font, glyph] = found->second;
-    const float x = corner.pos.x - glyph->X0, y = corner.pos.y - glyph->Y0 + font->Ascent;
+    const float x = corner.pos.x - glyph->X0, baseline = font->Ascent + font->ConfigData->GlyphOffset.y,
+                y = corner.pos.y - glyph->Y0 + baseline;
     const float space = font->GetCharAdvance(' '), gap = (x - line_.end) / space;
     const bool goes_on = !line_.text.empty() && font == line_.font && corner.col == line_.color &&
                          std::abs(y - line_.y) < 0.6f && gap > -0.2f && gap < 2.2f &&
@@ -120,11 +121,18 @@ class Writer {
 
   void flush() {
     if (line_.text.empty()) return;
-    const bool mono = line_.font == fonts_.mono || line_.font == fonts_.small;
+    const bool mono = line_.font == fonts_.mono || line_.font == fonts_.small,
+               leans = line_.font == fonts_.variable && fonts_.variable != fonts_.text,
+               thick = (line_.font == fonts_.bold || line_.font == fonts_.heading) && line_.font != fonts_.text;
     out_ += fmt::format(
         "<text x=\"{:.6g}\" y=\"{:.6g}\" font-family=\"{}\" font-size=\"{:.4g}\" {}{}{}>{}</text>\n", line_.x, line_.y,
-        mono ? "DejaVu Sans Mono, monospace" : "DejaVu Sans, sans-serif", line_.font->FontSize / line_of_em,
-        fill_of(line_.color), line_.font == fonts_.bold && fonts_.bold != fonts_.text ? " font-weight=\"bold\"" : "",
+        mono    ? "DejaVu Sans Mono, monospace"
+        : leans ? "STIXGeneral, STIX Two Text, serif"
+                : "Inter, DejaVu Sans, sans-serif",
+        line_.font->FontSize / (leans ? line_of_variables : line_of_em), fill_of(line_.color),
+        thick   ? " font-weight=\"600\""
+        : leans ? " font-style=\"italic\""
+                : "",
         line_.letters > 1 ? fmt::format(" textLength=\"{:.6g}\"", line_.end - line_.x) : "", markup(line_.text));
     line_ = {};
   }

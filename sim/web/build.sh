@@ -13,7 +13,7 @@ kept=${ZSTEP_WEB_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/zstep/web}
 system=${ZSTEP_WEB_ROOT:-$kept/debian-13}  # where Emscripten is, unless it is here
 build=$root/build/web
 # What the Debian beside this system has to have.
-needs=($("$root/zstep" packages | sed -nE 's/^web +[^ ]+ +([^ ]+).*/\1/p') ninja-build cmake ccache pkg-config g++ fonts-dejavu-core
+needs=($("$root/zstep" packages | sed -nE 's/^web +[^ ]+ +([^ ]+).*/\1/p') ninja-build cmake ccache pkg-config g++
   libglm-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libboost-dev)
 
 say() { printf 'zstep: %s\n' "$*" >&2; }
@@ -61,11 +61,11 @@ if [ -n "$output" ] && [ -e "$output" ] && [ -n "$(ls -A "$output" 2>/dev/null)"
   wrong "web: $output holds other files; name an empty or a new folder"
 fi
 
-# Runs a command where Emscripten is, with this checkout and what is kept in their places.
+# Runs a command where Emscripten is, with this checkout, what is kept and this system's fonts in their places.
 there() {
   if [ $beside = no ]; then "$@"; else
     bwrap --bind "$system" / --dev /dev --proc /proc --tmpfs /tmp --bind "$root" "$root" --bind "$kept" "$kept" \
-      --ro-bind-try /etc/resolv.conf /etc/resolv.conf --unsetenv NODE_EXTRA_CA_CERTS --setenv HOME /root --setenv LC_ALL C.UTF-8 --chdir "$root" "$@"
+      --ro-bind /usr/share/fonts /usr/share/fonts --ro-bind-try /etc/resolv.conf /etc/resolv.conf --unsetenv NODE_EXTRA_CA_CERTS --setenv HOME /root --setenv LC_ALL C.UTF-8 --chdir "$root" "$@"
   fi
 }
 
@@ -96,7 +96,7 @@ there bash "$root/sim/web/dependencies.sh" "$kept"
 
 mkdir -p "$build"
 if [ ! -d "$build/fonts" ]; then
-  there python3 "$root/sim/web/fonts.py" "$root/sim/viewer/draw/fonts.cpp" /usr/share/fonts/truetype/dejavu "$build/fonts.new" 2>"$build/fonts.log" ||
+  there python3 "$root/sim/web/fonts.py" "$root/sim/viewer/draw/fonts.cpp" /usr/share/fonts "$build/fonts.new" 2>"$build/fonts.log" ||
     die "the fonts could not be made: $(tail -n 1 "$build/fonts.log")"
   mv "$build/fonts.new" "$build/fonts"
 fi

@@ -6,6 +6,10 @@ import sys
 from pathlib import Path
 
 from fontTools import subset
+from fontTools.ttLib import TTFont
+
+SIGNS = "DejaVuSans.ttf"  # after the others: of it only what the first lacks
+FACES = ("Inter-Regular.otf", "Inter-SemiBold.otf", "STIXGeneral-Italic.otf", "DejaVuSansMono.ttf", SIGNS)
 
 
 def main():
@@ -14,13 +18,17 @@ def main():
     ends = [int(word, 16) for word in re.findall(r"0x[0-9a-f]+", table)]
     letters = [code for first, last in zip(ends[::2], ends[1::2]) for code in range(first, last + 1)]
     write_to.mkdir(parents=True, exist_ok=True)
-    for name in ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSansMono.ttf"):
+    faces = [next(read_from.rglob(name)) for name in FACES]
+    has = set(TTFont(faces[0]).getBestCmap())
+    for face in faces:
+        if face.name == SIGNS:
+            letters = [code for code in letters if code not in has]
         options = subset.Options(layout_features=[], hinting=False, notdef_outline=True, glyph_names=False)
-        font = subset.load_font(str(read_from / name), options)
+        font = subset.load_font(str(face), options)
         cutter = subset.Subsetter(options)
         cutter.populate(unicodes=letters)
         cutter.subset(font)
-        subset.save_font(font, str(write_to / name), options)
+        subset.save_font(font, str(write_to / face.name), options)
 
 
 main()

@@ -210,9 +210,23 @@ TEST_CASE(
     CHECK(ends->right == doctest::Approx(map.px(0) + span->x_right * map.cell));
     CHECK(ends->top < map.py(span->y));
     CHECK(ends->end > map.py(span->y));
-    CHECK(ends->line.at.x == doctest::Approx(ends->left));
-    CHECK(ends->line.size.x == doctest::Approx(ends->right - ends->left));
     const float letters = app.ui().fonts.bold->FontSize / 2, middle = static_cast<float>(map.py(span->y));
+    REQUIRE(ends->line.size() == 1);  // nothing stands in pixels here
+    CHECK(ends->line[0].at.x == doctest::Approx(ends->left));
+    CHECK(ends->line[0].size.x == doctest::Approx(ends->right - ends->left));
+    CHECK(std::abs(ends->line[0].at.y + ends->line[0].size.y / 2 - middle) <= 1);
+    // In pieces between what stands in pixels.
+    const float wide = static_cast<float>(map.cell) / 2;
+    const auto broken =
+        span_ends(app.ui(), map, {0, 0}, [&](std::int32_t x, std::int32_t) { return x % 2 ? wide : 0; });
+    for (const SpanEnds::Box& part : broken->line) {
+      CHECK(part.at.x >= ends->left - 0.01f);
+      CHECK(part.at.x + part.size.x <= ends->right + 0.01f);
+      for (std::int32_t x = 1; x < map.width; x += 2) {
+        const float place = static_cast<float>(map.px(x));
+        CHECK((part.at.x + part.size.x <= place - wide / 2 || part.at.x >= place + wide / 2));
+      }
+    }
     for (const SpanEnds::Box& stroke : ends->strokes) {
       const float x = stroke.at.x + stroke.size.x / 2;
       CHECK(std::min(std::abs(x - ends->left), std::abs(x - ends->right)) <= 1);

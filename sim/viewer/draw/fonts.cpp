@@ -2,40 +2,62 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
+#include <utility>
 
 namespace zstep::viewer {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// In order of liking. All have tabular digits.
-const std::vector<std::string> text_files{"DejaVuSans.ttf",
-                                          "NotoSans-Regular.ttf",
-                                          "LiberationSans-Regular.ttf",
-                                          "OpenSans-Regular.ttf",
-                                          "Ubuntu-R.ttf",
-                                          "FreeSans.ttf",
-                                          "segoeui.ttf",
-                                          "Arial.ttf",
-                                          "arial.ttf",
-                                          "Verdana.ttf"};
-const std::vector<std::string> bold_files{"DejaVuSans-Bold.ttf", "NotoSans-Bold.ttf", "LiberationSans-Bold.ttf",
-                                          "OpenSans-Bold.ttf",   "Ubuntu-B.ttf",      "FreeSansBold.ttf",
-                                          "segoeuib.ttf",        "Arial Bold.ttf",    "arialbd.ttf"};
-const std::vector<std::string> mono_files{"DejaVuSansMono.ttf",
-                                          "NotoSansMono-Regular.ttf",
-                                          "LiberationMono-Regular.ttf",
-                                          "UbuntuMono-R.ttf",
-                                          "FreeMono.ttf",
-                                          "consola.ttf",
-                                          "Menlo.ttc",
-                                          "Courier New.ttf",
-                                          "cour.ttf"};
+/// A file of letters. Dear ImGui scales one by the height of its line, which each face gives itself as it likes. With
+/// how high a line is, and how far its baseline is from its top, in ems, the letters of all are as large.
+struct Face {
+  const char* file;
+  float line = 1.164f, baseline = 0.928f;
+};
+constexpr Face usual{""};
+
+/// In order of liking: made to be read on a screen, then what systems have.
+const std::vector<Face> text_faces{{"Inter-Regular.otf", 1.21f, 0.969f},
+                                   {"Inter-Regular.ttf", 1.21f, 0.969f},
+                                   {"DejaVuSans.ttf"},
+                                   {"NotoSans-Regular.ttf"},
+                                   {"LiberationSans-Regular.ttf"},
+                                   {"OpenSans-Regular.ttf", 1.362f, 1.069f},
+                                   {"Ubuntu-R.ttf"},
+                                   {"FreeSans.ttf"},
+                                   {"segoeui.ttf"},
+                                   {"Arial.ttf"},
+                                   {"arial.ttf"},
+                                   {"Verdana.ttf"}};
+const std::vector<Face> bold_faces{{"Inter-SemiBold.otf", 1.21f, 0.969f},
+                                   {"Inter-SemiBold.ttf", 1.21f, 0.969f},
+                                   {"DejaVuSans-Bold.ttf"},
+                                   {"NotoSans-Bold.ttf"},
+                                   {"LiberationSans-Bold.ttf"},
+                                   {"OpenSans-Bold.ttf", 1.362f, 1.069f},
+                                   {"Ubuntu-B.ttf"},
+                                   {"FreeSansBold.ttf"},
+                                   {"segoeuib.ttf"},
+                                   {"Arial Bold.ttf"},
+                                   {"arialbd.ttf"}};
+const std::vector<Face> mono_faces{{"DejaVuSansMono.ttf"},
+                                   {"NotoSansMono-Regular.ttf"},
+                                   {"LiberationMono-Regular.ttf"},
+                                   {"UbuntuMono-R.ttf"},
+                                   {"FreeMono.ttf"},
+                                   {"consola.ttf"},
+                                   {"Menlo.ttc"},
+                                   {"Courier New.ttf"},
+                                   {"cour.ttf"}};
+/// Variables of formulas lean. Their small letters are as high as those beside them.
+const std::vector<Face> variable_faces{{"STIXGeneral-Italic.otf", 1.87f, 1.308f},
+                                       {"STIXTwoText-Italic.otf", 1.75f, 1.3f}};
 /// For what the chosen one lacks.
-const std::vector<std::string> symbol_files{
-    "DejaVuSans.ttf", "NotoSansMath-Regular.ttf", "NotoSansSymbols2-Regular.ttf",
-    "seguisym.ttf",   "Arial Unicode.ttf",        "Symbola.ttf"};
+const std::vector<Face> symbol_faces{{"DejaVuSans.ttf"}, {"NotoSansMath-Regular.ttf"}, {"NotoSansSymbols2-Regular.ttf"},
+                                     {"seguisym.ttf"},   {"Arial Unicode.ttf"},        {"Symbola.ttf"}};
 
 /// Latin, Greek, punctuation, super- and subscripts, arrows, mathematics, a branch of a tree, geometric shapes, a
 /// gear, check marks.
@@ -92,48 +114,82 @@ const std::map<std::string, fs::path>& installed() {
   return found;
 }
 
-ImFont* add(const fs::path& path, const fs::path& symbols, float pixels) {
+struct Found {
+  fs::path path;
+  Face face = usual;
+};
+Found find_face(const std::vector<Face>& faces) {
+  for (const Face& face : faces)
+    if (const auto found = installed().find(face.file); found != installed().end()) return {found->second, face};
+  return {};
+}
+
+/// Rows from the top of a line to where its letters stand.
+float baseline_of(const Face& face, float em) { return std::floor(face.baseline * em); }
+
+ImFont* add(const Found& letters, const Found& symbols, float pixels) {
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
   ImFontConfig config;
   config.OversampleH = config.OversampleV = 1;
   config.PixelSnapH = true;
+  const float em = pixels / usual.line;
+  config.GlyphOffset.y = baseline_of(usual, em) - baseline_of(letters.face, em);
   ImFont* font = nullptr;
-  if (!path.empty()) font = atlas->AddFontFromFileTTF(path.string().c_str(), pixels, &config, ranges);
+  if (!letters.path.empty())
+    font = atlas->AddFontFromFileTTF(letters.path.string().c_str(), em * letters.face.line, &config, ranges);
   if (!font) {
     config.SizePixels = std::max(13.0f, pixels);
     font = atlas->AddFontDefault(&config);
   }
-  if (!symbols.empty() && symbols != path) {
+  if (!symbols.path.empty() && symbols.path != letters.path) {
     config.MergeMode = true;
-    atlas->AddFontFromFileTTF(symbols.string().c_str(), pixels, &config, ranges);
+    atlas->AddFontFromFileTTF(symbols.path.string().c_str(), pixels, &config, ranges);
   }
   return font;
 }
 
-}  // namespace
-
-fs::path find_font(const std::vector<std::string>& file_names) {
-  for (const std::string& name : file_names)
-    if (const auto found = installed().find(name); found != installed().end()) return found->second;
-  return {};
+/// All digits as wide as the widest, each in the middle of its room.
+void make_tabular(ImFont& font) {
+  float widest = 0;
+  for (ImWchar digit = '0'; digit <= '9'; ++digit) widest = std::max(widest, font.GetCharAdvance(digit));
+  for (ImFontGlyph& glyph : font.Glyphs) {
+    if (glyph.Codepoint < '0' || glyph.Codepoint > '9') continue;
+    const float moved = std::round((widest - glyph.AdvanceX) / 2);
+    glyph.X0 += moved, glyph.X1 += moved;
+    glyph.AdvanceX = widest;
+  }
+  font.BuildLookupTable();
 }
+
+}  // namespace
 
 void Fonts::load(float pixels) {
   ImGui::GetIO().Fonts->Clear();
   ImGui::GetIO().Fonts->Flags |= ImFontAtlasFlags_NoBakedLines;
-  const fs::path text_path = find_font(text_files), bold_path = find_font(bold_files),
-                 mono_path = find_font(mono_files);
-  const fs::path symbols = find_font(symbol_files);
-  text = add(text_path, symbols, std::round(pixels));
-  bold = bold_path.empty() ? text : add(bold_path, symbols, std::round(pixels));
-  heading = add(bold_path.empty() ? text_path : bold_path, symbols, std::round(pixels * 1.25f));
-  mono = add(mono_path, symbols, std::round(pixels * 0.92f));
-  small = add(mono_path, symbols, std::max(std::min(13.0f, std::round(pixels * 0.84f)), std::round(pixels * 0.76f)));
+  const Found letters = find_face(text_faces), even = find_face(mono_faces), symbols = find_face(symbol_faces),
+              leaning = find_face(variable_faces);
+  Found thick = find_face(bold_faces);
+  if (thick.path.empty()) thick = letters;
+  std::vector<std::pair<ImFont*, float>> heights;
+  const auto with = [&](const Found& found, float size) {
+    ImFont* font = add(found, symbols, std::round(size));
+    if (!found.path.empty()) heights.emplace_back(font, std::round(size));
+    return font;
+  };
+  text = with(letters, pixels);
+  bold = with(thick, pixels);
+  heading = with(thick, pixels * 1.25f);
+  variable = leaning.path.empty() ? text : with(leaning, pixels);
+  mono = with(even, pixels * 0.92f);
+  small = with(even, std::max(std::min(13.0f, std::round(pixels * 0.84f)), pixels * 0.76f));
   ImGui::GetIO().Fonts->Build();
+  for (const auto& [font, height] : heights) font->FontSize = height;
+  for (ImFont* font : {text, bold, heading}) make_tabular(*font);
 
   lacking.clear();
-  if (text_path.empty()) lacking = "No system font was found: install fonts-dejavu-core for readable text.";
-  else if (mono_path.empty()) lacking = "No monospaced font was found: install fonts-dejavu-core for aligned numbers.";
+  if (letters.path.empty())
+    lacking = "No system font was found: install fonts-inter and fonts-dejavu-core for readable text.";
+  else if (even.path.empty()) lacking = "No monospaced font was found: install fonts-dejavu-core for aligned numbers.";
   replace_.clear();
   for (const Substitute& s : substitutes)
     for (const ImFont* font : {text, bold, heading, mono, small})

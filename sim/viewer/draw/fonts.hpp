@@ -1,7 +1,6 @@
 // Typefaces: a system font found at run time, Dear ImGui's built-in one only as the last resort.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,10 +11,11 @@ namespace zstep::viewer {
 struct Fonts {
   ImFont* text = nullptr;  ///< body
   ImFont* bold = nullptr;
-  ImFont* heading = nullptr;  ///< of a lesson's stop
-  ImFont* mono = nullptr;     ///< code and numbers: all digits as wide
-  ImFont* small = nullptr;    ///< monospaced, for cells and legends
-  std::string lacking;        ///< one sentence when something was not found, else empty
+  ImFont* heading = nullptr;   ///< of a lesson's stop
+  ImFont* variable = nullptr;  ///< the letters of a formula
+  ImFont* mono = nullptr;      ///< code and numbers: all digits as wide
+  ImFont* small = nullptr;     ///< monospaced, for cells and legends
+  std::string lacking;         ///< one sentence when something was not found, else empty
 
   /// Builds ImGui's atlas with body text of this many pixels. Looks for fonts in $ZSTEP_FONTS only, when that is set.
   void load(float pixels);
@@ -26,8 +26,5 @@ struct Fonts {
  private:
   std::vector<std::pair<std::string, std::string>> replace_;
 };
-
-/// The first of these files found in the system's font folders; empty when there is none.
-std::filesystem::path find_font(const std::vector<std::string>& file_names);
 
 }  // namespace zstep::viewer

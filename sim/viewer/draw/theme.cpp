@@ -84,4 +84,8 @@ ImU32 ink_on(Pixel32 background) {
   return luminance > std::sqrt(1.05 * 0.05) - 0.05 ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 255, 255, 255);
 }
 
+const Theme& theme_on(Pixel32 background) {
+  return ink_on(background) == IM_COL32(0, 0, 0, 255) ? light_theme() : dark_theme();
+}
+
 }  // namespace zstep::viewer

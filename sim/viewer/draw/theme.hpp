@@ -22,6 +22,8 @@ struct Theme {
 
 const Theme& light_theme();
 const Theme& dark_theme();
+/// The one whose ink is read on this colour.
+const Theme& theme_on(Pixel32 background);
 
 constexpr Pixel32 to_pixel(ImU32 c) { return 0xff000000u | (c & 0xffu) << 16 | (c & 0xff00u) | (c >> 16 & 0xffu); }
 constexpr ImU32 to_im(Pixel32 c) { return 0xff000000u | (c & 0xffu) << 16 | (c & 0xff00u) | (c >> 16 & 0xffu); }

@@ -148,7 +148,7 @@ void Session::select(std::optional<Cell> cell) { selected = cell; }
 void Session::to_finished_picture() {
   go_to(size());
   proposes_why_ = records<PixelWrite>(header());
-  message = proposes_why_ ? "The picture is done. Click a pixel: why has it this colour? Home leads to the first step."
+  message = proposes_why_ ? "The picture is done. Click a pixel: why is it this colour? Home leads to the first step."
                           : "The picture is done. Home leads to the first step.";
 }
 

@@ -148,7 +148,7 @@ class Session {
   Unit unit_ = Unit::event;
   mutable std::optional<std::int64_t> before_;
   mutable std::optional<std::vector<Cell>> changed_, changed_here_;
-  bool told_end_ = false;        ///< of the lesson
+  bool told_end_ = false;  ///< of the lesson
   bool proposes_why_ = false;
   bool told_to_answer_ = false;  ///< the reader wanted to play on from an open question
   int stop_ = -1;

@@ -163,7 +163,8 @@ bool is_told(const TriangleWork& triangle, const RecordedEvent* event, std::int3
 }
 
 /// A cross on each pixel of the box that is known to be on the wrong side of an edge, where nothing stands in it.
-void cross_out(const Ui& ui, const RasterMap& map, ImVec2 origin, const TriangleWork& triangle, bool stands_in) {
+void cross_out(const Ui& ui, const RasterMap& map, ImVec2 origin, const TriangleWork& triangle, bool stands_in,
+               ImU32 color) {
   if (triangle.edges.empty()) return;
   const Picture& picture = ui.session.picture();
   const TriangleSetup& box = *triangle.setup;
@@ -180,7 +181,7 @@ void cross_out(const Ui& ui, const RasterMap& map, ImVec2 origin, const Triangle
         continue;
       for (const double rise : {reach, -reach})
         stroke_line(ImGui::GetWindowDrawList(), moved_by(origin, at_x - reach, at_y + rise),
-                    moved_by(origin, at_x + reach, at_y - rise), ui.colors().muted, 1.2f * ui.thin);
+                    moved_by(origin, at_x + reach, at_y - rise), color, 1.2f * ui.thin);
     }
 }
 
@@ -190,12 +191,13 @@ void paint_half_planes(Canvas& canvas, const RasterMap& map, const Moment& now, 
   if (const TriangleWork* triangle = at_work(now.state(), map)) Painter(canvas, map, now, c, thin).paint(*triangle);
 }
 
-void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words, bool stands_in) {
+void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words, bool stands_in,
+                      const Theme& ink) {
   const State& state = ui.session.state();
   const TriangleWork* triangle = at_work(state, map);
   if (!triangle) return;
   constexpr std::array names{"E\u2080", "E\u2081", "E\u2082"};
-  cross_out(ui, map, origin, *triangle, stands_in);
+  cross_out(ui, map, origin, *triangle, stands_in, ink.muted);
   for (const EdgeFunction& edge : triangle->edges) {
     if (edge.edge_function < 0 || edge.edge_function > 2) continue;
     const auto from = on_raster(ui.session.scene(), state, edge.vertex_0),

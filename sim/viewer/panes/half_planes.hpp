@@ -14,6 +14,6 @@ void paint_half_planes(Canvas& canvas, const RasterMap& map, const Moment& now, 
 
 /// A cross on each pixel that is outside an edge, and E₀, E₁, E₂ beside the edges that are set up. Where something
 /// `stands_in` the pixels that were drawn, crosses only on those that were not.
-void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words, bool stands_in);
+void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words, bool stands_in, const Theme& ink);
 
 }  // namespace zstep::viewer

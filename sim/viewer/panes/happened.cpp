@@ -253,6 +253,7 @@ void draw_happened(Ui& ui) {
   const RecordedEvent* event = ui.session.event();
   if (!ui.session.message.empty()) {
     flow(ui, ui.session.message, {.color = c.now, .font = ui.fonts.bold});
+    if (ui.session.proposes_why()) return;  // of the picture, not of its last step
   }
   if (!event) {
     if (ui.session.size() == 0) return say_empty(ui, "This trace has no events: the run recorded nothing.");

@@ -39,7 +39,7 @@ void name_outlines(const Ui& ui, WordPlaces& words, ImVec2 origin, const std::ve
   constexpr std::size_t most_named = 26;
   if (all.size() > most_named) return;
   for (const auto& [own, name] : all) {
-    if (own.empty()) continue;
+    if (own.empty() || name.empty()) continue;
     const ImVec2 text = text_size(ui, ui.fonts.bold, name);
     const glm::dvec2 half(text.x / 2.0 + 2, text.y / 2.0);
     glm::dvec2 low = own[0], high = own[0];

@@ -12,7 +12,7 @@ namespace zstep::viewer {
 
 struct NamedOutline {
   std::vector<glm::dvec2> outline;  ///< in a picture's pixels; an empty one is left out
-  std::string name;
+  std::string name;                 ///< none: it only keeps others away
 };
 
 /// Each name inside its own outline, on no line, and within as few others as can be; none where there are too many.

@@ -104,7 +104,7 @@ struct View {
 
 /// The piece that the step holds against the plane, or draws; -1 if none.
 std::int32_t piece_now(const Session& s) {
-  if (!s.event()) return -1;
+  if (!s.event() || s.at_rest()) return -1;
   const Event& e = s.event()->event;
   if (const auto* side = get_if<SideTest>(&e)) return side->piece;
   if (const auto* add = get_if<NodeAdd>(&e)) return add->piece;
@@ -245,7 +245,7 @@ void draw_plan(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   if (m.pieces.empty()) return say_empty(ui, "Empty: nothing is gathered yet.");
-  const std::int32_t node = node_at_work(m, s.event() ? &s.event()->event : nullptr);
+  const std::int32_t node = node_now(ui);
   const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   WordPlaces words(ui, top, {top.x + room.x, top.y + room.y});
   View v{ui,
@@ -274,7 +274,7 @@ void draw_plan(Ui& ui) {
 std::string note_of_plan(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
-  const PlaneEquation* plane = plane_of_node(m, node_at_work(m, s.event() ? &s.event()->event : nullptr));
+  const PlaneEquation* plane = plane_of_node(m, node_now(ui));
   if (s.scene().camera.kind == Camera::Kind::screen) return plane ? "seen along the plane" : "";
   return section_of(plane, s.scene().camera.kind).from_above() ? "from above" : "seen along the plane";
 }

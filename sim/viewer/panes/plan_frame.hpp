@@ -9,9 +9,16 @@
 
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/ui.hpp"
+#include "sim/words/pieces.hpp"
 #include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
+
+/// The node of a tree at work; −1 where none is, as where the picture is looked at as a whole.
+inline std::int32_t node_now(const Ui& ui) {
+  const Session& s = ui.session;
+  return ui.still ? -1 : node_at_work(s.state().machine, s.event() ? &s.event()->event : nullptr);
+}
 
 /// From a flat drawing, y upwards, to a part of the window, with a border left free.
 struct PlanFrame {

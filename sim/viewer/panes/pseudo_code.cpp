@@ -222,7 +222,7 @@ Line line_of(Ui& ui, const StepInfo& step, bool now, float level) {
   const auto count = ui.hits.of(step.id);
   Line line;
   line.indent = gutter(ui) + to_float(step.indent) * level;
-  line.hits = count && *count > 0 && ui.laboratory ? grouped(*count) : "";
+  line.hits = count && *count > 0 && (ui.laboratory || ui.session.at_rest()) ? grouped(*count) : "";
   line.hits_width = line.hits.empty() ? 0 : text_size(ui, ui.fonts.small, line.hits).x + ui.em * 0.4f;
   line.how.font = ui.fonts.mono;
   line.how.indent = std::round(std::min(ui.em * 0.9f, width * 0.05f));
@@ -324,14 +324,21 @@ std::vector<bool> few_lines(Ui& ui, const Page& page, std::size_t now, const std
   return shown;
 }
 
+/// None where the picture is looked at as a whole.
+Page::const_iterator line_at_work(const Ui& ui, const Page& page) {
+  const RecordedEvent* event = ui.session.at_rest() ? nullptr : ui.session.event();
+  return std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return event && event->step == step.id; });
+}
+
 /// All of the page where it fits or is asked for, else what is near the line at work.
 std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   std::vector<bool> all(page.size(), true);
-  const RecordedEvent* event = ui.session.event();
-  const auto at_work =
-      std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return event && event->step == step.id; });
-  if (at_work == page.end() || (ui.whole_code && ui.laboratory)) return all;
-  const std::size_t now = at_work - page.begin();
+  auto line = line_at_work(ui, page);
+  if (ui.session.at_rest())  // what ran most often stands for the run
+    line = std::max_element(page.begin(), page.end(),
+                            [&](const StepInfo& a, const StepInfo& b) { return ui.hits.of(a.id) < ui.hits.of(b.id); });
+  if (line == page.end() || (ui.whole_code && ui.laboratory)) return all;
+  const std::size_t now = line - page.begin();
   std::vector<float> heights;
   for (const StepInfo& step : page) heights.push_back(line_of(ui, step, false, level).height);
   if (!ui.laboratory) return few_lines(ui, page, now, heights);
@@ -345,12 +352,12 @@ void draw_pseudo_code(Ui& ui) {
   const Page& page = ui.session.header().page;
   if (page.empty()) return say_empty(ui, "This trace has no step table, so there is no pseudo-code to show.");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  const RecordedEvent* event = ui.session.event();
   const float level = indent_of(ui, page);
   const std::vector<bool> shown = lines_shown(ui, page, level);
+  const auto now = line_at_work(ui, page);
   for (std::size_t i = 0; i < page.size(); ++i) {
     if (shown[i]) {
-      draw_line(ui, page[i], event && event->step == page[i].id, level);
+      draw_line(ui, page[i], now != page.end() && now->id == page[i].id, level);
       continue;
     }
     const std::size_t first = i;
@@ -361,6 +368,7 @@ void draw_pseudo_code(Ui& ui) {
 }
 
 std::string note_of_pseudo_code(Ui& ui) {
+  if (ui.session.at_rest()) return "how often each line ran";
   const RecordedEvent* event = ui.session.event();
   const StepInfo* step = event ? find_step(ui.session.header().page, event->step) : nullptr;
   return step ? step->module + "." + step->name : "";

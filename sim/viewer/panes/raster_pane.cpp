@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -12,13 +13,17 @@
 #include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/lesson.hpp"
 #include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/outline_names.hpp"
 #include "sim/viewer/panes/sweep.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/pieces.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/math/whole.hpp"
 
 namespace zstep::viewer {
 namespace {
+
+constexpr std::size_t most_outlines = 12;
 
 /// The outline of the polygon at work and the edge that is lit, over the cells.
 void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, const std::optional<std::int32_t>& lit,
@@ -38,6 +43,14 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
     for (std::size_t i = 0; i < m.outline.size(); ++i)
       line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, IM_COL32(40, 40, 40, 255), 200);
   }
+  // Of methods that have all polygons at work at once, each faintly, until there are too many.
+  if (map.cell >= 3 && m.outline.empty() && m.pieces.size() <= most_outlines)
+    for (const Piece& piece : m.pieces)
+      for (std::size_t i = 0; i < piece.outline.size() && !piece.cut; ++i) {
+        const std::int32_t from = piece.outline[i], to = piece.outline[(i + 1) % piece.outline.size()];
+        line(from, to, 3, IM_COL32(255, 255, 255, 255), 90);
+        line(from, to, 1, IM_COL32(40, 40, 40, 255), 150);
+      }
   if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
     const EdgeTableInsert& e = m.edge_table[*lit];
     line(e.vertex_0, e.vertex_1, 4, c.selected, 220);
@@ -45,13 +58,14 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
 }
 
 void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const Moment& now,
-           const std::optional<std::int32_t>& lit, const bool& still, const Theme& c, const float& thin) {
+           const std::optional<std::int32_t>& lit, const bool& still, const Theme& ink, const Theme& c,
+           const float& thin) {
   paint_raster(canvas, map, cells.made.colors,
                {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)},
                cells.made.counts.empty() ? nullptr : &cells.made.counts);
   if (!still) {
     draw_geometry(canvas, map, now, lit, c, thin);
-    paint_half_planes(canvas, map, now, c, thin);
+    paint_half_planes(canvas, map, now, ink, thin);
   }
   const int line = nearest_int(thin);
   const int x0 = map.column_begin(0) - line, x1 = map.column_begin(map.width) + line - 1;
@@ -183,10 +197,6 @@ void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   });
 }
 
-}  // namespace
-
-namespace {
-
 /// The scene's vertex or edge that is picked, where the run has brought it to the raster by now.
 void draw_picked(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Session& s = ui.session;
@@ -209,10 +219,6 @@ void draw_picked(Ui& ui, const RasterMap& map, ImVec2 origin) {
   stroke_circle(list, *middle, radius, c.pane, 4 * ui.thin);
   stroke_circle(list, *middle, radius, c.selected, 2 * ui.thin);
 }
-
-}  // namespace
-
-namespace {
 
 /// Cells of a unit that the reader stepped over come one after the other, as they were written: over those to come lies
 /// what was painted before.
@@ -250,10 +256,6 @@ void draw_edge_on_its_way(Ui& ui, const RasterMap& map, ImVec2 origin) {
   fill_circle(list, now, std::round(ui.em * 0.35f), ui.colors().pane);
   fill_circle(list, now, std::round(ui.em * 0.27f), ui.colors().now);
 }
-
-}  // namespace
-
-namespace {
 
 /// The edges of the polygon at work: those in its table, and those that come into it next.
 std::vector<EdgeTableInsert> edges_at_work(const Session& s, std::size_t most) {
@@ -324,7 +326,7 @@ void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::option
 }
 
 /// What the step changed, and where its span ends.
-void mark_changed(Ui& ui, const RasterMap& map, ImVec2 origin) {
+void mark_changed(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional<SpanEnds>& ends) {
   const Theme& c = ui.colors();
   const Session& s = ui.session;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -358,16 +360,51 @@ void mark_changed(Ui& ui, const RasterMap& map, ImVec2 origin) {
       list->AddRectFilled({x1 - arm, y}, {x1, y + line}, c.changed);
     }
   }
-  if (const auto ends = span_ends(ui, map, origin)) draw_span_ends(ui, *ends);
+  if (ends) draw_span_ends(ui, *ends);
 }
 
-}  // namespace
+/// Polygons of which no pixel is drawn yet, inside their outlines, and the letters of vertices where there are few.
+void name_outlines_to_come(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
+  constexpr std::size_t most_letters = 12;
+  const Session& s = ui.session;
+  const MethodState& m = s.state().machine;
+  if (map.cell < 3 || !m.outline.empty() || m.pieces.size() > most_outlines) return;
+  std::vector<NamedOutline> all;
+  std::map<std::int32_t, glm::dvec2> corners;
+  const std::vector<std::int32_t>& drawn = s.picture().polygon;
+  for (std::size_t k = 0; k < m.pieces.size(); ++k) {
+    const Piece& piece = m.pieces[k];
+    if (piece.cut) continue;
+    NamedOutline& one = all.emplace_back();
+    for (const std::int32_t vertex : piece.outline)
+      if (const auto at = on_raster(s.scene(), s.state(), vertex)) {
+        one.outline.emplace_back(map.px(at->x), map.py(at->y));
+        corners.emplace(vertex, one.outline.back());
+      }
+    for (std::size_t c = 0; c < one.outline.size(); ++c) {
+      const auto place = [&](std::size_t corner) {
+        return moved_by(origin, one.outline[corner].x, one.outline[corner].y);
+      };
+      words.keep_line_free(place(c), place((c + 1) % one.outline.size()));
+    }
+    if (std::find(drawn.begin(), drawn.end(), piece.polygon) == drawn.end())
+      one.name = piece_label(s.scene(), m, index32(k));
+  }
+  name_outlines(ui, words, origin, all);
+  if (corners.size() > most_letters) return;
+  glm::dvec2 middle(0);
+  for (const auto& [vertex, at] : corners) middle += at / static_cast<double>(corners.size());
+  for (const auto& [vertex, at] : corners)
+    words.around(vertex_label(s.scene(), vertex), ui.colors().muted, ui.fonts.small, moved_by(origin, at.x, at.y),
+                 at - middle);
+}
 
-void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
+/// Marks over the raster: changed, selected, pointed at, now.
+void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional<SpanEnds>& ends) {
   const Theme& c = ui.colors();
   const Session& s = ui.session;
   draw_pixel_marks(ui, map, origin);
-  if (!ui.still) mark_changed(ui, map, origin);
+  if (!ui.still) mark_changed(ui, map, origin, ends);
   draw_picked(ui, map, origin);
   const float small = map.cell < 8 ? 3.0f : 0.0f;
   if (ui.pointed) frame_cell(ui, map, origin, *ui.pointed, small, 1, c.text);
@@ -381,6 +418,8 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   }
 }
 
+}  // namespace
+
 void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>& cells,
                  const std::function<std::string(std::size_t, int)>& cell_text,
                  const std::function<std::vector<std::string>(Cell)>& cell_tip, const RasterTalk& talk) {
@@ -392,8 +431,10 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
             height = static_cast<int>(avail.y - rulers.below - reserve_below);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, ui.view, width, height);
+  // The frame keeps the scene's background in every theme.
+  const Theme& ink = theme_on(talk.polygons ? opaque(s.scene().background) : to_pixel(ui.colors().empty));
   const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, id, width, height, paint, map, cells, ui.moment(),
-                                            s.lit_edge(), ui.still, ui.colors(), ui.thin);
+                                            s.lit_edge(), ui.still, ink, ui.colors(), ui.thin);
   const ImVec2 end{origin.x + to_float(width), origin.y + to_float(height)};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), origin, end);
 
@@ -412,11 +453,11 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     const bool marks = ui.asks && s.marks_cells();
     const auto asks = ui.asks && !marks && talk.question && s.selected == under ? talk.question(*under) : std::nullopt;
     ui.mouse_help =
-        !ui.asks ? fmt::format("Click: select this pixel in every run. {}", moves)
-        : marks  ? fmt::format("Click: mark {}, or take the mark away. {}",
+        !ui.asks           ? fmt::format("Click: select this pixel in every run. {}", moves)
+        : marks            ? fmt::format("Click: mark {}, or take the mark away. {}",
                               s.marking()->kind == Marking::Kind::pixels ? "this pixel" : "this scan line", moves)
         : s.proposes_why() ? "Click: why this pixel has its colour."
-        : asks   ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
+        : asks             ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
                : fmt::format("Click: select this pixel; F goes to the next step that touches it. Right click: more. {}",
                              moves);
     if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
@@ -428,7 +469,11 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     if (ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.here = lines_of_pixel(s, *under, asks);
   }
   ImGui::PushClipRect(origin, end, true);
-  const auto ends = ui.still ? std::nullopt : span_ends(ui, map, origin);
+  const WidthInCell width_in_cell = [&](std::int32_t x, std::int32_t y) {
+    if (!cell_text || map.cell < numbers_from) return 0.0f;
+    return text_size(ui, ui.fonts.mono, cell_text(s.picture().at(x, y), cells.made.decimals)).x;
+  };
+  const auto ends = ui.still ? std::nullopt : span_ends(ui, map, origin, width_in_cell);
   const auto on_raster_only = [&](double x, double y) {  // beside it stand the rulers
     return moved_by(origin, std::clamp(x, 0.0, 1.0 * width), std::clamp(y, 0.0, 1.0 * height));
   };
@@ -445,11 +490,14 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
       return !is_drawn(low.x, low.y) && !is_drawn(high.x, low.y) && !is_drawn(low.x, high.y) &&
              !is_drawn(high.x, high.y);
     };
-  if (!ui.still && (!has_numbers || talk.polygons)) mark_half_planes(ui, map, origin, words, has_numbers);
-  if (!ui.still && talk.polygons) name_outline(ui, map, origin, ends, words);
+  if (!ui.still && (!has_numbers || talk.polygons)) mark_half_planes(ui, map, origin, words, has_numbers, ink);
+  if (!ui.still && talk.polygons) {
+    name_outline(ui, map, origin, ends, words);
+    name_outlines_to_come(ui, map, origin, words);
+  }
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(words.taken));
   cover_cells_to_come(ui, id, map, origin);
-  draw_marks(ui, map, origin);
+  draw_marks(ui, map, origin, ends);
   draw_edge_on_its_way(ui, map, origin);
   if (ui.asks && s.marks_cells()) draw_hand_marks(ui, map, origin);
   ImGui::PopClipRect();

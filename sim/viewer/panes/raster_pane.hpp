@@ -23,7 +23,4 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
                  const std::function<std::string(std::size_t, int)>& cell_text,
                  const std::function<std::vector<std::string>(Cell)>& cell_tip, const RasterTalk& talk);
 
-/// Marks over the raster: changed, selected, pointed at, now.
-void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin);
-
 }  // namespace zstep::viewer

@@ -194,7 +194,7 @@ void draw_axes(RoomPen& pen, const Moment& now, int viewing, double arrived) {
     glm::dvec3 end(0);
     end[axis] = length;
     pen.line(glm::dvec3(0), end, c.muted, 1.2);
-    pen.word(end, names[axis], c.muted);
+    pen.word(1.06 * end, names[axis], c.muted);
   }
   // Where the eye is, as 000 says it, while points are moved into its coordinates.
   const auto& vertices = now.state().vertices;

@@ -12,18 +12,19 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/file/header.hpp"
+#include "traces/math/whole.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
 
 TakenPlaces SpanEnds::taken() const {
   TakenPlaces all;
-  all.take(line.at, line.size);
+  for (const Box& part : line) all.take(part.at, part.size);
   for (const Box& stroke : strokes) all.take(stroke.at, stroke.size);
   return all;
 }
 
-std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 origin) {
+std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 origin, const WidthInCell& width) {
   const auto& span = ui.session.state().machine.span;
   constexpr double least_cell = 3;
   if (!span || map.cell < least_cell || !std::isfinite(span->x_left) || !std::isfinite(span->x_right))
@@ -35,14 +36,28 @@ std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 ori
                 origin.y + static_cast<float>(at.end),
                 {},
                 {}};
-  const float thick = std::round(2 * ui.thin), cell = static_cast<float>(map.cell);
-  // Above and below what stands in a pixel, on both sides of the row's borders.
-  const float reach = std::clamp((cell - 1.2f * ui.fonts.bold->FontSize) / 2 - thick, thick, cell / 2);
-  ends.line = {{std::min(ends.left, ends.right), ends.end - thick}, {std::abs(ends.right - ends.left), thick}};
+  const float thick = std::round(2 * ui.thin), cell = static_cast<float>(map.cell),
+              row = std::round(origin.y + static_cast<float>(map.py(span->y)) - thick / 2);
+  // Up to what stands in a pixel, and on behind it.
+  float from = std::min(ends.left, ends.right);
+  const float to = std::max(ends.left, ends.right);
+  const auto draw_to = [&](float x) {
+    if (x > from) ends.line.push_back({{from, row}, {x - from, thick}});
+  };
+  for (std::int32_t x = std::max(0, floor_int((static_cast<double>(from - origin.x) - map.left) / map.cell));
+       width && x < map.width && origin.x + static_cast<float>(map.px(x - 0.5)) < to; ++x) {
+    const float letters = width(x, span->y);
+    if (letters == 0) continue;
+    const float middle = origin.x + static_cast<float>(map.px(x)), half = letters / 2 + 2 * ui.thin;
+    draw_to(std::min(to, middle - half));
+    from = std::max(from, middle + half);
+  }
+  draw_to(to);
+  const float reach = std::clamp((cell - 1.2f * ui.fonts.bold->FontSize) / 2, thick, cell / 2);
   std::size_t made = 0;
   for (const float x : {ends.left, ends.right})
-    for (const float y : {ends.top, ends.end})
-      ends.strokes[made++] = {{std::round(x - thick / 2), y - reach}, {thick, 2 * reach}};
+    for (const float y : {ends.top, ends.end - reach})
+      ends.strokes[made++] = {{std::round(x - thick / 2), y}, {thick, reach}};
   return ends;
 }
 
@@ -52,7 +67,7 @@ void draw_span_ends(const Ui& ui, const SpanEnds& ends) {
     ImGui::GetWindowDrawList()->AddRectFilled({box.at.x - around, box.at.y},
                                               {box.at.x + box.size.x + around, box.at.y + box.size.y}, color);
   };
-  fill(ends.line, 0, c.now);
+  for (const SpanEnds::Box& part : ends.line) fill(part, 0, c.now);
   for (const SpanEnds::Box& stroke : ends.strokes) fill(stroke, std::round(ui.thin), c.pane), fill(stroke, 0, c.now);
 }
 

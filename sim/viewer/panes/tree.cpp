@@ -7,6 +7,7 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/plan_frame.hpp"
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
@@ -18,7 +19,6 @@ namespace {
 constexpr std::size_t largest_drawn = 24;  // nodes
 constexpr std::size_t longest_path = 400;  // rows; of a longer one those next to the node at work
 
-const Event* event_of(const Session& s) { return s.event() ? &s.event()->event : nullptr; }
 std::size_t at(std::int32_t number) { return number; }
 
 /// Nodes of each subtree. A child is made after its parent, so it has the larger number.
@@ -110,7 +110,7 @@ void draw_whole(Ui& ui) {
   const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   const std::vector<Place> places = places_of(m.tree);
-  const std::int32_t now = node_at_work(m, event_of(s));
+  const std::int32_t now = node_now(ui);
   int rows = 1;
   for (const Place& place : places) rows = std::max(rows, place.row + 1);
 
@@ -182,7 +182,7 @@ std::vector<TableRow> path_rows(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   const std::vector<std::int32_t> sizes = subtree_sizes(m.tree);
-  const std::int32_t now = node_at_work(m, event_of(s));
+  const std::int32_t now = node_now(ui);
   std::vector<std::int32_t> path;
   for (std::int32_t node = now; node >= 0 && at(node) < m.tree.size(); node = m.tree[at(node)].parent) {
     path.push_back(node);

@@ -12,6 +12,7 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/happened.hpp"
 #include "sim/words/owners.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::viewer {
 
@@ -20,6 +21,20 @@ std::string below_symbol(const words::Notation& symbol) {
   std::replace(text.begin(), text.end(), '_', ',');
   return text;
 }
+
+namespace {
+
+/// A variable of one letter leans, as z* does; names stand, as words and numbers do, and the capitals of planes and
+/// polygons.
+const ImFont* letters_of(const Ui& ui, const words::Notation& what) {
+  const auto stars = std::count(what.text.begin(), what.text.end(), '*');
+  const auto signs = std::count_if(what.text.begin(), what.text.end(), [](char c) { return !continues_character(c); });
+  const bool capital = !what.text.empty() && what.text[0] >= 'A' && what.text[0] <= 'Z';
+  return what.kind == words::Notation::Kind::symbol && signs - stars == 1 && !capital ? ui.fonts.variable
+                                                                                      : ui.fonts.text;
+}
+
+}  // namespace
 
 float gap_at_bar(const Ui& ui) { return std::round(ui.em * 0.12f) + 1; }
 
@@ -98,7 +113,7 @@ void stack_sum(const Ui& ui, FormulaBox& sum, float room) {
 }  // namespace
 
 FormulaBox box_of(const Ui& ui, words::Notation what) {
-  const ImFont *text = ui.fonts.text, *small = ui.fonts.small;
+  const ImFont *text = letters_of(ui, what), *small = ui.fonts.small;
   FormulaBox box;
   const float line = text->FontSize;
   if (what.kind == words::Notation::Kind::row || what.kind == words::Notation::Kind::fraction) {
@@ -120,15 +135,6 @@ FormulaBox box_of(const Ui& ui, words::Notation what) {
   return box;
 }
 
-void match_boxes(const Ui& ui, FormulaBox& one, FormulaBox& other) {
-  if (one.parts.size() != other.parts.size() || one.parts.empty()) {
-    one.width = other.width = std::max(one.width, other.width);
-    return;
-  }
-  for (std::size_t at = 0; at < one.parts.size(); ++at) match_boxes(ui, one.parts[at], other.parts[at]);
-  enclose_parts(ui, one), enclose_parts(ui, other);
-}
-
 void narrow_box(const Ui& ui, FormulaBox& box, float room) {
   if (box.width <= room) return;
   const bool fraction = box.what.kind == words::Notation::Kind::fraction;
@@ -148,7 +154,6 @@ struct Pen {
   Ui& ui;
   const Flow& how;
   ImU32 color;
-  const ImFont* face;
   const std::vector<std::int32_t>& owners;  ///< whose numbers are underlined
 };
 
@@ -201,7 +206,7 @@ void draw(const Pen& pen, const FormulaBox& box, ImVec2 at, float axis) {
     }
     return;
   }
-  const ImFont* text = pen.face;
+  const ImFont* text = letters_of(ui, box.what);
   const float line = text->FontSize;
   if ((opens_bracket(box.what) || closes_bracket(box.what)) && box.above + box.below > 1.5f * line)
     return draw_tall_bracket(pen, box, at, axis);
@@ -342,14 +347,6 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, con
       // Not alone on its line, what fits behind the name.
       if (x > hang || under) rows.emplace_back(), x = hang;
     }
-    if (whole > width && !narrowed && alike(at + 1)) {
-      FormulaBox wider = side, next = sides[at + 1];
-      match_boxes(ui, wider, next);
-      if (hang + equals + wider.width <= width) {
-        if (x + equals + wider.width > width && x > hang) rows.emplace_back(), x = hang;
-        side = std::move(wider), sides[at + 1] = std::move(next);
-      }
-    }
     if (widest_of(pieces_of(ui, side)) > behind_name) {
       // There is more room behind a sign that begins a line.
       if (!rows.back().placed.empty()) rows.emplace_back();
@@ -388,7 +385,7 @@ void set_formula(Ui& ui, const std::string& line, const Flow& how, const std::ve
   float y = origin.y;
   for (const Row& row : rows) {
     for (const Placed& placed : row.placed) {
-      const Pen pen{ui, how, placed.result && how.color == 0 ? ui.colors().now : color, ui.fonts.text, owners};
+      const Pen pen{ui, how, placed.result && how.color == 0 ? ui.colors().now : color, owners};
       draw(pen, placed.box, {std::floor(origin.x + placed.x), 0}, y + row.above);
     }
     y += row.above + row.below + leading(ui);

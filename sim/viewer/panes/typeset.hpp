@@ -21,8 +21,6 @@ struct FormulaBox {
 };
 
 FormulaBox box_of(const Ui& ui, words::Notation what);
-/// Makes room alike for what stands at the same place of both.
-void match_boxes(const Ui& ui, FormulaBox& one, FormulaBox& other);
 /// Makes its fractions no wider than the room, as far as their sums can be broken: they go on in lines below, each with
 /// its sign in front.
 void narrow_box(const Ui& ui, FormulaBox& box, float room);

@@ -310,11 +310,13 @@ void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step, double arri
                                 pen.room)
                   : glm::mix(was, is, arrived);
     }
-    pen.line(glm::mix(glm::dvec3(before[3]), glm::dvec3(after[3]), arrived), now, c.now, 2.4);
-    pen.word(now, (stays ? name_of(name, step - 1) + " = " : "") + name_of(name, step), c.now);
+    const glm::dvec3 origin = glm::mix(glm::dvec3(before[3]), glm::dvec3(after[3]), arrived);
+    const auto beyond = [](glm::dvec3 from, glm::dvec3 tip) { return tip + 0.06 * (tip - from); };
+    pen.line(origin, now, c.now, 2.4);
+    pen.word(beyond(origin, now), (stays ? name_of(name, step - 1) + " = " : "") + name_of(name, step), c.now);
     if (stays) continue;
     pen.line(glm::dvec3(before[3]), was, c.text, 1.4, true);
-    pen.word(was, name_of(name, step - 1), c.text);
+    pen.word(beyond(glm::dvec3(before[3]), was), name_of(name, step - 1), c.text);
   }
 }
 
