@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -29,6 +29,7 @@
 #include "traces/file/jsonl.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/file/written.hpp"
+#include "traces/math/portable_math.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/text.hpp"
 
@@ -105,9 +106,13 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 std::optional<double> number_in(std::string_view cell) {
   double value = 0;
   if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
-  const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (fault != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
-  return value;
+  if (!cell.empty() && read_number(cell, value) == cell.size()) return value;
+  // As C prints them: inf and nan.
+  const std::string word(cell);
+  if (word.empty() || word.find_first_of("0123456789") != word.npos) return std::nullopt;
+  char* end = nullptr;
+  value = std::strtod(word.c_str(), &end);
+  return *end == '\0' ? std::optional(value) : std::nullopt;
 }
 
 /// A cell as its field has it; throws InputError without a place.

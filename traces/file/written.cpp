@@ -5,11 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include "traces/events/fields.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep {
 
@@ -37,7 +39,7 @@ double moved_by(double number, double by) {
       std::to_chars(text.data(), text.data() + text.size(), moved, std::chars_format::fixed, static_cast<int>(decimals))
           .ptr;
   double printed = moved;
-  std::from_chars(text.data(), last, printed);
+  read_number(std::string_view(text.data(), static_cast<std::size_t>(last - text.data())), printed);
   return printed;
 }
 
