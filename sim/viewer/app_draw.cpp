@@ -76,7 +76,7 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
     parts.push_back("polygon " + polygon_label(session_.scene(), state.machine.polygon));
   if (state.machine.horizon.curve) parts.push_back(fmt::format("curve {}", state.machine.horizon.curve->curve));
   if (state.machine.horizon.test) parts.push_back(fmt::format("column {}", state.machine.horizon.test->x));
-  if (state.machine.scan_line) parts.push_back(fmt::format("line {}", *state.machine.scan_line));
+  if (state.machine.scan_line) parts.push_back(fmt::format("scan line {}", *state.machine.scan_line));
   if (const auto cell = session_.current_cell()) parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));
   const Scene& scene = session_.scene();
   if (race_shown_) parts = {race().place_text()};

@@ -32,9 +32,9 @@ void App::draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 a
   if (title_width + 2 * pad <= size.x) draw_text(ui_, {at.x + pad, y}, font, c.text, title);
   const std::string note =
       pane.note && (!ui_.presenter || session_.looking_back || pane.id == lesson_pane.id) ? pane.note(ui) : "";
-  const float note_width = text_size(ui_, font, note).x;
+  const float note_width = label_size(ui_, font, note).x;
   if (!note.empty() && title_width + note_width + 3 * pad + ui_.em <= size.x)
-    draw_text(ui_, {at.x + size.x - pad - note_width, y}, font, session_.looking_back ? c.now : c.muted, note);
+    draw_label(ui_, {at.x + size.x - pad - note_width, y}, font, session_.looking_back ? c.now : c.muted, note);
   draw_pane_body(ui, pane, {at.x, at.y + head}, {size.x, size.y - head});
   frame_box(ui_, at, {at.x + size.x, at.y + size.y}, c.rule);
 }

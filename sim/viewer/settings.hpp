@@ -22,7 +22,7 @@ struct Layout {
   float frame = 0.5f;                       ///< width of the first of two panes that lead
   float table = 0.58f;                      ///< the same beside a table
   float both = 0.62f;                       ///< height of two runs' frames above what they live by
-  float lesson = 0.24f;                     ///< width of the words in a lesson's layout
+  float lesson = 0.235f;                    ///< width of the words in a lesson's layout
   float drawer_width = 0.25f;               ///< of the drawer beside the stage
   float drawer_height = 0.3f;               ///< of the drawer below it
   std::map<std::string, float> structures;  ///< weights by pane id

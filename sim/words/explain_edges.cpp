@@ -153,8 +153,8 @@ void tell(Telling& t, const EdgeEnter& e) {
   }
   if (const EdgeTableInsert* entry = t.at.edge(e.edge)) {
     t.owns("x", t.about), t.owns(t.along, t.about);
-    t.formula(fmt::format("x = {}, {} = {}; it leaves at y = {}", number(entry->x_edge), t.along, number(entry->z_edge),
-                          entry->end_row));
+    t.formula(fmt::format("x = {}, {} = {}; {} leaves at y = {}", number(entry->x_edge), t.along, number(entry->z_edge),
+                          brief(t, e.edge), entry->end_row));
     t.value("x", entry->x_edge);
     t.value(t.along, entry->z_edge);
   }
@@ -165,8 +165,8 @@ void tell(Telling& t, const EdgeRetire& e) {
   const EdgeTableInsert* entry = t.at.edge(e.edge);
   if (!entry || !t.machine.scan_line) return;
   const std::int32_t y = *t.machine.scan_line, end = entry->end_row;
-  t.formula(y >= end ? fmt::format("y = {}; it leaves at y = {}", y, end)
-                     : fmt::format("y + 1 = {}; it leaves at y = {}", y + 1, end));
+  const std::string leaves = fmt::format("{} leaves at y = {}", brief(t, e.edge), end);
+  t.formula(y >= end ? fmt::format("{}: y = {}", leaves, y) : fmt::format("{}: y + 1 = {}", leaves, y + 1));
   if (y != end && y + 1 != end)
     return t.contradict(with_capital(fmt::format(
         "{} leaves the active edge list at scan line {}, though it is to leave at {}.", named(t, e.edge), y, end)));

@@ -180,15 +180,16 @@ std::string normal_of(std::size_t corners) {
 
 /// The test in its four formulations.
 void formulas_of_facing(Telling& t, const FacingTest& e) {
-  const auto sign = [](double v) { return v < 0 ? " < 0" : v > 0 ? " > 0" : ""; };
+  const bool edge_on = e.facing == Facing::edge_on;  // what is left then is rounding
+  const auto sign = [&](double v) { return v == 0 ? "" : edge_on ? ", 0 but for rounding" : v < 0 ? " < 0" : " > 0"; };
   const bool parallel = t.at.camera && t.at.camera->kind == Camera::Kind::orthographic;
   const std::size_t corners = formulas::detail::corners_of(t.at, t.machine.facet).size();
   if (corners >= 3) t.formula(normal_of(corners));
   t.formula(fmt::format("{}\u00b7n = {}{}   positive faces away", parallel ? "line of sight" : "(p \u2212 e)",
                         number(e.view_dot_normal), sign(e.view_dot_normal)),
             "view_dot_normal");
-  t.formula(fmt::format("{} at the eye = {}   (A, B, C) = n; negative faces away",
-                        plane_in_symbols(world_names, parallel ? "" : "D"), number(e.plane_at_eye)),
+  t.formula(fmt::format("{} at the eye = {}   negative faces away", plane_in_symbols(world_names, parallel ? "" : "D"),
+                        number(e.plane_at_eye)),
             "plane_at_eye");
   formulas_of_determinant(t, e);
   t.formula(fmt::format("n_z after projection = {}   {} faces away", number(e.projected_normal_z),

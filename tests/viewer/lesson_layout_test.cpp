@@ -56,6 +56,12 @@ double ground_share(App& app) {
   return static_cast<double>(empty) / all;
 }
 
+/// Letters that stand far apart may be read as two words.
+std::string without_blanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place, and nothing is said twice") {
@@ -67,8 +73,10 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
     CAPTURE(lesson.id);
     // Lines of code may begin alike, and are broken where the pane ends.
     const auto may_be_said = [&](const std::string& words) {
-      const auto begin_so = std::count_if(trace.header().page.begin(), trace.header().page.end(),
-                                          [&](const StepInfo& step) { return step.text.starts_with(words); });
+      const auto begin_so =
+          std::count_if(trace.header().page.begin(), trace.header().page.end(), [&](const StepInfo& step) {
+            return without_blanks(step.text).starts_with(without_blanks(words));
+          });
       return std::max<std::ptrdiff_t>(1, begin_so);
     };
     for (const Shown& look : looks) {

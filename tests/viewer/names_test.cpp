@@ -38,8 +38,8 @@ TEST_CASE("edges have the names of the edge table at the outline, those that com
     for (const char* name : {"e1", "e2", "e3", "e4", "e5"}) CHECK(first.count(name) == 1);
     CHECK(first.count("e0") >= 1);
     const Shown span = words_at("edge-table", 12, presenter);
-    CHECK(span.count("x_L") == 1);
-    CHECK(span.count("x_R") == 1);
+    CHECK(span.count("L") == 1);  // below an x
+    CHECK(span.count("R") == 1);
     // At the outline and among the active edges; in the table, too, where it stands apart from its scan line.
     CHECK(span.count("e0") == (presenter ? 2 : 3));
   }

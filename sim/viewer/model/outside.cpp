@@ -120,13 +120,25 @@ Box around(const std::vector<glm::dvec3>& points) {
   return box;
 }
 
-/// Brighter where light from above meets a face, never so dark that its colour is another.
+/// So much of its light, never so little that its colour is another.
+Color dimmed(Color color, double share) {
+  const auto part = [&](std::uint8_t value) { return nearest_byte(value * share); };
+  return {part(color.red), part(color.green), part(color.blue)};
+}
+
+/// Brighter where light from above meets a face.
 Color shaded(Color color, glm::dvec3 normal) {
   const double length = glm::length(normal);
   const glm::dvec3 light = glm::normalize(glm::dvec3(0.35, -0.5, 0.8));
-  const double share = length > 0 ? 0.72 + 0.28 * std::abs(glm::dot(normal / length, light)) : 1;
-  const auto part = [&](std::uint8_t value) { return nearest_byte(value * share); };
-  return {part(color.red), part(color.green), part(color.blue)};
+  return dimmed(color, length > 0 ? 0.72 + 0.28 * std::abs(glm::dot(normal / length, light)) : 1);
+}
+
+/// Of a scene with a light of its own: brighter where that meets the side which the eye sees.
+Color lit(Color color, glm::dvec3 normal, glm::dvec3 to_light, glm::dvec3 to_eye) {
+  const double lengths = glm::length(normal) * glm::length(to_light);
+  if (!(lengths > 0)) return color;
+  const double cosine = glm::dot(normal, to_light) / lengths * (glm::dot(normal, to_eye) < 0 ? -1 : 1);
+  return dimmed(color, 0.5 + 0.5 * std::max(0.0, cosine));
 }
 
 glm::dvec3 normal_of(const Scene& scene, const Facet& facet) {
@@ -161,11 +173,19 @@ Room::Room(const Scene& scene, bool by_lamp)
   low_ = box.low, high_ = box.high;
   for (const Facet& facet : polygons_.facets) {
     Polygon& polygon = polygons_.polygons[facet.polygon];
-    polygon.color = shaded(scene.polygons[facet.polygon].color, normal_of(polygons_, facet));
+    const Color own = scene.polygons[facet.polygon].color;
+    const glm::dvec3 normal = normal_of(polygons_, facet), at = polygons_.points[polygons_.corners[facet.first_corner]];
+    polygon.color =
+        scene.light && has_eye() ? lit(own, normal, scene.light->position - at, camera_.eye - at) : shaded(own, normal);
   }
-  for (int corner = 0; corner < 8; ++corner)
-    marks_.emplace_back((corner & 1) ? low_.x : high_.x, (corner & 2) ? low_.y : high_.y,
-                        (corner & 4) ? low_.z : high_.z);
+  constexpr std::size_t few = 200;  // points; of more, the corners of their box
+  if (!scene.points.empty() && polygons_.points.size() <= few) {
+    marks_ = polygons_.points;
+  } else {
+    for (int corner = 0; corner < 8; ++corner)
+      marks_.emplace_back((corner & 1) ? low_.x : high_.x, (corner & 2) ? low_.y : high_.y,
+                          (corner & 4) ? low_.z : high_.z);
+  }
   if (!screen) {
     double farthest = 0;
     for (const glm::dvec3& point : marks_) farthest = std::max(farthest, (camera_.view * glm::dvec4(point, 1)).z);
@@ -267,7 +287,7 @@ Outside::Outside(const Room& room, const Look& look, int width, int height) {
       const glm::dvec4 v = view * glm::dvec4(point, 1);
       flat.include({v.x / v.z, v.y / v.z, 0});
     }
-    half = std::max({(flat.high.y - flat.low.y) / 2, (flat.high.x - flat.low.x) / 2 / aspect, 1e-9}) * 1.1;
+    half = std::max({(flat.high.y - flat.low.y) / 2, (flat.high.x - flat.low.x) / 2 / aspect, 1e-9}) * 1.08;
     const glm::dvec3 middle = (flat.low + flat.high) / 2.0 * distance;
     target += middle.x * glm::dvec3(view[0][0], view[1][0], view[2][0]) +
               middle.y * glm::dvec3(view[0][1], view[1][1], view[2][1]);

@@ -60,6 +60,7 @@ Session::Session(const Trace& trace, const Lesson* lesson)
       chosen_(lesson ? lesson->stops.size() : 0),
       marks_(chosen_.size()) {
   stop_ = stop_at(0);
+  arrived();
 }
 
 void Session::go_to(std::int64_t position, Unit unit) {
@@ -88,6 +89,9 @@ void Session::arrived() {
   told_to_answer_ = false;
   proposes_why_ = false;
   message.clear();
+  asked_.reset();
+  const Stop* stop = speaks() ? &lesson_->stops[stop_] : nullptr;
+  if (stop && stop->question && stop->about > position()) asked_ = trace_.event(stop->about);
 }
 
 void Session::move(Unit unit, int direction) {
@@ -208,6 +212,12 @@ std::optional<Cell> Session::current_cell() const {
   if (!event()) return std::nullopt;
   if (const auto pixel = pixel_of(event()->event)) return Cell{pixel->x, pixel->y};
   return std::nullopt;
+}
+
+std::optional<Cell> Session::cell_looked_at() const {
+  if (asked_)
+    if (const auto pixel = pixel_of(asked_->event)) return Cell{pixel->x, pixel->y};
+  return current_cell();
 }
 
 // --- Lesson

@@ -66,6 +66,10 @@ class Session {
   bool looking_back = false;                 ///< show the buffers as they were at before()
   const Picture& picture() const;            ///< the buffers, or those of before()
   std::optional<Cell> current_cell() const;  ///< the pixel of the current event, or that at work
+  /// The step before which the lesson's stop asks what it will do; none where it does not.
+  const std::optional<RecordedEvent>& event_in_question() const { return asked_; }
+  /// The pixel that the reader looks at: that of the step in question, or else the current one.
+  std::optional<Cell> cell_looked_at() const;
 
   // --- Lesson
   int stop() const { return stop_; }  ///< index of the stop that speaks, −1 before the first
@@ -150,6 +154,7 @@ class Session {
   mutable std::optional<std::vector<Cell>> changed_, changed_here_;
   bool told_end_ = false;  ///< of the lesson
   bool proposes_why_ = false;
+  std::optional<RecordedEvent> asked_;
   bool told_to_answer_ = false;  ///< the reader wanted to play on from an open question
   int stop_ = -1;
   std::vector<std::optional<int>> chosen_;

@@ -105,10 +105,13 @@ void name_pieces(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words)
 void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
   for (const AreaRow& row : ui.session.state().machine.areas) {
     if (!row.decided || !has_pixels(row.entry)) continue;
-    const std::string sign = sign_of(row.decided->what);
+    std::string sign = sign_of(row.decided->what);
     const Box b = box_of(map, row.entry);
     const auto width = to_float(b.right - b.left), height = to_float(b.bottom - b.top);
     const ImVec2 middle = moved_by(origin, (b.left + b.right) / 2.0, (b.top + b.bottom) / 2.0);
+    // Areas have numbers, too.
+    const bool numbered = row.decided->what != AreaCase::pixel && !sign.empty();
+    if (numbered && text_size(ui, ui.fonts.bold, "case " + sign).x + 6 <= width) sign = "case " + sign;
     for (const ImFont* font : {ui.fonts.bold, ui.fonts.small}) {
       const ImVec2 size = text_size(ui, font, sign);
       if (sign.empty() || size.x + 6 > width || size.y + 2 > height) continue;

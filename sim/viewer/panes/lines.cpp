@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/model/outside.hpp"
 #include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
@@ -75,6 +76,12 @@ void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const 
   const MethodState& m = now.state().machine;
   const double thin = weight;
   canvas.fill(to_pixel(c.pane));
+  // The whole wireframe, faintly, so that it is seen what an edge belongs to.
+  constexpr std::size_t most_corners = 20'000;
+  if (now.scene().corners.size() <= most_corners)
+    for (const auto& [from, to] : edges_of(now.scene()))
+      if (const auto e = ends_of(now, map, {0, from, to, -1, -1, LineKind::inner}))
+        canvas.line(e->x0, e->y0, e->x1, e->y1, thin, to_pixel(c.rule));
   draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
   for (const LineRow& row : m.lines)
     draw_pieces(now, canvas, map, row, 1.6 * thin, to_pixel(c.text), to_pixel(c.muted));
@@ -323,16 +330,15 @@ void shade_hidden(const HorizonWork& work, Canvas& canvas, const RasterMap& map,
   }
 }
 
-/// One horizon, from column to column; a level piece where a neighbour has none. The lower one is dashed.
+/// One horizon: a level piece a column, and thin risers between. The lower one is dashed.
 void draw_horizon(const std::vector<double>& horizon, Canvas& canvas, const RasterMap& map, bool dashed,
                   double thickness, Pixel32 color) {
   for (std::size_t x = 0; x < horizon.size(); ++x) {
     if (!std::isfinite(horizon[x])) continue;
     const double at = map.px(static_cast<double>(x)), y = map.py(horizon[x]), half = map.cell / 2;
-    const bool joined = x + 1 < horizon.size() && std::isfinite(horizon[x + 1]);
-    const bool alone = !joined && (x == 0 || !std::isfinite(horizon[x - 1]));
-    if (joined && !(dashed && x % 2 == 1)) canvas.line(at, y, at + map.cell, map.py(horizon[x + 1]), thickness, color);
-    if (alone) canvas.line(at - half, y, at + half, y, thickness, color);
+    canvas.line(at - half, y, dashed ? at : at + half, y, thickness, color);
+    if (x + 1 < horizon.size() && std::isfinite(horizon[x + 1]))
+      canvas.line(at + half, y, at + half, map.py(horizon[x + 1]), 0.4 * thickness, color);
   }
 }
 
@@ -371,7 +377,15 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
   const HorizonWork& work = s.state().machine.horizon;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const auto place = [&](double x, double y) { return moved_by(at, map.px(x), map.py(y)); };
-  if (work.test) {
+  if (const auto& asked = s.event_in_question()) {
+    if (const auto* test = get_if<HorizonTest>(&asked->event)) {
+      const ImVec2 size = text_size(ui, ui.fonts.bold, "?"), spot = place(test->x, test->y_curve);
+      stroke_line(list, place(test->x, -0.5), place(test->x, map.height - 0.5), c.now, ui.thin);
+      const ImVec2 low{spot.x - size.x / 2, spot.y - size.y / 2};
+      list->AddRectFilled({low.x - 2, low.y}, {low.x + size.x + 2, low.y + size.y}, c.pane);
+      draw_text(ui, low, ui.fonts.bold, c.now, "?");
+    }
+  } else if (work.test) {
     const HorizonTest& now = *work.test;
     const ImVec2 top = place(now.x, -0.5), bottom = place(now.x, map.height - 0.5);
     stroke_line(list, top, bottom, c.now, ui.thin);
@@ -430,8 +444,7 @@ void draw_horizons(Ui& ui) {
   const ImFont* font = ui.fonts.small;
   const float legend = std::round(font->FontSize * 1.3f);
   const Rulers rulers = room_for_rulers(ui, s.scene().raster);
-  const int width = static_cast<int>(avail.x - rulers.left),
-            height = static_cast<int>(avail.y - rulers.below - legend);
+  const int width = static_cast<int>(avail.x - rulers.left), height = static_cast<int>(avail.y - rulers.below - legend);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width, height);
   const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "horizons", width, height, paint_horizons, map, ui.moment(),

@@ -200,11 +200,10 @@ std::vector<CodeLine> code_lines(const std::string& code, int columns) {
 namespace {
 
 /// How far in a level stands: the deepest line of the page keeps most of the pane for its words.
-float indent_of(const Ui& ui, const Page& page) {
+float indent_of(const Ui& ui, const Page& page, float width) {
   int deepest = 1;
   for (const StepInfo& step : page) deepest = std::max(deepest, static_cast<int>(step.indent));
-  return std::max(3.0f,
-                  std::round(std::min(ui.em * 0.8f, ImGui::GetContentRegionAvail().x * 0.22f / to_float(deepest))));
+  return std::max(3.0f, std::round(std::min(ui.em * 0.8f, width * 0.22f / to_float(deepest))));
 }
 
 float gutter(const Ui& ui) { return std::round(ui.em * 1.15f); }
@@ -216,9 +215,8 @@ struct Line {
   std::string hits;
   float hits_width;
 };
-Line line_of(Ui& ui, const StepInfo& step, bool now, float level) {
+Line line_of(Ui& ui, const StepInfo& step, bool now, float level, float width) {
   const Theme& c = ui.colors();
-  const float width = ImGui::GetContentRegionAvail().x;
   const auto count = ui.hits.of(step.id);
   Line line;
   line.indent = gutter(ui) + to_float(step.indent) * level;
@@ -235,7 +233,7 @@ Line line_of(Ui& ui, const StepInfo& step, bool now, float level) {
 void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
   const Theme& c = ui.colors();
   const float width = ImGui::GetContentRegionAvail().x;
-  const auto [how, indent, height, hits, hits_width] = line_of(ui, step, now, level);
+  const auto [how, indent, height, hits, hits_width] = line_of(ui, step, now, level, width);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(step.id);
   const bool clicked = ImGui::InvisibleButton("line", {width, height});
@@ -333,14 +331,12 @@ Page::const_iterator line_at_work(const Ui& ui, const Page& page) {
 /// All of the page where it fits or is asked for, else what is near the line at work.
 std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   std::vector<bool> all(page.size(), true);
-  auto line = line_at_work(ui, page);
-  if (ui.session.at_rest())  // what ran most often stands for the run
-    line = std::max_element(page.begin(), page.end(),
-                            [&](const StepInfo& a, const StepInfo& b) { return ui.hits.of(a.id) < ui.hits.of(b.id); });
+  const auto line = line_at_work(ui, page);
   if (line == page.end() || (ui.whole_code && ui.laboratory)) return all;
   const std::size_t now = line - page.begin();
   std::vector<float> heights;
-  for (const StepInfo& step : page) heights.push_back(line_of(ui, step, false, level).height);
+  for (const StepInfo& step : page)
+    heights.push_back(line_of(ui, step, false, level, ImGui::GetContentRegionAvail().x).height);
   if (!ui.laboratory) return few_lines(ui, page, now, heights);
   // With room to spare: counts beside the lines grow, and the page must not fold for that.
   const float room = ImGui::GetContentRegionAvail().y - ui.line();
@@ -348,11 +344,57 @@ std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   return lines_that_fit(page, now, heights, fold_height(ui), room);
 }
 
+/// What ran most often stands for the run.
+std::size_t busiest_line(const Ui& ui, const Page& page) {
+  return static_cast<std::size_t>(
+      std::max_element(page.begin(), page.end(),
+                       [&](const StepInfo& a, const StepInfo& b) { return ui.hits.of(a.id) < ui.hits.of(b.id); }) -
+      page.begin());
+}
+
+/// How often each line ran, in as many columns as there is room for; what is farthest from the busiest line gives way.
+void draw_counts(Ui& ui, const Page& page) {
+  const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+  const int columns = std::clamp(static_cast<int>(room.x / (24 * ui.em)), 1, 3);
+  const float width = std::floor(room.x / to_float(columns)), level = indent_of(ui, page, width), inner = width - ui.em;
+  std::vector<float> heights;
+  for (const StepInfo& step : page) heights.push_back(line_of(ui, step, false, level, inner).height);
+  ui.text_heights[pseudo_code_pane.id] = {std::accumulate(heights.begin(), heights.end(), 0.0f), ui.read_now()};
+  const std::size_t busiest = busiest_line(ui, page);
+  // The lines in each column, or none where they do not fit.
+  const auto filled = [&](std::size_t first, std::size_t end) {
+    std::vector<std::size_t> ends;
+    float used = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      if (used + heights[i] > room.y && used > 0) ends.push_back(i), used = 0;
+      used += heights[i];
+    }
+    ends.push_back(end);
+    return ends;
+  };
+  std::size_t first = 0, end = page.size();
+  while (filled(first, end).size() > static_cast<std::size_t>(columns) && end - first > 1)
+    if (busiest - first > end - 1 - busiest) ++first;
+    else --end;
+  std::size_t at = first;
+  int column = 0;
+  for (const std::size_t last : filled(first, end)) {
+    ImGui::SetCursorScreenPos({corner.x + to_float(column) * width, corner.y});
+    ImGui::BeginChild(fmt::format("column {}", column++).c_str(), {inner, room.y}, false, ImGuiWindowFlags_NoScrollbar);
+    for (; at < last; ++at) draw_line(ui, page[at], false, level);
+    ImGui::EndChild();
+  }
+}
+
 void draw_pseudo_code(Ui& ui) {
   const Page& page = ui.session.header().page;
   if (page.empty()) return say_empty(ui, "This trace has no step table, so there is no pseudo-code to show.");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  const float level = indent_of(ui, page);
+  if (ui.session.at_rest() && !ui.laboratory) {
+    draw_counts(ui, page);
+    return ImGui::PopStyleVar();
+  }
+  const float level = indent_of(ui, page, ImGui::GetContentRegionAvail().x);
   const std::vector<bool> shown = lines_shown(ui, page, level);
   const auto now = line_at_work(ui, page);
   for (std::size_t i = 0; i < page.size(); ++i) {

@@ -412,7 +412,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional
     frame_cell(ui, map, origin, *s.selected, small + 1, 2, c.selected);
     frame_cell(ui, map, origin, *s.selected, small + 4, 1, c.selected);
   }
-  if (const auto now = ui.still ? std::nullopt : s.current_cell()) {
+  if (const auto now = ui.still ? std::nullopt : s.cell_looked_at()) {
     frame_cell(ui, map, origin, *now, small + 2, 3, c.now);
     frame_cell(ui, map, origin, *now, small - 1, 1, ui.colors().pane);
   }

@@ -12,7 +12,7 @@
 namespace zstep::viewer {
 
 bool WordPlaces::put(const std::string& text, ImU32 color, const ImFont* font, const std::vector<ImVec2>& middles) {
-  const ImVec2 size = text_size(ui_, font, text);
+  const ImVec2 size = label_size(ui_, font, text);
   const float rim = std::round(2 * ui_.thin);
   for (const ImVec2 middle : middles) {
     const ImVec2 at{std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)};
@@ -22,7 +22,7 @@ bool WordPlaces::put(const std::string& text, ImU32 color, const ImFont* font, c
       continue;
     taken.take(low, {high.x - low.x, size.y});
     if (on_paper) ImGui::GetWindowDrawList()->AddRectFilled(low, high, ui_.colors().pane);
-    draw_text(ui_, at, font, color, text);
+    draw_label(ui_, at, font, color, text);
     return true;
   }
   return false;
@@ -41,7 +41,7 @@ bool WordPlaces::beside(const std::string& text, ImU32 color, const ImFont* font
                         glm::dvec2 out) {
   const double length = portable::length(out.x, out.y);
   out = length > 0 ? out / length : glm::dvec2(0, -1);
-  const double away = text_away(text_size(ui_, font, text), out, 4.0 * ui_.thin);
+  const double away = text_away(label_size(ui_, font, text), out, 4.0 * ui_.thin);
   std::vector<ImVec2> middles;
   for (const double side : {away, -away})
     for (const float share : {0.5f, 0.35f, 0.65f, 0.2f, 0.8f})
@@ -53,7 +53,7 @@ bool WordPlaces::beside(const std::string& text, ImU32 color, const ImFont* font
 bool WordPlaces::around(const std::string& text, ImU32 color, const ImFont* font, ImVec2 dot, glm::dvec2 out) {
   const double length = portable::length(out.x, out.y);
   out = length > 0 ? out / length : glm::dvec2(0, -1);
-  const ImVec2 size = text_size(ui_, font, text);
+  const ImVec2 size = label_size(ui_, font, text);
   std::vector<ImVec2> middles;
   constexpr double diagonal = 0.7071;
   for (const double gap : {0.35 * ui_.em, 1.3 * ui_.em})
@@ -289,7 +289,7 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces taken)
   const auto find = static_cast<void (*)(std::vector<LabelSpot>&, const RasterMap&, const Moment&)>(find_label_spots);
   const ImFont* font = ui.fonts.bold;
   const float rim = std::round(2 * ui.thin);
-  if (const auto cell = ui.session.current_cell()) {  // its frame is drawn over the letters
+  if (const auto cell = ui.session.cell_looked_at()) {  // its frame is drawn over the letters
     const float around = rim + std::round(3 * ui.thin), side = static_cast<float>(map.cell);
     taken.take({origin.x + static_cast<float>(map.px(cell->x)) - side / 2 - around,
                 origin.y + static_cast<float>(map.py(cell->y)) - side / 2 - around},

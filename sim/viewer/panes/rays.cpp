@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <optional>
 
@@ -68,6 +69,7 @@ class Plan {
     const glm::dvec2 p = inside(point);
     return moved_by(at_, p.x, p.y);
   }
+  double scale() const { return scale_; }  ///< pixels of a unit
   /// Far enough for a ray that meets nothing to leave the pane.
   double farthest() const { return 2 * glm::length(high_ - low_) + 1; }
 
@@ -246,6 +248,12 @@ void draw_names(const Ui& ui, const Plan& plan, WordPlaces& words) {
   });
 }
 
+/// The ray that the step is about: where one ends, that one, though the run is back at its parent.
+std::optional<std::int32_t> ray_now(const Session& s) {
+  const RayEnd* end = s.event() ? get_if<RayEnd>(&s.event()->event) : nullptr;
+  return end ? std::optional(end->ray) : s.state().machine.rays.ray;
+}
+
 /// Where a ray that is still waiting met something: its first child begins there.
 const RayBegin* first_child(const RayWork& rays, std::int32_t ray) {
   for (const RayRow& row : rays.tree)
@@ -260,7 +268,7 @@ void draw_rays(Ui& ui, const Plan& plan, WordPlaces& words) {
   for (const RayRow& row : machine.rays.tree) {
     const RayBegin& ray = row.entry;
     const glm::dvec3 from(ray.x_0, ray.y_0, ray.z_0), along(ray.dir_x, ray.dir_y, ray.dir_z);
-    const bool now = machine.rays.ray == ray.ray;
+    const bool now = ray_now(ui.session) == ray.ray;
     const bool met = row.end && row.end->nearest_facet >= 0;
     const double speed = std::max(1e-12, glm::length(along));
     const double t_end = met ? row.end->t : ray.role == RayRole::shadow ? 1 : plan.farthest() / speed;
@@ -291,6 +299,92 @@ void draw_rays(Ui& ui, const Plan& plan, WordPlaces& words) {
           stroke_line(list, {p.x - reach, p.y - down}, {p.x + reach, p.y + down}, color, thick * ui.thin);
     }
     words.taken.take({p.x - reach, p.y - reach}, {2 * reach, 2 * reach});
+  }
+}
+
+/// The normal at a point of some facet, of length 1, against this direction; none where the point lies on no facet.
+std::optional<glm::dvec3> normal_at(const Scene& scene, glm::dvec3 point, glm::dvec3 direction) {
+  constexpr double near_enough = 1e-6;  // of the scene's size: rays set out a little off what they meet
+  std::optional<glm::dvec3> found;
+  double least = 0;
+  for (const glm::dvec3& p : scene.points) least = std::max(least, near_enough * glm::length(p - scene.points[0]));
+  for (const Facet& facet : scene.facets) {
+    const auto corner = [&](std::int32_t k) {
+      return scene.points[scene.corners[facet.first_corner + k % facet.corner_count]];
+    };
+    glm::dvec3 area(0), low = corner(0), high = low;
+    for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+      area += glm::cross(corner(k) - corner(0), corner(k + 1) - corner(0));
+      low = glm::min(low, corner(k)), high = glm::max(high, corner(k));
+    }
+    if (!(glm::length(area) > 0)) continue;
+    const glm::dvec3 normal = glm::normalize(area);
+    const double away = std::abs(glm::dot(normal, point - corner(0)));
+    if (away > least || glm::any(glm::lessThan(point, low - least)) || glm::any(glm::greaterThan(point, high + least)))
+      continue;
+    least = away, found = glm::dot(normal, direction) > 0 ? -normal : normal;
+  }
+  return found;
+}
+
+void draw_arrow(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 color, float thin) {
+  const glm::dvec2 way(to.x - from.x, to.y - from.y);
+  const double length = glm::length(way), head = 7.0 * static_cast<double>(thin);
+  stroke_line(list, from, to, color, 2 * thin);
+  if (length < head) return;
+  const glm::dvec2 along = way / length, across(-along.y, along.x);
+  for (const double sign : {-0.5, 0.5}) {
+    const glm::dvec2 wing = -head * along + sign * head * across;
+    stroke_line(list, to, moved_by(to, wing.x, wing.y), color, 2 * thin);
+  }
+}
+
+/// Where a ray is mirrored or transmitted: the normal N and the directions D and R or T, with their angles to it.
+void draw_law(const Ui& ui, const Plan& plan, WordPlaces& words) {
+  const Session& s = ui.session;
+  const RayBegin* ray = s.event() ? get_if<RayBegin>(&s.event()->event) : nullptr;
+  if (!ray || (ray->role != RayRole::reflected && ray->role != RayRole::transmitted)) return;
+  const auto& tree = s.state().machine.rays.tree;
+  const auto parent =
+      std::find_if(tree.begin(), tree.end(), [&](const RayRow& row) { return row.entry.ray == ray->parent; });
+  if (parent == tree.end()) return;
+  const glm::dvec3 hit(ray->x_0, ray->y_0, ray->z_0), goes(ray->dir_x, ray->dir_y, ray->dir_z),
+      came(parent->entry.dir_x, parent->entry.dir_y, parent->entry.dir_z);
+  if (!(glm::length(goes) > 0) || !(glm::length(came) > 0)) return;
+  const auto normal = normal_at(s.scene(), hit, came);
+  if (!normal) return;
+  const bool mirrored = ray->role == RayRole::reflected;
+  const glm::dvec3 out = glm::normalize(goes), back = -glm::normalize(came), side = mirrored ? *normal : -*normal;
+  const ImVec2 foot = plan.place(hit);
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto tip_of = [&](glm::dvec3 direction, double ems) {
+    const double size = ems * static_cast<double>(ui.em) / plan.scale();
+    return plan.place(hit + size * direction);
+  };
+  const auto name = [&](const char* word, ImVec2 at, ImU32 color) {
+    words.around(word, color, ui.fonts.bold, at, {at.x - foot.x, at.y - foot.y});
+  };
+  if (!mirrored) stroke_dashed(list, foot, tip_of(side, 3.5), c.muted, 1.5f * ui.thin);
+  draw_arrow(list, foot, tip_of(*normal, 3.5), c.text, ui.thin);
+  draw_arrow(list, tip_of(back, 3), foot, c.text, ui.thin);
+  draw_arrow(list, foot, tip_of(out, 3), c.now, ui.thin);
+  name("N", tip_of(*normal, 3.5), c.text);
+  name("D", tip_of(back, 3), c.text);
+  name(mirrored ? "R" : "T", tip_of(out, 3), c.now);
+  int which = 0;
+  for (const auto& [from, to] : {std::pair{*normal, back}, {side, out}}) {
+    constexpr int parts = 12;
+    const auto point = [&, one = from, other = to](int k) {
+      const glm::dvec3 between = glm::mix(one, other, static_cast<double>(k) / parts);
+      return tip_of(between / std::max(1e-9, glm::length(between)), 1.6);
+    };
+    for (int k = 0; k < parts; ++k) stroke_line(list, point(k), point(k + 1), c.muted, 1.5f * ui.thin);
+    const ImVec2 middle = point(parts / 2);
+    ++which;
+    if (!mirrored)
+      words.around(which == 1 ? "a\u2081" : "a\u2082", c.text, ui.fonts.text, middle,
+                   {middle.x - foot.x, middle.y - foot.y});
   }
 }
 
@@ -335,6 +429,7 @@ void draw_ray_plan(Ui& ui) {
       if (words.around("window", ui.colors().text, ui.fonts.small, end, out)) break;
   }
   if (scene.light) label(scene.light->position, "light");
+  draw_law(ui, plan, words);
   draw_names(ui, plan, words);
   name_hits(ui, plan, words);
   name_boxes(ui, plan, words);
@@ -492,7 +587,7 @@ std::vector<TableRow> ray_tree_rows(Ui& ui) {
     } else {
       row.cells.insert(row.cells.end(), {std::string("\u2026"), std::string(), std::string()});
     }
-    if (rays.ray == ray.entry.ray) row.look = TableRow::Look::now;
+    if (ray_now(s) == ray.entry.ray) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
   }
   return rows;

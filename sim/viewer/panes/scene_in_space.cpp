@@ -2,6 +2,7 @@
 #include "sim/viewer/panes/scene_in_space.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -189,7 +190,8 @@ void draw_axes(RoomPen& pen, const Moment& now, int viewing, double arrived) {
   const Theme& c = pen.colors;
   const double length = 0.45 * pen.room.size();
   if (viewing > 0) draw_viewing_axes(pen, camera, viewing, arrived);
-  constexpr const char* names[] = {"x", "y", "z"};
+  // Of y = f(x, z) the height is y.
+  const std::array names = now.scene().surface ? std::array{"x", "z", "y"} : std::array{"x", "y", "z"};
   for (int axis = 0; axis < 3 && viewing == 0; ++axis) {
     glm::dvec3 end(0);
     end[axis] = length;

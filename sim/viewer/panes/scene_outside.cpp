@@ -279,7 +279,7 @@ void tell_what_is_pointed_at(Ui& ui, const Picture& seen, ImVec2 at) {
 void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, ImVec2 at) {
   TakenPlaces taken;
   const auto write = [&](ImVec2 middle, const ImFont* font, ImU32 color, const std::string& text, bool on_polygon) {
-    const ImVec2 size = text_size(ui, font, text);
+    const ImVec2 size = label_size(ui, font, text);
     const float width = to_float(picture.canvas.width()), height = to_float(picture.canvas.height());
     if (size.x + 4 > width || size.y + 2 > height) return;
     const float left = std::clamp(middle.x + (on_polygon ? -size.x / 2 : 6), 2.0f, width - size.x - 2);
@@ -288,7 +288,7 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
     if (!taken.free(low, extent)) return;
     taken.take(low, extent);
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + extent.x, low.y + extent.y}, ui.colors().pane);
-    draw_text(ui, {at.x + left, at.y + top}, font, color, text);
+    draw_label(ui, {at.x + left, at.y + top}, font, color, text);
   };
   const Scene& scene = ui.session.scene();
   const bool curves = scene.surface && records<HorizonTest>(ui.session.header());  // no polygons

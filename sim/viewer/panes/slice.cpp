@@ -106,7 +106,7 @@ void paint_slice(Canvas& canvas, const SlicePicture& picture, const Scene& scene
           // Down to the columns, where the span at work begins and ends.
           if (at_work && run == 0)
             for (const auto& [x, z] : {std::pair{span.x_left, span.z_left}, {span.x_right, span.z_right}})
-              canvas.line(plot.x(x), std::clamp(plot.y(z), 0.0f, plot.bottom), plot.x(x), plot.bottom, line,
+              canvas.line(plot.x(x), std::clamp(plot.y(z), 0.0f, plot.bottom), plot.x(x), to_float(plot.height), line,
                           to_pixel(c.now));
           paint_span(canvas, plot, span, run > 0, color_of(scene, span.polygon, c), c, line);
         }
@@ -219,7 +219,7 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
   // Which way is which, where the trace says so.
   const bool named = header.declares(Convention::nearer);
   const char* down = header.comparison.nearer == Comparison::Nearer::greater ? "farther" : "nearer";
-  draw_text(ui, {origin.x - room.margin, origin.y - room.line}, font, c.text, upwards(ui));
+  draw_label(ui, {origin.x - room.margin, origin.y - room.line}, font, c.text, upwards(ui));
   if (named) draw_text(ui, {origin.x - room.margin, below}, font, c.text, std::string("\u2193 ") + down);
 }
 
@@ -428,7 +428,7 @@ void draw_slice(Ui& ui) {
       key_from += wide + ui.em;
     }
   }
-  const float sentence_at = corner.x + text_size(ui, font, upwards(ui)).x + 1.5f * ui.em;
+  const float sentence_at = corner.x + label_size(ui, font, upwards(ui)).x + 1.5f * ui.em;
   if (sentence_at + text_size(ui, ui.fonts.bold, sentence).x < corner.x + avail.x)
     draw_text(ui, {sentence_at, corner.y - 1}, ui.fonts.bold, ui.colors().text, sentence);
   if (keyed) draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two, !truth.empty());
@@ -472,7 +472,7 @@ class Labels {
   /// False if there is none, or none that is on no line where it `must_be_clear`.
   bool put(const std::string& text, ImU32 color, const std::vector<ImVec2>& places, const ImFont* font,
            bool must_be_clear = false) {
-    const ImVec2 size = text_size(ui_, font, text);
+    const ImVec2 size = label_size(ui_, font, text);
     for (const bool clear : {true, must_be_clear})
       for (const ImVec2& at : places) {
         const Box box{{at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}};
@@ -483,7 +483,7 @@ class Labels {
           continue;
         taken_.take(box.a, extent);
         ImGui::GetWindowDrawList()->AddRectFilled(box.a, box.b, ui_.colors().pane);
-        draw_text(ui_, at, font, color, text);
+        draw_label(ui_, at, font, color, text);
         return true;
       }
     return false;
@@ -541,7 +541,7 @@ void name_ends(Ui& ui, Labels& labels, const SlicePlot& plot, ImVec2 origin, con
   const ImFont* font = ui.fonts.mono;
   const auto put = [&](const char* name, double x, bool left) {
     const std::string text = fmt::format("{} = {}", name, number(x));
-    const ImVec2 size = text_size(ui, font, text);
+    const ImVec2 size = label_size(ui, font, text);
     const float at = origin.x + plot.x(x), foot = origin.y + plot.bottom - size.y, gap = 3 * ui.thin;
     const float outside = left ? at - gap - size.x : at + gap, inside = left ? at + gap : at - gap - size.x;
     std::vector<ImVec2> places;

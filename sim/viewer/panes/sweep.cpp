@@ -222,9 +222,9 @@ std::vector<TableRow> polygon_rows(Ui& ui) {
     if (m.pieces.size() > whole_table && !in && !is_now) continue;
     TableRow row;
     row.cells = {TableCell(piece_label(s.scene(), m, piece), color_of(s.scene(), m.pieces[k].polygon, 0)),
-                 TableCell::result_of(line_buffer ? (in ? "\u25cf active" : "\u00b7")
+                 TableCell::result_of(line_buffer ? (in ? "\u25cf active" : "")
                                       : in        ? "\u25cf in"
-                                                  : "\u00b7 out",
+                                                  : "out",
                                       in ? "\u25cf" : "\u00b7")};
     row.about = row.cells[0].text;
     if (const auto& plane = m.pieces[k].plane)

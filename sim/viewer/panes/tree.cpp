@@ -134,7 +134,7 @@ void draw_whole(Ui& ui) {
       const bool near_side = one.eye && one.eye->front == front, skipped = front ? one.front_skipped : one.back_skipped;
       stroke_line(list, from, to, skipped ? c.rule : near_side ? c.text : c.muted, (near_side ? 2.5f : 1.2f) * ui.thin);
       const ImVec2 middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
-      const std::string sign = skipped ? "skipped" : front ? "+" : "\u2212";
+      const std::string sign = skipped ? "discarded" : front ? "+" : "\u2212";
       const ImVec2 size = text_size(ui, ui.fonts.small, sign);
       const ImVec2 place{std::round(middle.x + (front ? -size.x - 5.0f : 5.0f)), std::round(middle.y - size.y * 0.75f)};
       draw_text(ui, place, ui.fonts.small, c.muted, sign);

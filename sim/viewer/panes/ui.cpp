@@ -3,6 +3,7 @@
 #include "sim/viewer/panes/ui.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <string_view>
@@ -25,6 +26,44 @@ void draw_text(const Ui& ui, ImVec2 at, const ImFont* font, ImU32 color, const s
   const std::string shown = ui.fonts.drawable(text);
   ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {std::floor(at.x), std::floor(at.y)}, color, shown.c_str(),
                                       shown.c_str() + shown.size());
+}
+
+namespace {
+
+/// Goes through a label's parts: what stands on the line, and what stands below it.
+template <class Use>
+void each_part(const std::string& text, Use&& use) {
+  const auto is_letter = [&](std::size_t at) { return std::isalpha(static_cast<unsigned char>(text[at])) != 0; };
+  const auto goes_below = [&](std::size_t at) { return std::isalnum(static_cast<unsigned char>(text[at])) != 0; };
+  std::size_t done = 0;
+  for (std::size_t bar = text.find('_'); bar != std::string::npos; bar = text.find('_', bar + 1)) {
+    const bool symbol = bar > 0 && is_letter(bar - 1) && (bar < 2 || !goes_below(bar - 2));
+    std::size_t end = bar + 1;
+    while (end < text.size() && goes_below(end)) ++end;
+    if (!symbol || end == bar + 1 || end > bar + 3) continue;
+    use(text.substr(done, bar - done), false);
+    use(text.substr(bar + 1, end - bar - 1), true);
+    done = end;
+  }
+  if (done < text.size()) use(text.substr(done), false);
+}
+
+}  // namespace
+
+ImVec2 label_size(const Ui& ui, const ImFont* font, const std::string& text) {
+  ImVec2 size{0, font->FontSize};
+  each_part(text, [&](const std::string& part, bool below) {
+    size.x += text_size(ui, below ? ui.fonts.small : font, part).x + (below ? 1 : 0);
+  });
+  return size;
+}
+
+void draw_label(const Ui& ui, ImVec2 at, const ImFont* font, ImU32 color, const std::string& text) {
+  each_part(text, [&](const std::string& part, bool below) {
+    const ImFont* its = below ? ui.fonts.small : font;
+    draw_text(ui, {at.x, at.y + (below ? std::round(0.28f * font->FontSize) : 0)}, its, color, part);
+    at.x += text_size(ui, its, part).x + (below ? 1 : 0);
+  });
 }
 
 namespace {

@@ -202,6 +202,10 @@ ImVec2 text_size(const Ui& ui, const ImFont* font, const std::string& text);
 /// At a place on screen, one line, no wrapping.
 void draw_text(const Ui& ui, ImVec2 at, const ImFont* font, ImU32 color, const std::string& text);
 
+/// The same for names in a picture, "x_L = 4.67": what stands behind the "_" of a letter is set below it.
+ImVec2 label_size(const Ui& ui, const ImFont* font, const std::string& text);
+void draw_label(const Ui& ui, ImVec2 at, const ImFont* font, ImU32 color, const std::string& text);
+
 struct Flow {
   ImU32 color = 0;
   float indent = 0;              ///< of every line but the first
