@@ -1,5 +1,5 @@
 # Puts the page's own files beside the program, and into the worker what they are, and makes of
-# them the page that `zstep publish` puts a run into: -DPAGE=, -DICON=, -DSITE=, -DWHOLE=, -DTRACES=.
+# them the page that `zstep publish` puts a run into: -DPAGE=, -DICON=, -DSITE=, -DWHOLE=, -DTRACE_VERSION=.
 file(GLOB page ${PAGE}/*)
 file(COPY ${page} ${ICON} DESTINATION ${SITE})
 set(files film.js index.html page.css page.js zstep.data zstep.js zstep.rest.wasm zstep.svg zstep.wasm zstep.webmanifest)
@@ -14,7 +14,5 @@ list(JOIN files "', '" FILES)
 set(FILES "['./', '${FILES}']")
 configure_file(${PAGE}/worker.js ${SITE}/worker.js @ONLY)
 
-file(STRINGS ${TRACES}/file/chunk.hpp version REGEX "trace_version = [0-9]+")
-string(REGEX REPLACE ".*trace_version = ([0-9]+).*" "\\1" version "${version}")
-execute_process(COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/one_page.py ${SITE} ${WHOLE} ${SITE}/publish.html ${version}
+execute_process(COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/one_page.py ${SITE} ${WHOLE} ${SITE}/publish.html ${TRACE_VERSION}
   COMMAND_ERROR_IS_FATAL ANY)

@@ -251,10 +251,22 @@ std::vector<TableRow> active_rows(Ui& ui) {
   return rows;
 }
 
+/// Behind x by how much it changes from one scan line to the next.
+void add_slopes(const Session& s, std::vector<TableRow>& rows) {
+  const auto& table = s.state().machine.edge_table;
+  for (TableRow& row : rows) {
+    const auto at = static_cast<std::size_t>(row.key);  // without one beyond all
+    row.cells.insert(row.cells.begin() + 2,
+                     at < table.size() ? TableCell(table[at].dx_dy, answers::made_by<EdgeTableInsert>(
+                                                                        s.position(), "dx_dy", {{"edge", row.key}}))
+                                       : TableCell(std::string()));
+  }
+}
+
 void draw_active_edges(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
-  const std::vector<TableRow> rows = rows_of_both(ui, active_rows);
+  std::vector<TableRow> rows = rows_of_both(ui, active_rows);
   if (rows.empty())
     return say_empty(ui, machine.scan_line
                              ? fmt::format("Empty: no edge crosses scan line {} at this moment.", *machine.scan_line)
@@ -262,7 +274,12 @@ void draw_active_edges(Ui& ui) {
                              ? std::string("Empty: it fills when scan conversion reaches an edge's first scan line.")
                              : std::string("Empty: edges enter when the scan line reaches their bucket."));
   const std::string z = symbol_along(s.scene(), s.header().conventions);
-  const TableResult result = number_table(ui, "active", {"edge", "x", z, "leaves", ""}, rows);
+  std::vector<std::string> headings{"edge", "x", z, "leaves", ""};
+  if (ImGui::GetContentRegionAvail().x > 22 * ui.em) {
+    headings.insert(headings.begin() + 2, "1/m");
+    add_slopes(s, rows);
+  }
+  const TableResult result = number_table(ui, "active", headings, rows);
   if (result.hovered) ui.hovered_edge_next = result.hovered;
   if (result.clicked) {
     ui.session.selected_edge = s.selected_edge == result.clicked ? std::nullopt : result.clicked;
