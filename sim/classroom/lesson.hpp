@@ -77,7 +77,7 @@ struct Stop {
   int viewing_step = 0;                     ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
   std::int32_t line = 0, text_line = 0;     ///< of the lesson's file
   std::int64_t position = 0;                ///< where the trace is when it speaks; set by resolve()
-  std::int64_t about = 0;                   ///< of the step that it is about: the next, before which it speaks, or this
+  std::int64_t event = 0;                   ///< of the step that it is about, before which it may speak; 0: of none
 };
 
 /// What a lesson may change about its scene's conventions. Unset: as the scene has them.

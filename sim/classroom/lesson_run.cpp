@@ -60,7 +60,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     const Place place{file, stop.line};
     spot = resolve_anchor(parse_anchor(stop.anchor, place.str()), spot, replay, place.str());
     stop.position = spot.position;
-    stop.about = std::max(spot.position, spot.event);
+    stop.event = spot.event;
     const std::optional<RecordedEvent> event = spot.event > 0 ? std::optional(trace.event(spot.event)) : std::nullopt;
     const auto filled = [&](const std::string& text, std::int32_t line) {
       return fill(text, {file, line}, replay, event ? &*event : nullptr, spot.position);

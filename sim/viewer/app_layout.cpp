@@ -30,8 +30,10 @@ void App::draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 a
   const float y = at.y + std::round((head - font->FontSize) / 2) - 1;
   const float title_width = text_size(ui_, font, title).x;
   if (title_width + 2 * pad <= size.x) draw_text(ui_, {at.x + pad, y}, font, c.text, title);
-  const std::string note =
-      pane.note && (!ui_.presenter || session_.looking_back || pane.id == lesson_pane.id) ? pane.note(ui) : "";
+  const std::string note = pane.note && (!ui_.presenter || session_.looking_back || pane.id == lesson_pane.id ||
+                                         (session_.at_rest() && pane.id == pseudo_code_pane.id))
+                               ? pane.note(ui)
+                               : "";
   const float note_width = label_size(ui_, font, note).x;
   if (!note.empty() && title_width + note_width + 3 * pad + ui_.em <= size.x)
     draw_label(ui_, {at.x + size.x - pad - note_width, y}, font, session_.looking_back ? c.now : c.muted, note);
@@ -260,12 +262,13 @@ float App::frame_height(float width) const {
 /// What a lesson's layout says of the step: its formula, between stops also its sentence, and the lines of code around
 /// it.
 std::vector<Pane> App::words_of_step() {
-  if (viewing_step(ui_) > 0) return {};  // the picture has its matrices
+  const bool nothing_to_say = session_.message.empty();
+  if (viewing_step(ui_) > 0 && nothing_to_say) return {};  // the picture has its matrices
   const RecordedEvent* event = session_.event();
-  const bool stop_tells = session_.speaks() && session_.message.empty() && !has_causes();
+  const bool stop_tells = session_.speaks() && nothing_to_say && !has_causes();
   const bool tells = !stop_tells || (event && !explain(session_.trace(), session_.state(), *event).formulas.empty());
   std::vector<Pane> words;
-  if (tells && !session_.at_rest()) words.push_back(happened_pane);
+  if (tells && !(session_.at_rest() && nothing_to_say)) words.push_back(happened_pane);
   if (event && find_step(session_.header().page, event->step)) words.push_back(pseudo_code_pane);
   return words;
 }
@@ -370,7 +373,12 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
       said.push_back(below.back()), below.pop_back();
     const float width = (row.x - gap * to_float(below.size() - 1)) / to_float(std::max<std::size_t>(1, below.size()));
     ImVec2 place{at.x, at.y + stage.y + gap};
-    for (const Pane& pane : below) ui_.text_heights[pane.id].gone = 0;
+    const float inner = row.y - 1.5f * ui_.em - 2 * ImGui::GetStyle().WindowPadding.y;
+    for (const Pane& pane : below) {
+      Ui::TextHeight& its = ui_.text_heights[pane.id];
+      its.gone = 0;
+      if (its.moment == ui_.read_now() && its.height > inner) its.fit(inner);
+    }
     for (const Pane& pane : below) draw_pane(pane, place, {width, row.y}), place.x += width + gap;
   }
   float others = 1 - share - larger;

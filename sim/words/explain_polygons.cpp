@@ -129,11 +129,17 @@ std::string planes_in(std::int32_t bits) {
 /// "V_1 × V_2": the product of two neighbours of the fan about V_0.
 std::string product_of(std::size_t i) { return fmt::format("V_{} \u00d7 V_{}", i, i + 1); }
 
+/// What the sign says; of a polygon that is seen edge-on, that the run takes what is left for 0.
+std::string verdict_of(const FacingTest& e, const char* by_sign) {
+  return e.facing == Facing::edge_on ? "counts as 0: edge-on" : by_sign;
+}
+
 /// The determinant. Of a triangle it is the triple product of its vertices; of more corners the sum of those over the
 /// fan about the first, of which any one alone may have the other sign where the outline turns inwards.
 void formulas_of_determinant(Telling& t, const FacingTest& e) {
   constexpr std::size_t few = 6;  // corners whose fan is written out
-  const std::string verdict = "   negative faces away";
+  const bool edge_on = e.facing == Facing::edge_on;
+  const std::string verdict = edge_on ? "   0 but for rounding" : "   negative faces away";
   const auto corners = formulas::detail::corners_of(t.at, t.machine.facet);
   t.derive(e);
   const DerivedField* found = t.derived_of("determinant");
@@ -180,20 +186,18 @@ std::string normal_of(std::size_t corners) {
 
 /// The test in its four formulations.
 void formulas_of_facing(Telling& t, const FacingTest& e) {
-  const bool edge_on = e.facing == Facing::edge_on;  // what is left then is rounding
-  const auto sign = [&](double v) { return v == 0 ? "" : edge_on ? ", 0 but for rounding" : v < 0 ? " < 0" : " > 0"; };
   const bool parallel = t.at.camera && t.at.camera->kind == Camera::Kind::orthographic;
   const std::size_t corners = formulas::detail::corners_of(t.at, t.machine.facet).size();
   if (corners >= 3) t.formula(normal_of(corners));
-  t.formula(fmt::format("{}\u00b7n = {}{}   positive faces away", parallel ? "line of sight" : "(p \u2212 e)",
-                        number(e.view_dot_normal), sign(e.view_dot_normal)),
+  t.formula(fmt::format("{}\u00b7n = {}   {}", parallel ? "line of sight" : "(p \u2212 e)", number(e.view_dot_normal),
+                        verdict_of(e, "positive faces away")),
             "view_dot_normal");
-  t.formula(fmt::format("{} at the eye = {}   negative faces away", plane_in_symbols(world_names, parallel ? "" : "D"),
-                        number(e.plane_at_eye)),
+  t.formula(fmt::format("{} at the eye = {}   {}", plane_in_symbols(world_names, parallel ? "" : "D"),
+                        number(e.plane_at_eye), verdict_of(e, "negative faces away")),
             "plane_at_eye");
   formulas_of_determinant(t, e);
-  t.formula(fmt::format("n_z after projection = {}   {} faces away", number(e.projected_normal_z),
-                        t.scene.raster.y_up ? "negative" : "positive"),
+  t.formula(fmt::format("n_z after projection = {}   {}", number(e.projected_normal_z),
+                        verdict_of(e, t.scene.raster.y_up ? "negative faces away" : "positive faces away")),
             "projected_normal_z");
 }
 

@@ -76,7 +76,7 @@ struct OnSet {
 TEST_CASE("a film's frames are the window's pictures of those steps, and all is as it was afterwards") {
   const Studio studio(keeps_frames);
   OnSet o;
-  const int stop = 9;
+  const int stop = 6;
   o.app.session().to_stop(stop);
   o.app.session().selected_edge = 1;
   const test::Bytes before = test::picture(o.app);
@@ -92,6 +92,7 @@ TEST_CASE("a film's frames are the window's pictures of those steps, and all is 
   make_film(o.app);
   const std::string name = fmt::format("zstep-{}-{}.mp4", first, last);
   CHECK(studio.files() == std::vector<std::string>{name});
+  CAPTURE(o.app.session().message);
   CHECK(o.app.session().message.find((fs::current_path() / name).string()) != std::string::npos);
   CHECK(o.app.session().stop() == stop);
   CHECK(o.app.session().position() == first);

@@ -76,7 +76,7 @@ bool is_letter(const ImDrawCmd& command, const std::array<ImDrawVert*, 4>& corne
 Letters letters_of(const Fonts& fonts) {
   const auto known = glyphs();
   Letters out;
-  float line = 0;
+  float line = 0, end = 0;  // of the letter before: where it stands, and where the next one would follow it
   each_rectangle(*ImGui::GetDrawData(), [&](const ImDrawCmd& command, const std::array<ImDrawVert*, 4>& corners) {
     const ImDrawVert &a = *corners[0], &c = *corners[2];
     const ImVec4 clip = command.ClipRect;
@@ -92,8 +92,10 @@ Letters letters_of(const Fonts& fonts) {
                    to_bottom = whole_width && shape.bottom >= ink.bottom - 1;
         if (from_top) letter.clip.y = std::max(letter.clip.y, shape.bottom);
         if (to_bottom) letter.clip.w = std::min(letter.clip.w, shape.top);
-        if (!from_top && !to_bottom && area(common(ink, shape)) > 0.25f * area(ink))
+        if (!from_top && !to_bottom && area(common(ink, shape)) > 0.25f * area(ink)) {
           out.covered.push_back(out.words[letter.word]);
+          letter.half_covered = true;
+        }
         return area(seen(letter)) == 0;
       });
       return;
@@ -106,11 +108,12 @@ Letters letters_of(const Fonts& fonts) {
     Letter letter{a.pos, c.pos, clip, a.col, a.uv, font.FontSize * scale, &font == fonts.bold || &font == fonts.heading,
                   0};
     const float on_line = a.pos.y - shape.Y0 * scale;
+    const float begin = a.pos.x - shape.X0 * scale;
     const bool goes_on = !out.all.empty() && out.all.back().color == letter.color && std::abs(on_line - line) < 1.5f &&
-                         a.pos.x >= out.all.back().first.x && a.pos.x - out.all.back().last.x < letter.size;
+                         a.pos.x >= out.all.back().first.x && begin - end < 0.85f * letter.size;
     if (!goes_on) out.words.emplace_back();
-    else if (a.pos.x - out.all.back().last.x > letter.size / 5) out.words.back() += ' ';
-    line = on_line;
+    else if (begin - end > letter.size / 8) out.words.back() += ' ';
+    line = on_line, end = begin + shape.AdvanceX * scale;
     append(out.words.back(), shape.Codepoint);
     letter.word = out.words.size() - 1;
     for (auto before = out.all.rbegin(); before != out.all.rend() && before - out.all.rbegin() < 400; ++before)
@@ -181,7 +184,7 @@ std::vector<std::string> faint(App& app, const Letters& drawn) {
   std::map<std::pair<viewer::Pixel32, viewer::Pixel32>, double> known;
   for (const Letter& l : drawn.all) {
     const Box b = seen(l);
-    if (l.rim || area(b) < 0.5f * area(box(l))) continue;  // the edge of a pane that scrolls
+    if (l.rim || l.half_covered || area(b) < 0.5f * area(box(l))) continue;  // the edge of a pane that scrolls
     ratios.clear();
     const unsigned alpha = l.color >> 24;
     const viewer::Pixel32 ink = viewer::to_pixel(l.color);

@@ -18,8 +18,9 @@ struct Letter {
   ImVec2 glyph;  ///< where it stands in the atlas: the same for the same letter of the same type
   float size;    ///< of its type, in pixels
   bool bold;
-  std::size_t word;  ///< which of Letters::words it belongs to
-  bool rim = false;  ///< it is drawn around another one in another colour, which it sets off
+  std::size_t word;           ///< which of Letters::words it belongs to
+  bool half_covered = false;  ///< what lies over it says nothing of its contrast
+  bool rim = false;           ///< it is drawn around another one in another colour, which it sets off
 };
 
 /// What is drawn of letters in the last frame; those that something drawn later covers are left out.

@@ -14,7 +14,7 @@ TEST_CASE("a link leads back to its place in the window: step, stop, pixel and t
   Lesson lesson = find_lesson("z-buffer");
   const Trace trace = run_lesson(lesson);
   App app(trace, &lesson, {}, 1280, 720);
-  app.session().to_stop(3);
+  app.session().to_stop(6);
   const auto at_stop = app.link();
   REQUIRE(at_stop);
   CHECK(at_stop == fmt::format("#lesson=z-buffer&step={}", app.session().position()));

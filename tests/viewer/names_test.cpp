@@ -15,7 +15,18 @@ namespace {
 
 struct Shown {
   std::vector<std::string> words;
+  std::vector<test::Letter> letters;
   std::ptrdiff_t count(const std::string& word) const { return std::count(words.begin(), words.end(), word); }
+  /// In bold, with a letter below: formulas have none in bold.
+  std::ptrdiff_t symbols(const std::string& letter, const std::string& below) const {
+    std::ptrdiff_t found = 0;
+    for (std::size_t k = 0; k + 1 < letters.size(); ++k) {
+      const test::Letter &one = letters[k], &next = letters[k + 1];
+      found += one.bold && words[one.word] == letter && next.word == one.word + 1 && words[next.word] == below &&
+               next.first.y > one.first.y && next.first.x - one.last.x < one.size / 4;
+    }
+    return found;
+  }
 };
 
 Shown words_at(const char* id, int stop, bool presenter = false) {
@@ -26,7 +37,8 @@ Shown words_at(const char* id, int stop, bool presenter = false) {
   App app(trace, &lesson, settings, presenter ? 1920 : 1280, presenter ? 1080 : 720);
   app.session().to_stop(stop - 1);
   app.settle();
-  return {test::letters_of(app.ui().fonts).words};
+  test::Letters drawn = test::letters_of(app.ui().fonts);
+  return {std::move(drawn.words), std::move(drawn.all)};
 }
 
 }  // namespace
@@ -38,8 +50,8 @@ TEST_CASE("edges have the names of the edge table at the outline, those that com
     for (const char* name : {"e1", "e2", "e3", "e4", "e5"}) CHECK(first.count(name) == 1);
     CHECK(first.count("e0") >= 1);
     const Shown span = words_at("edge-table", 12, presenter);
-    CHECK(span.count("L") == 1);  // below an x
-    CHECK(span.count("R") == 1);
+    CHECK(span.symbols("x", "L") == 1);
+    CHECK(span.symbols("x", "R") == 1);
     // At the outline and among the active edges; in the table, too, where it stands apart from its scan line.
     CHECK(span.count("e0") == (presenter ? 2 : 3));
   }

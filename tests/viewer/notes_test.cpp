@@ -96,7 +96,7 @@ TEST_CASE("notes: the stop, its notes, the right answer, what comes next and whe
        {stops[4].heading, std::string("Let them vote by hand"),
         fmt::format("THE ANSWER IS {}", right - answers.begin() + 1), right->text, std::string("NEXT"),
         stops[5].heading, std::string("14:05"), fmt::format("stop 5 of {}", stops.size()),
-        std::string("planned 5:30 to 6:30 of 20:00")})
+        std::string("planned 5:30 to 6:30 of 20:30")})
     CHECK_MESSAGE(seen.find(without_spaces(text)) != std::string::npos, text);
   talk.app.session().to_stop(static_cast<int>(stops.size()) - 1);
   notes.follow(talk.app, "14:05");

@@ -14,6 +14,7 @@ class Moment {
   const Header& header() const { return session_.header(); }
   const State& state() const { return session_.state(); }
   const RecordedEvent* event() const { return session_.event(); }
+  bool at_rest() const { return session_.at_rest(); }
   std::int64_t position() const { return session_.position(); }
   /// The buffers, which are those of before() while a reader looks back.
   const Picture& picture() const { return session_.picture(); }

@@ -271,7 +271,7 @@ Outside::Outside(const Room& room, const Look& look, int width, int height) {
   const double radius = std::max(box.size() / 2, 1e-9), distance = 3.5 * radius;
   const double azimuth = portable::atan2(room.towards().y, room.towards().x);
   const auto direction = [&](double turn, double tilt) {
-    const double around = azimuth + glm::radians(52 + turn),
+    const double around = azimuth + glm::radians(34 + turn),
                  above = glm::radians(std::clamp(tilt, least_tilt, most_tilt) + first_tilt);
     return glm::dvec3(portable::cos(above) * portable::cos(around), portable::cos(above) * portable::sin(around),
                       portable::sin(above));

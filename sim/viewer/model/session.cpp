@@ -91,7 +91,7 @@ void Session::arrived() {
   message.clear();
   asked_.reset();
   const Stop* stop = speaks() ? &lesson_->stops[stop_] : nullptr;
-  if (stop && stop->question && stop->about > position()) asked_ = trace_.event(stop->about);
+  if (stop && stop->question && stop->event > position()) asked_ = trace_.event(stop->event);
 }
 
 void Session::move(Unit unit, int direction) {

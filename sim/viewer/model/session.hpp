@@ -113,7 +113,9 @@ class Session {
   void to_finished_picture();
   bool proposes_why() const { return proposes_why_; }
   /// The picture is done and looked at as a whole: nothing is at work any more.
-  bool at_rest() const { return position() == size() && (speaks() || proposes_why_); }
+  bool at_rest() const {
+    return position() == size() && (proposes_why_ || (speaks() && lesson_->stops[stop_].event == 0));
+  }
 
   // --- Playing
   bool playing = false;

@@ -68,7 +68,7 @@ void paint_areas(Canvas& canvas, const RasterMap& map, const Moment& now, const 
         canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 2.0 * line, color);
       }
   const std::size_t at = m.area;
-  if (m.area >= 0 && at < m.areas.size() && has_pixels(m.areas[at].entry)) {
+  if (m.area >= 0 && at < m.areas.size() && !now.at_rest() && has_pixels(m.areas[at].entry)) {
     Box b = box_of(map, m.areas[at].entry);
     if (const AreaRow* whole = quartered(m, m.area); whole && came < 1) {
       const Box from = box_of(map, whole->entry);
@@ -223,6 +223,7 @@ void draw_bin(Ui& ui, Bin bin, const ChangedParts& changed) {
 
 void draw_bins(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
+  if (ui.still) return;
   if (m.area < 0 || m.areas.empty())
     return say_empty(ui, "The bins of an area fill once all polygons are on the raster.");
   flow(ui, fmt::format("Area {}", m.area), {.font = ui.fonts.bold});

@@ -452,6 +452,7 @@ std::string verdict(const HeldAgainst& at, const State& state) {
 
 /// The pixels of the shadow buffer that count for the point at work, and which of them the step is about.
 void mark_held(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  if (ui.still) return;
   const MethodState& machine = ui.session.state().machine;
   if (!machine.neighbours.empty()) mark_outcome(map, origin, held_against(*machine.shadow));
   for (const ShadowNeighbour& one : machine.neighbours)

@@ -91,8 +91,8 @@ class Painter {
     if (is_new) {
       canvas_.line(a.x, a.y, b.x, b.y, 2.5 * thin_, color);
     } else {
-      canvas_.line(a.x, a.y, map_.px(from->x), map_.py(from->y), 1.2 * thin_, color, 150);
-      canvas_.line(map_.px(to->x), map_.py(to->y), b.x, b.y, 1.2 * thin_, color, 150);
+      canvas_.line(a.x, a.y, map_.px(from->x), map_.py(from->y), 1.2 * thin_, color, 80);
+      canvas_.line(map_.px(to->x), map_.py(to->y), b.x, b.y, 1.2 * thin_, color, 80);
     }
     const glm::dvec2 inward(edge.edge_a, map_.y_up ? -edge.edge_b : edge.edge_b);
     // Strokes at the cells' borders, where no numbers stand.

@@ -82,11 +82,11 @@ void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const 
     for (const auto& [from, to] : edges_of(now.scene()))
       if (const auto e = ends_of(now, map, {0, from, to, -1, -1, LineKind::inner}))
         canvas.line(e->x0, e->y0, e->x1, e->y1, thin, to_pixel(c.rule));
-  draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
+  if (!now.at_rest()) draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
   for (const LineRow& row : m.lines)
     draw_pieces(now, canvas, map, row, 1.6 * thin, to_pixel(c.text), to_pixel(c.muted));
   const std::size_t at = m.line;
-  if (m.line < 0 || at >= m.lines.size()) return;
+  if (m.line < 0 || at >= m.lines.size() || now.at_rest()) return;
   const LineRow& row = m.lines[at];
   const auto ends = ends_of(now, map, row.entry);
   if (!ends) return;
@@ -278,7 +278,7 @@ void draw_lines(Ui& ui) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + to_float(width), at.y + to_float(height)});
   mark_lines(ui, at, map);
-  name_line(ui, at, map);
+  if (!ui.still) name_line(ui, at, map);
   if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
   begin_part(ui, "intervals");
@@ -452,7 +452,7 @@ void draw_horizons(Ui& ui) {
   const ImVec2 corner = ImGui::GetCursorScreenPos(), at{corner.x + rulers.left, corner.y};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + to_float(width), at.y + to_float(height)});
-  mark_column(ui, at, map);
+  if (!ui.still) mark_column(ui, at, map);
   mark_columns(ui, at, map);
   draw_rulers(ui, map, at, rulers);
   const std::string whole = one_horizon(s.header()) ? "solid: the horizon    shaded: hidden, by this rule"

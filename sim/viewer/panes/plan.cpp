@@ -238,6 +238,12 @@ void draw_the_eye(const View& v) {
   fill_circle(v.list, place, margin * 0.3f, v.c.text);
   const std::string text = outside ? "eye, further out" : "eye";
   v.words->taken.take({place.x - margin, place.y - margin}, {2 * margin, 2 * margin});
+  if (v.m.pieces.size() <= most_names)  // on none of the lines
+    for (const Piece& piece : v.m.pieces) {
+      const std::vector<glm::dvec2> points = v.outline(piece);
+      for (std::size_t k = 0; k < points.size() && !piece.cut; ++k)
+        v.words->keep_line_free(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]));
+    }
   v.words->around(text, v.c.text, v.ui.fonts.small, place, {1, 0});
 }
 
@@ -264,10 +270,10 @@ void draw_plan(Ui& ui) {
   v.frame.fit(top, room);
   v.list->PushClipRect(top, {top.x + room.x, top.y + room.y}, true);
   draw_planes(v);
-  draw_new_vertex(v);
   draw_pieces(v);
-  draw_sides(v);
+  draw_new_vertex(v);
   draw_the_eye(v);
+  draw_sides(v);
   v.list->PopClipRect();
 }
 

@@ -48,8 +48,8 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
     for (const Piece& piece : m.pieces)
       for (std::size_t i = 0; i < piece.outline.size() && !piece.cut; ++i) {
         const std::int32_t from = piece.outline[i], to = piece.outline[(i + 1) % piece.outline.size()];
-        line(from, to, 3, IM_COL32(255, 255, 255, 255), 90);
-        line(from, to, 1, IM_COL32(40, 40, 40, 255), 150);
+        line(from, to, 3, IM_COL32(255, 255, 255, 255), 110);
+        line(from, to, 1.2, IM_COL32(40, 40, 40, 255), 170);
       }
   if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
     const EdgeTableInsert& e = m.edge_table[*lit];
@@ -490,6 +490,11 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
       return !is_drawn(low.x, low.y) && !is_drawn(high.x, low.y) && !is_drawn(low.x, high.y) &&
              !is_drawn(high.x, high.y);
     };
+  if (const auto now = ui.still ? std::nullopt : s.cell_looked_at()) {  // its frame is drawn over all
+    const float side = static_cast<float>(map.cell) + 8 * ui.thin;
+    const ImVec2 middle = moved_by(origin, map.px(now->x), map.py(now->y));
+    words.taken.take({middle.x - side / 2, middle.y - side / 2}, {side, side});
+  }
   if (!ui.still && (!has_numbers || talk.polygons)) mark_half_planes(ui, map, origin, words, has_numbers, ink);
   if (!ui.still && talk.polygons) {
     name_outline(ui, map, origin, ends, words);

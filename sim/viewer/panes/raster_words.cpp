@@ -277,7 +277,10 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
             map.py(y) + size.y / 2 > map.box_height)
           continue;
         const Pixel32 back = cells.colors[at] == hatched_cell ? to_pixel(ui.colors().empty) : cells.colors[at];
-        const ImVec2 middle = moved_by(origin, map.px(x), map.py(y));
+        const ImVec2 middle = moved_by(origin, map.px(x), map.py(y)), half{size.x / 2 + 1, size.y / 2 - 1};
+        // Lines over the cells go on behind it.
+        ImGui::GetWindowDrawList()->AddRectFilled({middle.x - half.x, middle.y - half.y},
+                                                  {middle.x + half.x, middle.y + half.y}, to_im(back));
         draw_text(ui, {middle.x - size.x / 2, middle.y - size.y / 2}, font, ink_on(back), text);
       }
     return true;

@@ -108,6 +108,7 @@ void draw_boxes(const Ui& ui, const Plan& plan) {
   constexpr std::size_t most_drawn = 400;
   if (machine.boxes.size() <= most_drawn)
     for (const BoxRow& row : machine.boxes) stroke_lines(list, corners_of(plan, row.entry), c.rule, ui.thin, true);
+  if (ui.still) return;
   const RecordedEvent* event = ui.session.event();
   for (const bool hit : {true, false})
     for (const BoxTest& test : machine.rays.boxes) {
@@ -415,7 +416,7 @@ void draw_ray_plan(Ui& ui) {
   if (machine.rays.plane_test && s.event() && holds<RayPlane>(s.event()->event))
     mark_facet(ui, plan, machine.rays.plane_test->facet, ui.colors().now, 5);
   draw_window(ui, plan, words);
-  draw_rays(ui, plan, words);
+  if (!ui.still) draw_rays(ui, plan, words);
   const auto label = [&](glm::dvec3 point, const std::string& word) {
     const ImVec2 p = plan.place(point);
     fill_circle(list, p, 4, ui.colors().text);
@@ -431,8 +432,7 @@ void draw_ray_plan(Ui& ui) {
   if (scene.light) label(scene.light->position, "light");
   draw_law(ui, plan, words);
   draw_names(ui, plan, words);
-  name_hits(ui, plan, words);
-  name_boxes(ui, plan, words);
+  if (!ui.still) name_hits(ui, plan, words), name_boxes(ui, plan, words);
   list->PopClipRect();
 }
 

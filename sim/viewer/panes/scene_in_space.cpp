@@ -490,6 +490,7 @@ void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& c
   draw_axes(pen, now, viewing, arrived);
   draw_eye(pen);
   draw_lamp(pen, now);
+  if (now.at_rest()) return draw_light_at_vertices(pen, now);
   draw_dividing_plane(pen, now);
   draw_scan_plane(pen, now);
   draw_area(pen, now);

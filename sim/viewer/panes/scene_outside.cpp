@@ -194,7 +194,7 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
   const Picture& seen = kept.made.polygons;
   const Outside outside(room, look, seen.width, seen.height);
   picture.words.clear();
-  const std::int32_t at_work = now.state().machine.polygon;
+  const std::int32_t at_work = now.at_rest() ? no_polygon : now.state().machine.polygon;
   const bool wires = records<LineBegin>(now.header());  // of methods that draw lines: every edge, and no polygon
   const Pixel32 paper = to_pixel(c.pane);
   std::vector<Pixel32> colors;

@@ -18,7 +18,7 @@ float head_of_place(const Ui& ui) { return std::round(ui.em * 0.35f); }
 
 std::optional<Sign> sign_under(const Ui& ui, const Strip& strip, bool with_stops) {
   std::optional<Sign> found;
-  float nearest = std::round(4 * ui.thin) + 0.5f;
+  float nearest = arm_of_stop(ui) + 0.5f;
   const auto look = [&](std::int64_t step, int stop, auto&& help) {
     const float away = std::abs(strip.x(step) - ImGui::GetIO().MousePos.x);
     if (!strip.holds(step) || away >= nearest) return;

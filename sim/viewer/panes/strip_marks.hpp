@@ -40,6 +40,9 @@ struct Sign {
 /// The one under the mouse; of several the nearest, of those a cause, then a bookmark.
 std::optional<Sign> sign_under(const Ui& ui, const Strip& strip, bool with_stops);
 
+/// Of a stop's mark, half as high as it is; a lecture hall's strips are hardly higher than their letters.
+inline float arm_of_stop(const Ui& ui) { return std::round(ui.presenter ? 0.16f * ui.em : 4 * ui.thin); }
+
 /// Above the strip, clear of its words: bookmarks, and what playing repeats.
 void draw_places(Ui& ui, const Strip& strip);
 /// Steps that follow from a cause, or that part from the other run's, and the causes.

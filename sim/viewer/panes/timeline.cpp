@@ -147,7 +147,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
     words.write_first(c.muted, records<LineBegin>(s.header()) ? "edge by edge" : "this trace marks no polygons");
   if (s.lesson())
     for (const Stop& stop : s.lesson()->stops) {
-      const float arm = std::round(4 * ui.thin), x = std::floor(strip.x(stop.position)), y = end.y - arm;
+      const float arm = arm_of_stop(ui), x = std::floor(strip.x(stop.position)), y = end.y - arm;
       list->AddQuadFilled({x, y - arm}, {x + arm, y}, {x, y + arm}, {x - arm, y},
                           stop.question ? c.selected : c.changed);
     }

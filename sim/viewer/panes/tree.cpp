@@ -163,9 +163,11 @@ void draw_whole(Ui& ui) {
     for (const std::int32_t piece : one.pieces)
       if (at(piece) < m.pieces.size()) drawn = std::max(drawn, draw_places[at(piece)]);
     lowest = std::max(lowest, end.y + (drawn >= 0 ? ui.fonts.small->FontSize : 0));
-    if (drawn >= 0)
-      draw_text(ui, {std::round(end.x - half * 0.6f), end.y + 1}, ui.fonts.small, c.changed,
-                fmt::format("#{}", drawn + 1));
+    if (drawn < 0) continue;
+    const std::string turn = fmt::format("#{}", drawn + 1);
+    const ImVec2 size = text_size(ui, ui.fonts.small, turn), place{std::round(middle.x - size.x / 2), end.y + 1};
+    list->AddRectFilled(place, {place.x + size.x, place.y + size.y}, c.pane);  // on lines to children
+    draw_text(ui, place, ui.fonts.small, c.changed, turn);
   }
   const std::string long_text = "+ in front, \u2212 behind   arrow: the eye's side   #1: drawn first";
   for (const std::string& text :
