@@ -72,12 +72,15 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
 
   // From the right: what there is room for, the most important first.
   std::vector<std::string> parts{fmt::format("step {} of {}", grouped(session_.position()), grouped(session_.size()))};
-  if (state.machine.polygon != no_polygon)
+  const bool works = !session_.at_rest();
+  if (works && state.machine.polygon != no_polygon)
     parts.push_back("polygon " + polygon_label(session_.scene(), state.machine.polygon));
-  if (state.machine.horizon.curve) parts.push_back(fmt::format("curve {}", state.machine.horizon.curve->curve));
-  if (state.machine.horizon.test) parts.push_back(fmt::format("column {}", state.machine.horizon.test->x));
-  if (state.machine.scan_line) parts.push_back(fmt::format("scan line {}", *state.machine.scan_line));
-  if (const auto cell = session_.current_cell()) parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));
+  if (works && state.machine.horizon.curve)
+    parts.push_back(fmt::format("curve {}", state.machine.horizon.curve->curve));
+  if (works && state.machine.horizon.test) parts.push_back(fmt::format("column {}", state.machine.horizon.test->x));
+  if (works && state.machine.scan_line) parts.push_back(fmt::format("scan line {}", *state.machine.scan_line));
+  if (const auto cell = works ? session_.current_cell() : std::nullopt)
+    parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));
   const Scene& scene = session_.scene();
   if (race_shown_) parts = {race().place_text()};
   // A click on a lesson, a method or a scene offers the others.

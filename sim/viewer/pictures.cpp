@@ -45,7 +45,9 @@ std::vector<std::string> wrapped(const Sheet& sheet, const std::string& text, fl
 
 struct Pictures::Impl {
   Impl(const Trace& trace, const PictureOptions& options, const Settings& settings)
-      : notes(options.notes), finished(options.finished), app(trace, options.lesson, settings, options.width, options.height) {
+      : notes(options.notes),
+        finished(options.finished),
+        app(trace, options.lesson, settings, options.width, options.height) {
     if (options.checked) app.show_findings(*options.checked);
     if (options.against) app.show_against(*options.against);
     look_at = [this, pixel = options.pixel, lead = options.lead] { app.look_at(pixel, lead); };

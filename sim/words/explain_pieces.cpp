@@ -280,7 +280,7 @@ void tell(Telling& t, const ExtentTest& e) {
     t.contradict(fmt::format("The trace says that the {} extents of {} and {} {}, but {} and {} {}.", axis, one, other,
                              e.overlap ? "overlap" : "do not overlap", range(e.low, e.high),
                              range(e.other_low, e.other_high), meet ? "do" : "do not"));
-  t.formula(fmt::format("{}: {} and {}", one, range(e.low, e.high), range(e.other_low, e.other_high)));
+  t.formula(fmt::format("{}: {}, {}: {}", one, range(e.low, e.high), other, range(e.other_low, e.other_high)));
   if (!e.overlap && e.high <= e.other_low) t.formula(fmt::format("{} \u2264 {}", number(e.high), number(e.other_low)));
   else if (!e.overlap && !meet) t.formula(fmt::format("{} \u2264 {}", number(e.other_high), number(e.low)));
   t.value("low", e.low);

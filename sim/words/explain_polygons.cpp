@@ -189,7 +189,9 @@ void formulas_of_facing(Telling& t, const FacingTest& e) {
   const bool parallel = t.at.camera && t.at.camera->kind == Camera::Kind::orthographic;
   const std::size_t corners = formulas::detail::corners_of(t.at, t.machine.facet).size();
   if (corners >= 3) t.formula(normal_of(corners));
-  t.formula(fmt::format("{}\u00b7n = {}   {}", parallel ? "line of sight" : "(p \u2212 e)", number(e.view_dot_normal),
+  const double along = e.view_dot_normal;
+  const char* sign = e.facing == Facing::edge_on || along == 0 ? "" : along < 0 ? " < 0" : " > 0";
+  t.formula(fmt::format("{}\u00b7n = {}{}   {}", parallel ? "line of sight" : "(p \u2212 e)", number(along), sign,
                         verdict_of(e, "positive faces away")),
             "view_dot_normal");
   t.formula(fmt::format("{} at the eye = {}   {}", plane_in_symbols(world_names, parallel ? "" : "D"),

@@ -52,7 +52,7 @@ TEST_CASE("inclusive coverage is told as such: the last pixel of a span, the sca
       "end_row = ⌊y_1⌋ + 1 = ⌊6⌋ + 1 = 7   coverage is inclusive, and the edge goes on as far as y_1   (0x1.cp+2)");
   const std::string retired = must(folder, "find run.ztrace edge_retire");
   HAS_LINE(retired, "149  retire_edge  Scan line 7 was the last of A: edge e1 (2–0) leaves the active edge list.");
-  HAS_LINE(retired, "e2 leaves at y = 8: y + 1 = 8");
+  HAS_LINE(retired, "e1 leaves at y = 8: y + 1 = 8");
   HAS_LINE(must(folder, "find run.ztrace \"step==12\""), "last = ⌊x_R⌋ = ⌊0⌋ = 0");
   must(folder, "record foley -o foley.ztrace");
   HAS_LINE(must(folder, "find foley.ztrace span"), "last = ⌈x_R⌉ − 1 = ⌈7⌉ − 1 = 6");

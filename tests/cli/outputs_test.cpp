@@ -250,7 +250,7 @@ TEST_CASE("what a full disk leaves is told as it is: no trace, the one before, o
 TEST_CASE("a formula that asks for much work has the limits of a file, and what was recorded by then can be opened") {
   const Folder folder;
   const Outcome outcome =
-      run(folder, "record 'y = sin(x) * cos(z)' --algorithm ray-casting --size 480x360 -o run.ztrace");
+      run(folder, "record 'y = sin(x) * cos(z)' --algorithm ray-casting --size 1280x960 -o run.ztrace");
   CHECK(outcome.code == 3);
   CHECK(has(outcome.err, "as time was up; the file holds them and can be opened"));
   check_ends(folder, "\"$zstep\" dump run.ztrace --from 1 --to 3", 0);

@@ -50,7 +50,8 @@ TEST_CASE("view: a mesh opens on its finished picture, a built-in scene and what
   const auto first_line = [](const Outcome& one) { return one.out.substr(0, one.out.find('\n')); };
   CHECK(first_line(opened) == first_line(last));
   CHECK(first_line(run(folder, of_mesh + " --at 0")) != first_line(last));
-  CHECK(first_line(run(folder, "view pyramid --describe")) == first_line(run(folder, "view pyramid --describe --at 0")));
+  CHECK(first_line(run(folder, "view pyramid --describe")) ==
+        first_line(run(folder, "view pyramid --describe --at 0")));
   must(folder, "view facet.off --size 8x6 --screenshot facet.png");
   must(folder, "view facet.off --size 8x6 --at 0 --screenshot first.png");
   CHECK(text_of(folder / "facet.png") != text_of(folder / "first.png"));

@@ -76,7 +76,7 @@ struct OnSet {
 TEST_CASE("a film's frames are the window's pictures of those steps, and all is as it was afterwards") {
   const Studio studio(keeps_frames);
   OnSet o;
-  const int stop = 6;
+  const int stop = 10;
   o.app.session().to_stop(stop);
   o.app.session().selected_edge = 1;
   const test::Bytes before = test::picture(o.app);
@@ -87,8 +87,14 @@ TEST_CASE("a film's frames are the window's pictures of those steps, and all is 
   test::press(o.app, SDLK_RETURN);
   REQUIRE(o.app.filming());
   // What keys and mouse do meanwhile is no part of it.
-  test::press(o.app, SDLK_t);
-  test::click(o.app, 300, 200);
+  SDL_Event event{};
+  event.type = SDL_KEYDOWN, event.key.keysym.sym = SDLK_t;
+  o.app.handle(event);
+  for (const SDL_EventType type : {SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
+    event = {};
+    event.type = type, event.button.button = SDL_BUTTON_LEFT, event.button.x = 300, event.button.y = 200;
+    o.app.handle(event);
+  }
   make_film(o.app);
   const std::string name = fmt::format("zstep-{}-{}.mp4", first, last);
   CHECK(studio.files() == std::vector<std::string>{name});

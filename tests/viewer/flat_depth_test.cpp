@@ -20,6 +20,7 @@ TEST_CASE("where all polygons have one depth the legend says what hatched pixels
     return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return word == text; });
   };
   app.session().to_stop(1);
+  app.set_lead("depth");
   CHECK(is_drawn("every depth is 0 or \u221e"));
   CHECK_FALSE(is_drawn("every depth is 0"));
   app.session().to_stop(2);

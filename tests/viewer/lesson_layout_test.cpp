@@ -73,10 +73,9 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
     CAPTURE(lesson.id);
     // Lines of code may begin alike, and are broken where the pane ends.
     const auto may_be_said = [&](const std::string& words) {
-      const auto begin_so =
-          std::count_if(trace.header().page.begin(), trace.header().page.end(), [&](const StepInfo& step) {
-            return without_blanks(step.text).starts_with(without_blanks(words));
-          });
+      const auto begin_so = std::count_if(
+          trace.header().page.begin(), trace.header().page.end(),
+          [&](const StepInfo& step) { return without_blanks(step.text).starts_with(without_blanks(words)); });
       return std::max<std::ptrdiff_t>(1, begin_so);
     };
     for (const Shown& look : looks) {

@@ -159,7 +159,7 @@ TEST_CASE("a pane that the run has not come to is folded to its title, however o
 TEST_CASE("a stop's focus leads while it speaks, one that is no pane is refused by its line") {
   Lesson lesson = find_lesson("edge-table");
   const Trace trace = run_lesson(lesson);
-  lesson.stops[2].focus = "edge_table";
+  lesson.stops[1].focus.clear(), lesson.stops[2].focus = "edge_table";
   App app(trace, &lesson, {}, 1280, 720);
   app.session().to_stop(1);
   CHECK(app.lead().empty());

@@ -210,7 +210,7 @@ constexpr ByEnum<Mistake, MistakeText> texts{{{
     {"one_winding_only",
      "Polygons that go the other way round on the picture are left out.",
      "What does your program do where the area of a triangle comes out negative?",
-     "back-faces", "The same sign on the screen"},
+     "back-faces", "The same test on the screen"},
     {"border_for_nobody",
      "Pixels on an edge belong to no polygon.",
      "Which of two polygons draws a pixel whose centre lies on the edge between them?",

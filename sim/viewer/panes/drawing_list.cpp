@@ -404,7 +404,12 @@ void draw_drawing_list(Ui& ui) {
 std::string note_of_drawing_list(Ui& ui) {
   const MethodState& machine = ui.session.state().machine;
   if (machine.list.empty() && machine.drawn.empty()) return "";
-  return fmt::format("{} to go, {} drawn", machine.list.size(), machine.drawn.size());
+  // The one that is being drawn has left its place in neither.
+  const auto done = std::count_if(machine.drawn.begin(), machine.drawn.end(), [&](std::int32_t piece) {
+    return std::none_of(machine.list.begin(), machine.list.end(),
+                        [&](const ListEntry& entry) { return entry.piece == piece; });
+  });
+  return fmt::format("{} to go, {} drawn", machine.list.size(), done);
 }
 
 bool serves_drawing_list(const Header& header) { return records<ListInsert>(header); }

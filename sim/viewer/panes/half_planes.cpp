@@ -31,17 +31,10 @@ struct Line {
 std::optional<Line> within_box(const TriangleSetup& box, glm::dvec2 from, glm::dvec2 to) {
   const glm::dvec2 way = to - from, low(box.first_column - 0.5, box.first_row - 0.5),
                    high(box.end_column - 0.5, box.end_row - 0.5);
-  double least = -std::numeric_limits<double>::infinity(), most = -least;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (way[axis] == 0) {
-      if (from[axis] < low[axis] || from[axis] > high[axis]) return std::nullopt;
-      continue;
-    }
-    const double one = (low[axis] - from[axis]) / way[axis], other = (high[axis] - from[axis]) / way[axis];
-    least = std::max(least, std::min(one, other)), most = std::min(most, std::max(one, other));
-  }
-  if (!(least < most)) return std::nullopt;
-  return Line{from + least * way, from + most * way};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto part = part_within(low, high, from, way, -infinity, infinity);
+  if (!part) return std::nullopt;
+  return Line{from + part->first * way, from + part->second * way};
 }
 
 bool is_inside(const EdgeFunction& edge, std::int32_t x, std::int32_t y) {

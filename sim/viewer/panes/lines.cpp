@@ -81,7 +81,8 @@ void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const 
   if (now.scene().corners.size() <= most_corners)
     for (const auto& [from, to] : edges_of(now.scene()))
       if (const auto e = ends_of(now, map, {0, from, to, -1, -1, LineKind::inner}))
-        canvas.line(e->x0, e->y0, e->x1, e->y1, thin, to_pixel(c.rule));
+        canvas.line(e->x0, e->y0, e->x1, e->y1, (m.lines.empty() ? 1.5 : 1.0) * thin,
+                    to_pixel(m.lines.empty() ? c.text : c.rule));
   if (!now.at_rest()) draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
   for (const LineRow& row : m.lines)
     draw_pieces(now, canvas, map, row, 1.6 * thin, to_pixel(c.text), to_pixel(c.muted));
@@ -160,6 +161,7 @@ void draw_table(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   const LineRow* row = line_at_work(m);
+  if (ui.still || (!row && !ui.laboratory)) return;
   if (!row) return say_empty(ui, "An edge's intervals stand here once it is at work.");
   flow(ui,
        fmt::format("Edge {}: {}\u2013{}, {}", m.line, row->entry.vertex_0, row->entry.vertex_1,
@@ -288,7 +290,7 @@ void draw_lines(Ui& ui) {
 
 std::string note_of_lines(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
-  if (m.lines.empty()) return "";
+  if (m.lines.empty() || ui.still) return "";
   const std::int32_t face = face_now(m);
   return face >= 0 ? fmt::format("edge {} against {}", m.line, face_label(ui.session.scene(), face))
                    : fmt::format("edge {}", m.line);

@@ -29,11 +29,18 @@ constexpr std::size_t most_outlines = 12;
 void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, const std::optional<std::int32_t>& lit,
                    const Theme& c, double thin) {
   const MethodState& m = now.state().machine;
-  const auto line = [&](std::int32_t a, std::int32_t b, double thickness, ImU32 color, unsigned share) {
+  // `inside`: of what lies on the raster alone, beside which its numbers stand.
+  const auto line = [&](std::int32_t a, std::int32_t b, double thickness, ImU32 color, unsigned share,
+                        bool inside = false) {
     const auto from = on_raster(now.scene(), now.state(), a), to = on_raster(now.scene(), now.state(), b);
-    if (from && to)
-      canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness * thin, to_pixel(color),
-                  share);
+    if (!from || !to) return;
+    const glm::dvec2 first(from->x, from->y), way = glm::dvec2(to->x, to->y) - first;
+    const auto part =
+        inside ? part_within(glm::dvec2(-0.5), glm::dvec2(map.width - 0.5, map.height - 0.5), first, way, 0, 1)
+               : std::optional(std::pair(0.0, 1.0));
+    if (!part) return;
+    const glm::dvec2 p = first + part->first * way, q = first + part->second * way;
+    canvas.line(map.px(p.x), map.py(p.y), map.px(q.x), map.py(q.y), thickness * thin, to_pixel(color), share);
   };
   // Dark on a light border: visible on every colour a cell can have.
   const bool mixes = m.triangle.setup && !m.sweep.covered.empty();  // no polygon is at work any more
@@ -48,8 +55,8 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
     for (const Piece& piece : m.pieces)
       for (std::size_t i = 0; i < piece.outline.size() && !piece.cut; ++i) {
         const std::int32_t from = piece.outline[i], to = piece.outline[(i + 1) % piece.outline.size()];
-        line(from, to, 3, IM_COL32(255, 255, 255, 255), 110);
-        line(from, to, 1.2, IM_COL32(40, 40, 40, 255), 170);
+        line(from, to, 3, IM_COL32(255, 255, 255, 255), 110, true);
+        line(from, to, 1.2, IM_COL32(40, 40, 40, 255), 170, true);
       }
   if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
     const EdgeTableInsert& e = m.edge_table[*lit];
@@ -469,9 +476,10 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     if (ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.here = lines_of_pixel(s, *under, asks);
   }
   ImGui::PushClipRect(origin, end, true);
+  // Beside a number or a letter it would be read as a minus.
   const WidthInCell width_in_cell = [&](std::int32_t x, std::int32_t y) {
-    if (!cell_text || map.cell < numbers_from) return 0.0f;
-    return text_size(ui, ui.fonts.mono, cell_text(s.picture().at(x, y), cells.made.decimals)).x;
+    const bool stands = cell_text && map.cell >= numbers_from && !cell_text(s.picture().at(x, y), 0).empty();
+    return stands ? static_cast<float>(map.cell) : 0.0f;
   };
   const auto ends = ui.still ? std::nullopt : span_ends(ui, map, origin, width_in_cell);
   const auto on_raster_only = [&](double x, double y) {  // beside it stand the rulers

@@ -66,6 +66,20 @@ bool WordPlaces::around(const std::string& text, ImU32 color, const ImFont* font
   return put(text, color, font, middles);
 }
 
+std::optional<std::pair<double, double>> part_within(glm::dvec2 low, glm::dvec2 high, glm::dvec2 from, glm::dvec2 way,
+                                                     double least, double most) {
+  for (int axis = 0; axis < 2; ++axis) {
+    if (way[axis] == 0) {
+      if (from[axis] < low[axis] || from[axis] > high[axis]) return std::nullopt;
+      continue;
+    }
+    const double one = (low[axis] - from[axis]) / way[axis], other = (high[axis] - from[axis]) / way[axis];
+    least = std::max(least, std::min(one, other)), most = std::min(most, std::max(one, other));
+  }
+  if (!(least < most)) return std::nullopt;
+  return std::pair(least, most);
+}
+
 void WordPlaces::keep_line_free(ImVec2 from, ImVec2 to) {
   constexpr float every = 6, half = 2;
   const float length = std::max(1.0f, portable::length(to.x - from.x, to.y - from.y));

@@ -34,6 +34,10 @@ class TakenPlaces {
 };
 
 /// Writes on a part of the window, each word where nothing stands yet.
+/// Of the line from + t way between two t, the part within a box; none where it passes the box by.
+std::optional<std::pair<double, double>> part_within(glm::dvec2 low, glm::dvec2 high, glm::dvec2 from, glm::dvec2 way,
+                                                     double least, double most);
+
 class WordPlaces {
  public:
   WordPlaces(const Ui& ui, ImVec2 low, ImVec2 high, TakenPlaces taken_ = {})

@@ -368,13 +368,16 @@ void draw_law(const Ui& ui, const Plan& plan, WordPlaces& words) {
   };
   if (!mirrored) stroke_dashed(list, foot, tip_of(side, 3.5), c.muted, 1.5f * ui.thin);
   draw_arrow(list, foot, tip_of(*normal, 3.5), c.text, ui.thin);
-  draw_arrow(list, tip_of(back, 3), foot, c.text, ui.thin);
+  draw_arrow(list, tip_of(back, 5), foot, c.text, ui.thin);
   draw_arrow(list, foot, tip_of(out, 3), c.now, ui.thin);
   name("N", tip_of(*normal, 3.5), c.text);
-  name("D", tip_of(back, 3), c.text);
+  name("D", tip_of(back, 5), c.text);
   name(mirrored ? "R" : "T", tip_of(out, 3), c.now);
   int which = 0;
   for (const auto& [from, to] : {std::pair{*normal, back}, {side, out}}) {
+    ++which;
+    constexpr double seen_apart = 0.998;  // cosine of 3.6 degrees
+    if (glm::dot(from, to) > seen_apart) continue;
     constexpr int parts = 12;
     const auto point = [&, one = from, other = to](int k) {
       const glm::dvec3 between = glm::mix(one, other, static_cast<double>(k) / parts);
@@ -382,7 +385,6 @@ void draw_law(const Ui& ui, const Plan& plan, WordPlaces& words) {
     };
     for (int k = 0; k < parts; ++k) stroke_line(list, point(k), point(k + 1), c.muted, 1.5f * ui.thin);
     const ImVec2 middle = point(parts / 2);
-    ++which;
     if (!mirrored)
       words.around(which == 1 ? "a\u2081" : "a\u2082", c.text, ui.fonts.text, middle,
                    {middle.x - foot.x, middle.y - foot.y});
