@@ -95,7 +95,8 @@ TEST_CASE("described: a row of a table as it is drawn, with its headings") {
   Lesson lesson = find_lesson("z-buffer");
   const Trace trace = run_lesson(lesson);
   const std::string text = described_at(trace, 867, &lesson);
-  CHECK(text.find("\nTable: ACTIVE EDGES\nedge e0, x 12.27, 1 over m 0.14, z star 0.46, leaves 23, left\n") != std::string::npos);
+  CHECK(text.find("\nTable: ACTIVE EDGES\nedge e0, x 12.27, 1 over m 0.14, z star 0.46, leaves 23, left\n") !=
+        std::string::npos);
 }
 
 TEST_CASE(

@@ -76,7 +76,7 @@ struct OnSet {
 TEST_CASE("a film's frames are the window's pictures of those steps, and all is as it was afterwards") {
   const Studio studio(keeps_frames);
   OnSet o;
-  const int stop = 10;
+  const int stop = 7;
   o.app.session().to_stop(stop);
   o.app.session().selected_edge = 1;
   const test::Bytes before = test::picture(o.app);
