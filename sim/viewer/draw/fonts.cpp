@@ -124,19 +124,19 @@ Found find_face(const std::vector<Face>& faces) {
   return {};
 }
 
-/// Rows from the top of a line to where its letters stand.
-float baseline_of(const Face& face, float em) { return std::floor(face.baseline * em); }
+/// Rows from the top of a line of this height to where its letters stand.
+float baseline_of(const Face& face, float size) { return std::floor(face.baseline / face.line * size); }
 
 ImFont* add(const Found& letters, const Found& symbols, float pixels) {
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
   ImFontConfig config;
   config.OversampleH = config.OversampleV = 1;
   config.PixelSnapH = true;
-  const float em = pixels / usual.line;
-  config.GlyphOffset.y = baseline_of(usual, em) - baseline_of(letters.face, em);
+  // Whole pixels: Dear ImGui from 1.90 on cuts off what is beyond them.
+  const float size = std::round(pixels / usual.line * letters.face.line);
+  config.GlyphOffset.y = baseline_of(usual, pixels) - baseline_of(letters.face, size);
   ImFont* font = nullptr;
-  if (!letters.path.empty())
-    font = atlas->AddFontFromFileTTF(letters.path.string().c_str(), em * letters.face.line, &config, ranges);
+  if (!letters.path.empty()) font = atlas->AddFontFromFileTTF(letters.path.string().c_str(), size, &config, ranges);
   if (!font) {
     config.SizePixels = std::max(13.0f, pixels);
     font = atlas->AddFontDefault(&config);
