@@ -287,7 +287,7 @@ Outside::Outside(const Room& room, const Look& look, int width, int height) {
       const glm::dvec4 v = view * glm::dvec4(point, 1);
       flat.include({v.x / v.z, v.y / v.z, 0});
     }
-    half = std::max({(flat.high.y - flat.low.y) / 2, (flat.high.x - flat.low.x) / 2 / aspect, 1e-9}) * 1.08;
+    half = std::max({(flat.high.y - flat.low.y) / 2, (flat.high.x - flat.low.x) / 2 / aspect, 1e-9}) * 1.05;
     const glm::dvec3 middle = (flat.low + flat.high) / 2.0 * distance;
     target += middle.x * glm::dvec3(view[0][0], view[1][0], view[2][0]) +
               middle.y * glm::dvec3(view[0][1], view[1][1], view[2][1]);

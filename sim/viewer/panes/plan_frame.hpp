@@ -30,7 +30,7 @@ struct PlanFrame {
   void fit(ImVec2 top_, ImVec2 size_) {
     top = top_, size = size_;
     const glm::dvec2 extent = glm::max(high - low, glm::dvec2(1e-9));
-    scale = std::min(size.x * 0.87 / extent.x, size.y * 0.87 / extent.y);
+    scale = std::min(size.x * 0.9 / extent.x, size.y * 0.9 / extent.y);
   }
   glm::dvec2 middle() const { return (low + high) / 2.0; }
   ImVec2 place(glm::dvec2 p) const {
