@@ -478,7 +478,8 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   ImGui::PushClipRect(origin, end, true);
   // Beside a number or a letter it would be read as a minus.
   const WidthInCell width_in_cell = [&](std::int32_t x, std::int32_t y) {
-    const bool stands = cell_text && map.cell >= numbers_from && !cell_text(s.picture().at(x, y), 0).empty();
+    const bool is_row = y >= 0 && y < s.picture().height;  // a run from elsewhere may name any
+    const bool stands = is_row && cell_text && map.cell >= numbers_from && !cell_text(s.picture().at(x, y), 0).empty();
     return stands ? static_cast<float>(map.cell) : 0.0f;
   };
   const auto ends = ui.still ? std::nullopt : span_ends(ui, map, origin, width_in_cell);

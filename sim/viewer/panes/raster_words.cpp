@@ -81,11 +81,16 @@ std::optional<std::pair<double, double>> part_within(glm::dvec2 low, glm::dvec2 
 }
 
 void WordPlaces::keep_line_free(ImVec2 from, ImVec2 to) {
-  constexpr float every = 6, half = 2;
-  const float length = std::max(1.0f, portable::length(to.x - from.x, to.y - from.y));
-  for (float along = 0; along < length; along += every)
-    taken.take({from.x + (to.x - from.x) * along / length - half, from.y + (to.y - from.y) * along / length - half},
-               {2 * half, 2 * half});
+  constexpr double every = 6;
+  constexpr float half = 2;
+  const glm::dvec2 first(from.x, from.y), way = glm::dvec2(to.x, to.y) - first;
+  const auto part = part_within({low_.x, low_.y}, {high_.x, high_.y}, first, way, 0, 1);  // it may reach far beyond
+  if (!part) return;
+  const double length = std::max(1.0, portable::length(way.x, way.y));
+  for (double along = part->first * length; along < part->second * length; along += every) {
+    const glm::dvec2 at = first + along / length * way;
+    taken.take({static_cast<float>(at.x) - half, static_cast<float>(at.y) - half}, {2 * half, 2 * half});
+  }
 }
 
 namespace {

@@ -44,8 +44,10 @@ std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 ori
   const auto draw_to = [&](float x) {
     if (x > from) ends.line.push_back({{from, row}, {x - from, thick}});
   };
-  for (std::int32_t x = std::max(0, floor_int((static_cast<double>(from - origin.x) - map.left) / map.cell));
-       width && x < map.width && origin.x + static_cast<float>(map.px(x - 0.5)) < to; ++x) {
+  // Ends may lie anywhere beside the raster.
+  const double begin = std::clamp((static_cast<double>(from - origin.x) - map.left) / map.cell, 0.0, 1.0 * map.width);
+  for (std::int32_t x = floor_int(begin); width && x < map.width && origin.x + static_cast<float>(map.px(x - 0.5)) < to;
+       ++x) {
     const float letters = width(x, span->y);
     if (letters == 0) continue;
     const float middle = origin.x + static_cast<float>(map.px(x)), half = letters / 2 + 2 * ui.thin;
@@ -53,7 +55,7 @@ std::optional<SpanEnds> span_ends(const Ui& ui, const RasterMap& map, ImVec2 ori
     from = std::max(from, middle + half);
   }
   draw_to(to);
-  const float reach = std::clamp((cell - 1.2f * ui.fonts.bold->FontSize) / 2, thick, cell / 2);
+  const float reach = std::clamp((cell - 1.2f * ui.fonts.bold->FontSize) / 2, std::min(thick, cell / 2), cell / 2);
   std::size_t made = 0;
   for (const float x : {ends.left, ends.right})
     for (const float y : {ends.top, ends.end - reach})
