@@ -187,3 +187,17 @@ TEST_CASE("where formulas give way the one that the stop speaks of stays") {
   CHECK(said("negative faces away"));
   CHECK_FALSE(said("after projection"));
 }
+
+TEST_CASE("a stop that is come to through all before it is the picture that opens there") {
+  Lesson lesson = find_lesson("clipping");  // two of its stops stand at the last step, one of them to look back
+  const Trace trace = run_lesson(lesson);
+  App app(trace, &lesson, {}, 1280, 720);
+  for (int stop = 0; stop < size32(lesson.stops); ++stop) {
+    CAPTURE(stop);
+    app.session().to_stop(stop);
+    App opened(trace, &lesson, {}, 1280, 720);
+    opened.session().to_stop(stop);
+    const bool same = test::picture(app) == test::picture(opened);
+    CHECK(same);
+  }
+}
