@@ -21,7 +21,6 @@ constexpr Face usual{""};
 
 /// In order of liking: made to be read on a screen, then what systems have.
 const std::vector<Face> text_faces{{"Inter-Regular.otf", 1.21f, 0.969f},
-                                   {"Inter-Regular.ttf", 1.21f, 0.969f},
                                    {"DejaVuSans.ttf"},
                                    {"NotoSans-Regular.ttf"},
                                    {"LiberationSans-Regular.ttf"},
@@ -33,7 +32,6 @@ const std::vector<Face> text_faces{{"Inter-Regular.otf", 1.21f, 0.969f},
                                    {"arial.ttf"},
                                    {"Verdana.ttf"}};
 const std::vector<Face> bold_faces{{"Inter-SemiBold.otf", 1.21f, 0.969f},
-                                   {"Inter-SemiBold.ttf", 1.21f, 0.969f},
                                    {"DejaVuSans-Bold.ttf"},
                                    {"NotoSans-Bold.ttf"},
                                    {"LiberationSans-Bold.ttf"},
@@ -53,8 +51,7 @@ const std::vector<Face> mono_faces{{"DejaVuSansMono.ttf"},
                                    {"Courier New.ttf"},
                                    {"cour.ttf"}};
 /// Variables of formulas lean. Their small letters are as high as those beside them.
-const std::vector<Face> variable_faces{{"STIXGeneral-Italic.otf", 1.87f, 1.308f},
-                                       {"STIXTwoText-Italic.otf", 1.75f, 1.3f}};
+const std::vector<Face> variable_faces{{"STIXGeneral-Italic.otf", 1.87f, 1.308f}};
 /// For what the chosen one lacks.
 const std::vector<Face> symbol_faces{{"DejaVuSans.ttf"}, {"NotoSansMath-Regular.ttf"}, {"NotoSansSymbols2-Regular.ttf"},
                                      {"seguisym.ttf"},   {"Arial Unicode.ttf"},        {"Symbola.ttf"}};

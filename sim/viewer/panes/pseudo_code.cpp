@@ -361,7 +361,7 @@ void draw_counts(Ui& ui, const Page& page) {
   for (const StepInfo& step : page) heights.push_back(line_of(ui, step, false, level, inner).height);
   ui.text_heights[pseudo_code_pane.id] = {std::accumulate(heights.begin(), heights.end(), 0.0f), ui.read_now()};
   const std::size_t busiest = busiest_line(ui, page);
-  // The lines in each column, or none where they do not fit.
+  // Where each column ends.
   const auto filled = [&](std::size_t first, std::size_t end) {
     std::vector<std::size_t> ends;
     float used = 0;
