@@ -30,6 +30,7 @@ EM_JS(void, page_opened, (), { Module.page.opened = true; })
 EM_JS(void, page_shown, (), { Module.page.shown(); })
 EM_JS(void, page_doze, (double milliseconds), { Module.page.doze(milliseconds); })
 EM_JS(void, page_closed, (), { Module.page.closed(); })
+EM_JS(int, page_hidden, (), { return document.visibilityState === 'hidden' ? 1 : 0; })
 EM_JS(char*, page_address, (), { return stringToNewUTF8(Module.page.address()); })
 // clang-format on
 
@@ -54,6 +55,7 @@ void doze() {
 
 void turn() {
   if (!turned_by_page) return;
+  if (page_hidden()) return;  // Firefox turns a tab in the background now and then, and what plays would go on unseen
   if (turned_by_page->turn(Loop::May::go_on)) {
     if (!std::exchange(shown, true)) page_shown();
     return doze();
