@@ -349,18 +349,18 @@ class Drawing {
     record_(step::weights, BarycentricWeights{x, y, w[0], w[1], w[2]});
 
     const double z = depth_of(triangle.by_weights(w, triangle.z));
-    record_(z_buffer::step::interpolate_z, DepthInterpolate{x, y, z});
+    record_(z_buffer::step::interpolate_z, {x, y, z});
 
     const std::size_t pixel = picture_.at(x, y);
     const bool wins = nearer(z, picture_.depth[pixel]);
-    record_(z_buffer::step::compare, DepthCompare{x, y, z, wins});
+    record_(z_buffer::step::compare, {x, y, z, wins});
     if (!wins) return;
 
     picture_.depth[pixel] = z;
-    record_(z_buffer::step::write_depth, DepthWrite{x, y, z});
+    record_(z_buffer::step::write_depth, {x, y, z});
 
     picture_.polygon[pixel] = polygon_;
-    record_(z_buffer::step::write_pixel, PixelWrite{x, y, polygon_});
+    record_(z_buffer::step::write_pixel, {x, y, polygon_});
     if (shades_) shade(triangle, x, y, w);
   }
 

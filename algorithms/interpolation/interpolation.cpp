@@ -176,19 +176,19 @@ class Drawing {
 
   void draw(std::int32_t x, std::int32_t y, const T& depth) {
     const double z = depth;
-    record_(z_buffer::step::interpolate_z, DepthInterpolate{x, y, z});
+    record_(z_buffer::step::interpolate_z, {x, y, z});
 
     const std::size_t pixel = picture_.at(x, y);
     each_.computed(pixel, depth);
     const bool nearer = ways_.comparison.wins(z, picture_.depth[pixel]);
-    record_(z_buffer::step::compare, DepthCompare{x, y, z, nearer});
+    record_(z_buffer::step::compare, {x, y, z, nearer});
     if (!nearer) return;
 
     picture_.depth[pixel] = z;
-    record_(z_buffer::step::write_depth, DepthWrite{x, y, z});
+    record_(z_buffer::step::write_depth, {x, y, z});
 
     picture_.polygon[pixel] = polygon_;
-    record_(z_buffer::step::write_pixel, PixelWrite{x, y, polygon_});
+    record_(z_buffer::step::write_pixel, {x, y, polygon_});
     each_.depth(pixel, depth);
     if (ways_.shades) shade(x, y, pixel);
   }

@@ -49,23 +49,23 @@ void fill(const viewing::Vertices& vertices, const clipping::Outline& outline, s
   scan_conversion::for_each_span(number, outline, vertices, scene.raster, record, [&](const SpanBegin& span) {
     for (std::int32_t x = span.first, y = span.y; x <= span.last; ++x) {
       const double z = scan_conversion::depth_on(span, x);
-      record(step::interpolate_z, DepthInterpolate{x, y, z});
+      record(step::interpolate_z, {x, y, z});
 
       const std::size_t pixel = picture.at(x, y);
       const bool nearer = z < picture.depth[pixel];
-      record(step::compare, DepthCompare{x, y, z, nearer});
+      record(step::compare, {x, y, z, nearer});
       if (!nearer) continue;
 
       const Color color = blended(polygon.color, opacity, color_at(picture, scene, pixel));
       picture.ink[pixel] = ink_of(color);
-      record(step::blend, ColorBlend{x, y, number, opacity, color.red, color.green, color.blue});
+      record(step::blend, {x, y, number, opacity, color.red, color.green, color.blue});
       if (!hides) continue;
 
       picture.depth[pixel] = z;
-      record(step::write_depth, DepthWrite{x, y, z});
+      record(step::write_depth, {x, y, z});
 
       picture.polygon[pixel] = number;
-      record(step::write_pixel, PixelWrite{x, y, number});
+      record(step::write_pixel, {x, y, number});
     }
   });
 }

@@ -235,13 +235,25 @@ std::string fill(std::string_view text, const Place& place, Replay& replay, cons
   return filled;
 }
 
+namespace {
+
+void add_steps_counted(const Expression& expression, std::vector<std::string>& names) {
+  if (expression.kind == Kind::count) names.push_back(expression.text);
+  for (const Expression& part : expression.parts) add_steps_counted(part, names);
+}
+
+}  // namespace
+
 std::vector<std::string> names_in(std::string_view text, const Place& place) {
   std::vector<std::string> names;
   split(
       text, place, [](std::string_view) {},
       [&](std::string_view inside, std::int32_t line) {
         const Slot slot = parse_slot(inside, place.str(line));
-        if (slot.mark != '"' && slot.expression.kind == Kind::name) names.push_back(slot.expression.text);
+        if (slot.mark == '"') return;
+        const Expression& whole = slot.expression;
+        if (whole.kind == Kind::name || whole.kind == Kind::call) names.push_back(whole.text);
+        add_steps_counted(whole, names);
       });
   return names;
 }

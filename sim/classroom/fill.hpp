@@ -27,7 +27,7 @@ struct Place {
 std::string fill(std::string_view text, const Place& place, Replay& replay, const RecordedEvent* event,
                  std::int64_t position);
 
-/// What stands alone in braces, and is no word: of `{z ~ 0.7} < {stored}` z and stored. Throws as `fill` does.
+/// What stands alone in braces, and is no word: of `{z ~ 0.7} < {z_v(3)}` z and z_v; and steps that are counted there.
 std::vector<std::string> names_in(std::string_view text, const Place& place);
 
 /// Checks all of it that can be checked without a run; that no number stands in it that no run could check, too.

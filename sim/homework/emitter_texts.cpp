@@ -3,7 +3,8 @@
 namespace zstep::homework::emitter_texts {
 
 const std::string_view c_begin =
-    R"text(/* Writes a run, a line a step, with the place that printed it; zstep reads it. Depths may be INFINITY. C99 and C++.
+    R"text(/* Writes a run, a line a step, with the place that printed it; zstep reads it.)text"
+    R"text( Depths may be INFINITY. C99 and C++.
    With $NAME_OFF defined nothing of it is compiled. $NAME_OUT: where it goes, standard output if it is not defined. */
 #ifndef $NAME_H
 #define $NAME_H
@@ -64,7 +65,8 @@ static inline void $name_header(const char* file) {
     exit(1);
   }
   for (; !in && *text; ++text) fputs(*text, $NAME_OUT);
-  for (int c = 0, last = '\n'; in && ((c = getc(in)) != EOF || last != '\n'); last = c) putc(c == EOF ? c = '\n' : c, $NAME_OUT);
+  for (int c = 0, last = '\n'; in && ((c = getc(in)) != EOF || last != '\n'); last = c))text"
+    R"text( putc(c == EOF ? c = '\n' : c, $NAME_OUT);
   if (in) fclose(in);
   else putc('\n', $NAME_OUT);
 #else
@@ -74,7 +76,8 @@ static inline void $name_header(const char* file) {
 )text";
 
 const std::string_view cpp_begin =
-    R"text(// Writes a run, a line a step, with the place that printed it; zstep reads it. Depths may be infinite. C++11.
+    R"text(// Writes a run, a line a step, with the place that printed it; zstep reads it.)text"
+    R"text( Depths may be infinite. C++11.
 // With $NAME_OFF defined each call is empty. It goes to standard output, or to what $name::out() is set to.
 #pragma once
 #include <cmath>
@@ -122,7 +125,8 @@ inline void step(const char* name, Place at, const Fields&... fields) {
   const int each[] = {0, (line += fields.text, 0)...};
   (void)each;
   line += ",\"at\":\"";
-  for (const char* c = at.file; *c; ++c) line += (*c == '"' || *c == '\\') ? std::string("\\") + *c : std::string(1, *c);
+  for (const char* c = at.file; *c; ++c) line += (*c == '"' || *c == '\\') ? std::string("\\") + *c :)text"
+    R"text( std::string(1, *c);
   line += ":" + std::to_string(at.line) + "\"}\n";
   std::fputs(line.c_str(), out());
 }
@@ -143,7 +147,8 @@ inline void header(const char* file = nullptr) {
     }
   }
   if (text.empty()) {
-    std::fprintf(stderr, "%s: cannot be read; make it with: zstep header SCENE -o head.jsonl\n", file ? file : "header");
+    std::fprintf(stderr, "%s: cannot be read; make it with:)text"
+    R"text( zstep header SCENE -o head.jsonl\n", file ? file : "header");
     std::exit(1);
   }
   if (text.back() != '\n') text += '\n';
@@ -203,7 +208,8 @@ def header(file=None):  # the first line of the run: this file's text, or the he
 )text";
 
 const std::string_view javascript_begin =
-    R"text(// Writes a run, a line a step, with the place that printed it; zstep reads it. Depths may be Infinity. For Node: where
+    R"text(// Writes a run, a line a step, with the place that printed it; zstep reads it.)text"
+    R"text( Depths may be Infinity. For Node: where
 // a package is of type "module", call this file .cjs. exports.on = false: nothing is written.
 const { relative } = require("path");
 const numbers = { Infinity: "inf", "-Infinity": "-inf", NaN: "nan" };
@@ -239,13 +245,15 @@ const text = [$header].join("");
 // The first line of the run: the text of this file, or else the header that was given when this file was made.
 exports.header = (file) => {
   if (!exports.on) return;
-  if (file === undefined && !text) throw new Error("name the header's file; zstep header SCENE -o head.jsonl makes one");
+  if (file === undefined && !text) throw new Error("name the header's file;)text"
+    R"text( zstep header SCENE -o head.jsonl makes one");
   lines += (file === undefined ? text : require("fs").readFileSync(file, "utf8")).trimEnd() + "\n";
 };
 )text";
 
 const std::string_view java_begin =
-    R"text(/** Writes a run, a line a step, with the place that printed it; zstep reads it. Depths may be infinite. Java 9. */
+    R"text(/** Writes a run, a line a step, with the place that printed it; zstep reads it.)text"
+    R"text( Depths may be infinite. Java 9. */
 final class $Name {
   private $Name() {}
 

@@ -79,7 +79,7 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
     parts.push_back(fmt::format("curve {}", state.machine.horizon.curve->curve));
   if (works && state.machine.horizon.test) parts.push_back(fmt::format("column {}", state.machine.horizon.test->x));
   if (works && state.machine.scan_line) parts.push_back(fmt::format("scan line {}", *state.machine.scan_line));
-  if (const auto cell = works ? session_.current_cell() : std::nullopt)
+  if (const auto cell = works ? session_.cell_looked_at() : std::nullopt)
     parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));
   const Scene& scene = session_.scene();
   if (race_shown_) parts = {race().place_text()};

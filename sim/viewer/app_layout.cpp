@@ -264,9 +264,9 @@ float App::frame_height(float width) const {
 std::vector<Pane> App::words_of_step() {
   const bool nothing_to_say = session_.message.empty();
   if (viewing_step(ui_) > 0 && nothing_to_say) return {};  // the picture has its matrices
-  const RecordedEvent* event = session_.event();
+  const RecordedEvent *event = session_.event(), *told = session_.event_told();
   const bool stop_tells = session_.speaks() && nothing_to_say && !has_causes();
-  const bool tells = !stop_tells || (event && !explain(session_.trace(), session_.state(), *event).formulas.empty());
+  const bool tells = !stop_tells || (told && !explain(session_.trace(), session_.state(), *told).formulas.empty());
   std::vector<Pane> words;
   if (tells && !(session_.at_rest() && nothing_to_say)) words.push_back(happened_pane);
   if (event && find_step(session_.header().page, event->step)) words.push_back(pseudo_code_pane);

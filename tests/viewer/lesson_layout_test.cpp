@@ -2,6 +2,7 @@
 // laboratory and back.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -56,6 +57,19 @@ double ground_share(App& app) {
   return static_cast<double>(empty) / all;
 }
 
+/// A symbol of one letter whose "_" is drawn instead of setting what follows below the line: z_v, and not write_pixel.
+bool has_raw_subscript(const std::string& words) {
+  const auto is_part = [&](std::size_t at) {
+    return at < words.size() && (std::isalnum(static_cast<unsigned char>(words[at])) != 0 || words[at] == '_');
+  };
+  for (std::size_t bar = words.find('_'); bar != std::string::npos; bar = words.find('_', bar + 1)) {
+    std::size_t end = bar + 1;
+    while (is_part(end)) ++end;
+    if (bar > 0 && is_part(bar - 1) && (bar < 2 || !is_part(bar - 2)) && end - bar >= 2 && end - bar <= 4) return true;
+  }
+  return false;
+}
+
 /// Letters that stand far apart may be read as two words.
 std::string without_blanks(std::string text) {
   std::erase(text, ' ');
@@ -101,6 +115,7 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
           place = now;
         }
         const test::Letters drawn = test::letters_of(app.ui().fonts);
+        for (const std::string& words : drawn.words) CHECK_MESSAGE(!has_raw_subscript(words), words);
         std::map<std::string, int> said;
         for (const std::string& words : drawn.words)
           if (std::count(words.begin(), words.end(), ' ') >= 6 && words.find("\u221e \u221e") == std::string::npos &&
@@ -116,6 +131,35 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
     CAPTURE(sum / count);
     CHECK(sum / count <= (all ? std::min(0.25, look.ground) : look.ground));
   }
+}
+
+TEST_CASE("law: a stop that asks about a step of another subject tells nothing of the step before") {
+  int foreign = 0, kept = 0;
+  for (Lesson& lesson : all_lessons()) {
+    const Trace trace = run_lesson(lesson);
+    App app(trace, &lesson, {}, 1280, 720);
+    for (int stop = 0; stop < size32(lesson.stops); ++stop) {
+      const Stop& asks = lesson.stops[static_cast<std::size_t>(stop)];
+      if (!asks.question || asks.event <= asks.position || asks.position == 0) continue;
+      app.session().to_stop(stop);
+      const RecordedEvent last = trace.event(asks.position), next = trace.event(asks.event);
+      const auto of_last = pixel_of(last.event), of_next = pixel_of(next.event);
+      CAPTURE(lesson.id);
+      CAPTURE(stop);
+      const bool tells = app.session().event_told() != nullptr;
+      // Of pixels at least the test knows whether they are the same.
+      if (of_last && of_next) CHECK(tells == (of_last->x == of_next->x && of_last->y == of_next->y));
+      ++(tells ? kept : foreign);
+      if (tells) continue;
+      app.settle();
+      const std::vector<std::string> words = test::letters_of(app.ui().fonts).words;
+      CHECK(std::find(words.begin(), words.end(), "WHAT JUST HAPPENED") == words.end());
+      const StepInfo& line = *find_step(trace.header().page, last.step);
+      CHECK(std::find(words.begin(), words.end(), line.module + "." + line.name) == words.end());
+    }
+  }
+  CHECK(foreign > 40);
+  CHECK(kept > 40);
 }
 
 TEST_CASE("Shift+P leads from a lesson's layout to every pane and back, and the bytes are those of before") {

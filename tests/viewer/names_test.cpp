@@ -99,6 +99,9 @@ TEST_CASE("symbols in a lesson's text are set with their subscripts, names of fi
   const Shown shown = words_at("which-z", 1);
   CHECK(shown.count("v") == 3);  // of z_v
   for (const std::string& word : shown.words) CHECK_MESSAGE(word.find("z_v") == std::string::npos, word);
+  // In code, too: a formula in columns, and one within a sentence.
+  for (const std::string& word : words_at("near-and-far", 2).words)
+    CHECK_MESSAGE(word.find("z_v") == std::string::npos, word);
   const Shown files = words_at("find-the-bug", 6);
   CHECK(std::any_of(files.words.begin(), files.words.end(),
                     [](const std::string& word) { return word.find("write_pixel") != std::string::npos; }));

@@ -14,6 +14,8 @@ class Moment {
   const Header& header() const { return session_.header(); }
   const State& state() const { return session_.state(); }
   const RecordedEvent* event() const { return session_.event(); }
+  const RecordedEvent* event_told() const { return session_.event_told(); }
+  const std::optional<RecordedEvent>& event_in_question() const { return session_.event_in_question(); }
   bool at_rest() const { return session_.at_rest(); }
   std::int64_t position() const { return session_.position(); }
   /// The buffers, which are those of before() while a reader looks back.

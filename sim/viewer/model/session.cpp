@@ -91,7 +91,7 @@ void Session::arrived() {
   message.clear();
   asked_.reset();
   const Stop* stop = speaks() ? &lesson_->stops[stop_] : nullptr;
-  if (stop && stop->question && stop->event > position()) asked_ = trace_.event(stop->event);
+  if (stop && (stop->question || stop->marking) && stop->event > position()) asked_ = trace_.event(stop->event);
 }
 
 void Session::move(Unit unit, int direction) {
@@ -214,10 +214,30 @@ std::optional<Cell> Session::current_cell() const {
   return std::nullopt;
 }
 
+namespace {
+
+/// Whether what both say of their subject, a pixel, a vertex, an edge, is the same.
+bool has_same_subject(const Event& a, const Event& b) {
+  bool shares = false;
+  for (const FieldOfKind& field : fields_of_kind(a.index())) {
+    const FieldOfKind* other = field_of_kind(b.index(), field.name);
+    if (!other || !has(field.as, As::subject) || !has(other->as, As::subject)) continue;
+    if (field.read(a) != other->read(b)) return false;
+    shares = true;
+  }
+  return shares;
+}
+
+}  // namespace
+
+const RecordedEvent* Session::event_told() const {
+  return !asked_ || !event() || has_same_subject(event()->event, asked_->event) ? event() : nullptr;
+}
+
 std::optional<Cell> Session::cell_looked_at() const {
-  if (asked_)
+  if (asked_ && !marking())  // what is to be marked is not shown
     if (const auto pixel = pixel_of(asked_->event)) return Cell{pixel->x, pixel->y};
-  return current_cell();
+  return event_told() ? current_cell() : std::nullopt;
 }
 
 // --- Lesson

@@ -68,6 +68,9 @@ class Session {
   std::optional<Cell> current_cell() const;  ///< the pixel of the current event, or that at work
   /// The step before which the lesson's stop asks what it will do; none where it does not.
   const std::optional<RecordedEvent>& event_in_question() const { return asked_; }
+  /// The last step, which panes tell of. nullptr where the lesson's stop asks about a step of another subject: what was
+  /// done before is no part of the question.
+  const RecordedEvent* event_told() const;
   /// The pixel that the reader looks at: that of the step in question, or else the current one.
   std::optional<Cell> cell_looked_at() const;
 

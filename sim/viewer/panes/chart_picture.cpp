@@ -66,7 +66,7 @@ void draw_line_chart(Ui& ui, const char* name, const LineChart& chart) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at,
                                        {at.x + to_float(canvas.width()), at.y + to_float(canvas.height())});
   for (const ChartPicture::Word& word : kept.made.words)
-    draw_text(ui, {at.x + word.at.x, at.y + word.at.y}, ui.fonts.small, word.color, word.text);
+    draw_label(ui, {at.x + word.at.x, at.y + word.at.y}, ui.fonts.small, word.color, word.text);
 }
 
 }  // namespace zstep::viewer

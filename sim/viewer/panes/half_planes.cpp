@@ -50,11 +50,11 @@ class Painter {
     const TriangleSetup& box = *triangle.setup;
     frame(box.first_column, box.first_row, box.end_column, box.end_row, 1.5, to_pixel(c_.text));
     for (const EdgeFunction& edge : triangle.edges) line(box, edge);
-    if (triangle.tile) {
-      const TileTest& tile = *triangle.tile;
-      frame(tile.first_column, tile.first_row, tile.end_column, tile.end_row, 3, to_pixel(c_.now));
-    }
-    if (triangle.weights && !triangle.sample) areas(box, *triangle.weights);
+    const auto& asked = now_.event_in_question();
+    const TileTest* tile = asked ? get_if<TileTest>(&asked->event) : nullptr;
+    if (!tile && triangle.tile) tile = &*triangle.tile;
+    if (tile) frame(tile->first_column, tile->first_row, tile->end_column, tile->end_row, 3, to_pixel(c_.now));
+    if (triangle.weights && !triangle.sample && now_.event_told()) areas(box, *triangle.weights);
     if (const auto place = pixel_of_samples(triangle)) samples(triangle, place->first, place->second);
   }
 
@@ -99,9 +99,12 @@ class Painter {
       canvas_.line(foot.x, foot.y, tip.x, tip.y, (is_new ? 2.5 : 1.5) * thin_, color);
     }
   }
-  /// The pixel of which samples are at work.
+  /// The pixel of which samples are at work, or asked about.
   std::optional<std::pair<std::int32_t, std::int32_t>> pixel_of_samples(const TriangleWork& triangle) const {
     if (map_.cell < smallest_cell_of_samples) return std::nullopt;
+    const auto& asked = now_.event_in_question();
+    if (const auto* sample = asked ? get_if<SampleTest>(&asked->event) : nullptr)
+      return std::pair(sample->x, sample->y);
     if (triangle.sample) return std::pair(triangle.sample->x, triangle.sample->y);
     if (triangle.mask) return std::pair(triangle.mask->x, triangle.mask->y);
     return std::nullopt;
@@ -124,7 +127,8 @@ class Painter {
     }
     const auto offsets = formulas::samples_of(now_.header().conventions);
     for (std::int32_t i = 0; i < size32(offsets); ++i)
-      dot(offsets[static_cast<std::size_t>(i)], machine.sample(x, y, i).polygon, i == triangle.sample->sample);
+      dot(offsets[static_cast<std::size_t>(i)], machine.sample(x, y, i).polygon,
+          triangle.sample && i == triangle.sample->sample && now_.event_told());
   }
   /// From the pixel's centre to the vertices: the three triangles whose areas are the weights.
   void areas(const TriangleSetup& box, const BarycentricWeights& at) {
@@ -178,6 +182,28 @@ void cross_out(const Ui& ui, const RasterMap& map, ImVec2 origin, const Triangle
     }
 }
 
+/// The numbers of its vertices around it, and its polygon's name on its box, between pixels.
+void name_triangle(Ui& ui, const RasterMap& map, ImVec2 origin, const TriangleSetup& box, WordPlaces& words) {
+  const State& state = ui.session.state();
+  const Scene& scene = ui.session.scene();
+  const ImU32 color = ui.colors().text;
+  const glm::dvec2 middle((box.first_column + box.end_column - 1) / 2.0, (box.first_row + box.end_row - 1) / 2.0);
+  for (const std::int32_t vertex : {box.vertex_0, box.vertex_1, box.vertex_2})
+    if (const auto at = on_raster(scene, state, vertex))
+      words.around(vertex_label(scene, vertex), color, ui.fonts.small, moved_by(origin, map.px(at->x), map.py(at->y)),
+                   {map.px(at->x) - map.px(middle.x), map.py(at->y) - map.py(middle.y)});
+  const std::string name = polygon_label(scene, state.machine.polygon);
+  const double beside = text_size(ui, ui.fonts.bold, name).x;
+  const auto border = [&](double column, double row, double by) {
+    return moved_by(origin, map.px(column - 0.5) + by, map.py(row - 0.5));
+  };
+  const auto in_pixels = std::exchange(words.allowed, nullptr);
+  words.put(name, color, ui.fonts.bold,
+            {border(box.first_column, box.first_row, beside), border(box.end_column, box.first_row, -beside),
+             border(box.first_column, box.end_row, beside), border(box.end_column, box.end_row, -beside)});
+  words.allowed = in_pixels;
+}
+
 }  // namespace
 
 void paint_half_planes(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin) {
@@ -202,6 +228,7 @@ void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& w
                    moved_by(origin, map.px(from->x), map.py(from->y)), moved_by(origin, map.px(to->x), map.py(to->y)),
                    -inward);
   }
+  name_triangle(ui, map, origin, *triangle->setup, words);
 }
 
 }  // namespace zstep::viewer

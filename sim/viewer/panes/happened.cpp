@@ -214,20 +214,19 @@ void draw_told(Ui& ui, const StepMarks::Told& told) {
   if (!told.lines.empty() || !told.note.empty()) ImGui::Dummy({1, ui.em * 0.25f});
 }
 
-/// In which order formulas give way where there is no room for all of them. The last whose field the lesson's stop
-/// gives stays, or else the last of all, to which the others lead.
+/// In which order formulas give way where there is no room for all of them: the later ones first, and last those whose
+/// fields the lesson's stop gives. One stays.
 std::vector<std::size_t> order_of_giving_way(const Session& s, const Explanation& told) {
-  const std::size_t count = told.formulas.size();
-  if (count < 2) return {};
-  std::size_t stays = count - 1;
-  if (s.lesson() && s.stop() >= 0 && s.speaks()) {
-    const std::vector<std::string>& names = s.lesson()->stops[static_cast<std::size_t>(s.stop())].names;
-    for (std::size_t k = 0; k < count; ++k)
-      if (std::find(names.begin(), names.end(), told.given[k]) != names.end()) stays = k;
+  if (told.formulas.size() < 2) return {};
+  const auto* stop = s.lesson() && s.speaks() ? &s.lesson()->stops[static_cast<std::size_t>(s.stop())] : nullptr;
+  std::vector<std::size_t> order, named;
+  for (std::size_t k = 0; k < told.formulas.size(); ++k) {
+    const bool is_named = stop && std::ranges::find(stop->names, told.given[k]) != stop->names.end();
+    if (is_named) named.push_back(k);
+    else order.insert(order.begin(), k);
   }
-  std::vector<std::size_t> order;
-  for (std::size_t k = count; --k > stays;) order.push_back(k);
-  for (std::size_t k = 0; k < stays; ++k) order.push_back(k);
+  order.insert(order.end(), named.begin(), named.end());
+  order.pop_back();
   return order;
 }
 

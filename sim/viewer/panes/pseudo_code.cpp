@@ -322,16 +322,18 @@ std::vector<bool> few_lines(Ui& ui, const Page& page, std::size_t now, const std
   return shown;
 }
 
-/// None where the picture is looked at as a whole.
-Page::const_iterator line_at_work(const Ui& ui, const Page& page) {
-  const RecordedEvent* event = ui.session.at_rest() ? nullptr : ui.session.event();
+Page::const_iterator line_of(const Page& page, const RecordedEvent* event) {
   return std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return event && event->step == step.id; });
+}
+/// None where the picture is looked at as a whole, or the last step is no part of what is asked.
+Page::const_iterator line_at_work(const Ui& ui, const Page& page) {
+  return line_of(page, ui.session.at_rest() ? nullptr : ui.session.event_told());
 }
 
 /// All of the page where it fits or is asked for, else what is near the line at work.
 std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   std::vector<bool> all(page.size(), true);
-  const auto line = line_at_work(ui, page);
+  const auto line = line_of(page, ui.session.at_rest() ? nullptr : ui.session.event());
   if (line == page.end() || (ui.whole_code && ui.laboratory)) return all;
   const std::size_t now = line - page.begin();
   std::vector<float> heights;
@@ -344,15 +346,22 @@ std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   return lines_that_fit(page, now, heights, fold_height(ui), room);
 }
 
-/// What ran most often stands for the run.
-std::size_t busiest_line(const Ui& ui, const Page& page) {
-  return static_cast<std::size_t>(
-      std::max_element(page.begin(), page.end(),
-                       [&](const StepInfo& a, const StepInfo& b) { return ui.hits.of(a.id) < ui.hits.of(b.id); }) -
-      page.begin());
+/// How far each line is from one that the lesson's stop counts; where it counts none, from what ran most often.
+std::vector<std::size_t> distances(const Ui& ui, const Page& page) {
+  const Session& s = ui.session;
+  std::vector<std::size_t> at;
+  for (std::size_t k = 0; s.lesson() && s.stop() >= 0 && k < page.size(); ++k)
+    for (const std::string& name : s.lesson()->stops[static_cast<std::size_t>(s.stop())].names)
+      if (name == page[k].name || name == page[k].module + "." + page[k].name) at.push_back(k);
+  const auto ran = [&](const StepInfo& step) { return ui.hits.of(step.id); };
+  if (at.empty()) at.push_back(static_cast<std::size_t>(std::ranges::max_element(page, {}, ran) - page.begin()));
+  std::vector<std::size_t> distances(page.size(), page.size());
+  for (std::size_t k = 0; k < page.size(); ++k)
+    for (const std::size_t line : at) distances[k] = std::min(distances[k], k > line ? k - line : line - k);
+  return distances;
 }
 
-/// How often each line ran, in as many columns as there is room for; what is farthest from the busiest line gives way.
+/// How often each line ran, in as many columns as there is room for; what is farthest from what counts gives way.
 void draw_counts(Ui& ui, const Page& page) {
   const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
   const int columns = std::clamp(static_cast<int>(room.x / (24 * ui.em)), 1, 3);
@@ -360,28 +369,27 @@ void draw_counts(Ui& ui, const Page& page) {
   std::vector<float> heights;
   for (const StepInfo& step : page) heights.push_back(line_of(ui, step, false, level, inner).height);
   ui.text_heights[pseudo_code_pane.id] = {std::accumulate(heights.begin(), heights.end(), 0.0f), ui.read_now()};
-  const std::size_t busiest = busiest_line(ui, page);
-  // Where each column ends.
-  const auto filled = [&](std::size_t first, std::size_t end) {
-    std::vector<std::size_t> ends;
+  const std::vector<std::size_t> distance = distances(ui, page);
+  std::vector<std::size_t> shown(page.size());
+  std::iota(shown.begin(), shown.end(), std::size_t{0});
+  /// In which column each line is.
+  const auto filled = [&] {
+    std::vector<int> places;
     float used = 0;
-    for (std::size_t i = first; i < end; ++i) {
-      if (used + heights[i] > room.y && used > 0) ends.push_back(i), used = 0;
-      used += heights[i];
+    int column = 0;
+    for (const std::size_t line : shown) {
+      if (used + heights[line] > room.y && used > 0) ++column, used = 0;
+      used += heights[line], places.push_back(column);
     }
-    ends.push_back(end);
-    return ends;
+    return places;
   };
-  std::size_t first = 0, end = page.size();
-  while (filled(first, end).size() > static_cast<std::size_t>(columns) && end - first > 1)
-    if (busiest - first > end - 1 - busiest) ++first;
-    else --end;
-  std::size_t at = first;
-  int column = 0;
-  for (const std::size_t last : filled(first, end)) {
+  while (shown.size() > 1 && filled().back() >= columns)
+    shown.erase(std::ranges::max_element(shown, {}, [&](std::size_t line) { return distance[line]; }));
+  const std::vector<int> places = filled();
+  for (std::size_t k = 0, column = 0; k < shown.size(); ++column) {
     ImGui::SetCursorScreenPos({corner.x + to_float(column) * width, corner.y});
-    ImGui::BeginChild(fmt::format("column {}", column++).c_str(), {inner, room.y}, false, ImGuiWindowFlags_NoScrollbar);
-    for (; at < last; ++at) draw_line(ui, page[at], false, level);
+    ImGui::BeginChild(fmt::format("column {}", column).c_str(), {inner, room.y}, false, ImGuiWindowFlags_NoScrollbar);
+    for (; k < shown.size() && places[k] == static_cast<int>(column); ++k) draw_line(ui, page[shown[k]], false, level);
     ImGui::EndChild();
   }
 }
@@ -411,7 +419,7 @@ void draw_pseudo_code(Ui& ui) {
 
 std::string note_of_pseudo_code(Ui& ui) {
   if (ui.session.at_rest()) return "how often each line ran";
-  const RecordedEvent* event = ui.session.event();
+  const RecordedEvent* event = ui.session.event_told();
   const StepInfo* step = event ? find_step(ui.session.header().page, event->step) : nullptr;
   return step ? step->module + "." + step->name : "";
 }

@@ -287,7 +287,9 @@ void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::option
   const std::size_t count = m.outline.size();
   const Theme& c = ui.colors();
   if (!s.event() || m.keeps_all || count < 3 || count > most_named || map.cell < least_cell) return;
-  const std::optional<std::int32_t> now = edge_now(s.event());
+  const auto& asked = s.event_in_question();
+  const bool is_next = asked && holds<EdgeTableInsert>(asked->event);
+  const std::optional<std::int32_t> now = edge_now(is_next ? &*asked : s.event());
   const SpanBegin* span = get_if<SpanBegin>(&s.event()->event);
   const bool steps = holds<EdgeStep>(s.event()->event);
   if (!now && !span && !holds<EdgeSwap>(s.event()->event)) return;
@@ -411,7 +413,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional
   const Theme& c = ui.colors();
   const Session& s = ui.session;
   draw_pixel_marks(ui, map, origin);
-  if (!ui.still) mark_changed(ui, map, origin, ends);
+  if (!ui.still && (s.event_told() || s.looking_back)) mark_changed(ui, map, origin, ends);
   draw_picked(ui, map, origin);
   const float small = map.cell < 8 ? 3.0f : 0.0f;
   if (ui.pointed) frame_cell(ui, map, origin, *ui.pointed, small, 1, c.text);
@@ -504,7 +506,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     const ImVec2 middle = moved_by(origin, map.px(now->x), map.py(now->y));
     words.taken.take({middle.x - side / 2, middle.y - side / 2}, {side, side});
   }
-  if (!ui.still && (!has_numbers || talk.polygons)) mark_half_planes(ui, map, origin, words, has_numbers, ink);
+  if (!ui.still) mark_half_planes(ui, map, origin, words, has_numbers, ink);
   if (!ui.still && talk.polygons) {
     name_outline(ui, map, origin, ends, words);
     name_outlines_to_come(ui, map, origin, words);

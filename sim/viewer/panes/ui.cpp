@@ -40,7 +40,7 @@ void each_part(const std::string& text, Use&& use) {
     const bool symbol = bar > 0 && is_letter(bar - 1) && (bar < 2 || !goes_below(bar - 2));
     std::size_t end = bar + 1;
     while (end < text.size() && goes_below(end)) ++end;
-    if (!symbol || end == bar + 1 || end > bar + 3) continue;
+    if (!symbol || end == bar + 1 || end > bar + 4) continue;
     use(text.substr(done, bar - done), false);
     use(text.substr(bar + 1, end - bar - 1), true);
     done = end;
@@ -114,8 +114,8 @@ void push_word(const Ui& ui, std::vector<Word>& words, std::string_view text, co
   }
 }
 
-/// Where a symbol's subscript begins in a word, at its "_", and its bytes with that: of one letter, and one or two
-/// letters or digits below it, as in z_v. Names of files and steps have more.
+/// Where a symbol's subscript begins in a word, at its "_", and its bytes with that: of one letter, and up to
+/// three letters or digits below it, as in z_v and d_out. Names of files, steps and fields have more.
 std::optional<std::pair<std::size_t, std::size_t>> subscript_in(std::string_view word) {
   const auto is_part = [&](std::size_t at) {
     return at < word.size() && (is_letter(word[at]) || is_digit(word[at]) || word[at] == '_');
@@ -126,7 +126,7 @@ std::optional<std::pair<std::size_t, std::size_t>> subscript_in(std::string_view
     while (letter > 0 && continues_character(word[letter])) --letter;
     while (is_part(end)) ++end;
     const bool one = (is_letter(word[letter]) || letter + 1 < at) && (letter == 0 || !is_part(letter - 1));
-    if (one && end - at >= 2 && end - at <= 3) return std::pair(at, end - at);
+    if (one && end - at >= 2 && end - at <= 4) return std::pair(at, end - at);
   }
   return std::nullopt;
 }
@@ -140,12 +140,12 @@ std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const
     const auto end_word = [&] {
       const std::string whole = std::exchange(word, {});
       std::string_view rest = whole;
-      const bool sets = !run.code && font->FontSize > ui.fonts.small->FontSize;
+      const bool sets = font->FontSize > ui.fonts.small->FontSize;
       for (auto below = sets ? subscript_in(rest) : std::nullopt; below; below = subscript_in(rest)) {
         const auto [at, bytes] = *below;
-        push_word(ui, words, rest.substr(0, at), font, std::exchange(space, false), false, limit);
+        push_word(ui, words, rest.substr(0, at), font, std::exchange(space, false), run.code, limit);
         const std::string lower(rest.substr(at + 1, bytes - 1));
-        words.push_back({lower, ui.fonts.small, text_size(ui, ui.fonts.small, lower).x, false, false, false, true});
+        words.push_back({lower, ui.fonts.small, text_size(ui, ui.fonts.small, lower).x, false, run.code, false, true});
         rest.remove_prefix(at + bytes);
       }
       if (!rest.empty()) push_word(ui, words, rest, font, std::exchange(space, false), run.code, limit);
@@ -214,15 +214,33 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
       const float baseline =
           std::round(base->Ascent - word.font->Ascent + (word.is_below ? 0.18f * base->FontSize : 0.0f));
       const ImVec2 at{origin.x + x, origin.y + y + baseline};
-      if (word.code && base != ui.fonts.mono)
+      if (word.code && base != ui.fonts.mono) {
+        const float top = origin.y + y + std::round(base->Ascent - ui.fonts.mono->Ascent);
         ImGui::GetWindowDrawList()->AddRectFilled(
-            {at.x - 1, at.y - 1}, {at.x + word.width + 1, at.y + word.font->FontSize + 1}, ui.colors().head);
+            {at.x - 1, top - 1}, {at.x + word.width + 1, top + ui.fonts.mono->FontSize + 1}, ui.colors().head);
+      }
       draw_text(ui, at, word.font, color, word.text);
       if (how.on_number) tell_numbers(ui, word, at, how);
     }
     x += word.width;
   }
   return y + line;
+}
+
+/// A line of code, each character in its column; a symbol's subscript takes those of its own.
+void draw_code(const Ui& ui, ImVec2 at, std::string_view text, float column) {
+  const ImU32 color = ui.colors().text;
+  for (auto below = subscript_in(text); below; below = subscript_in(text)) {
+    const auto [bar, bytes] = *below;
+    const auto first = text.substr(0, bar);
+    draw_text(ui, at, ui.fonts.mono, color, std::string(first));
+    at.x += column * to_float(first.size() - std::ranges::count_if(first, continues_character));
+    draw_text(ui, {at.x, at.y + std::round(0.25f * ui.fonts.mono->FontSize)}, ui.fonts.small, color,
+              std::string(text.substr(bar + 1, bytes - 1)));
+    at.x += column * to_float(bytes);
+    text.remove_prefix(bar + bytes);
+  }
+  draw_text(ui, at, ui.fonts.mono, color, std::string(text));
 }
 
 /// A block of code, broken so that it can be read in the width at the cursor.
@@ -236,7 +254,7 @@ void flow_code(Ui& ui, const std::string& code) {
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const float y = at.y + line * to_float(k);
     if (lines[k].continues) draw_text(ui, {at.x, y}, font, ui.colors().muted, "\u21b3");
-    draw_text(ui, {at.x + column * to_float(lines[k].indent), y}, font, ui.colors().text, lines[k].text);
+    draw_code(ui, {at.x + column * to_float(lines[k].indent), y}, lines[k].text, column);
   }
   ImGui::Dummy({width, line * to_float(lines.size())});
 }
