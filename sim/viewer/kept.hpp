@@ -74,6 +74,7 @@ inline void take(Fingerprint& print, const Moment& moment) {
   print.take(static_cast<std::uint64_t>(moment.position()));
   print.take(static_cast<std::uint64_t>(moment.picture_position()));
   print.take(std::uint64_t{moment.at_rest()});
+  take(print, moment.told());
 }
 
 inline void take(Fingerprint& print, const Theme& theme) {

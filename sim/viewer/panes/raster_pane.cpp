@@ -16,6 +16,7 @@
 #include "sim/viewer/panes/outline_names.hpp"
 #include "sim/viewer/panes/sweep.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/math/whole.hpp"
@@ -406,6 +407,38 @@ void name_outlines_to_come(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlac
                  at - middle);
 }
 
+/// The vertex that comes to the raster; where that is asked, from which y_p to which the window reaches.
+void mark_vertex(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
+  const Theme& c = ui.colors();
+  const Moment now = ui.moment();
+  const Camera& camera = now.scene().camera;
+  if (now.asked() && holds<ViewportTransform>(*now.asked()) && camera.kind == Camera::Kind::perspective) {
+    const double x = map.left + map.width * map.cell / 2, top = map.top, end = map.top + map.height * map.cell;
+    const float half = ui.fonts.small->FontSize;
+    words.put("y_p = " + number(camera.window), c.text, ui.fonts.small, {moved_by(origin, x, top + half)});
+    words.put("y_p = " + number(-camera.window), c.text, ui.fonts.small, {moved_by(origin, x, end - half)});
+  }
+  const std::vector<std::int32_t>& outline = now.state().machine.outline;
+  if (now.event() && holds<OutlineVertex>(now.event()->event) && outline.size() <= 8) {
+    std::vector<glm::dvec2> places;
+    for (const std::int32_t vertex : outline)
+      if (const auto p = on_raster(now.scene(), now.state(), vertex)) places.emplace_back(map.px(p->x), map.py(p->y));
+    glm::dvec2 middle(0);
+    for (const glm::dvec2 place : places) middle += place / static_cast<double>(places.size());
+    for (std::size_t k = 0; k < places.size() && places.size() == outline.size(); ++k)
+      words.around(vertex_label(now.scene(), outline[k]), c.text, ui.fonts.bold,
+                   moved_by(origin, places[k].x, places[k].y), places[k] - middle);
+  }
+  const auto* made = now.event() ? get_if<ViewportTransform>(&now.event()->event) : nullptr;
+  if (!made) return;
+  const ImVec2 at = moved_by(origin, map.px(made->x_s), map.py(made->y_s));
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  fill_circle(list, at, std::round(0.3f * ui.em), c.now);
+  words.around(
+      fmt::format("{} ({}, {})", vertex_label(now.scene(), made->vertex), number(made->x_s), number(made->y_s)), c.now,
+      ui.fonts.bold, at, {1, -1});
+}
+
 /// Marks over the raster: changed, selected, pointed at, now.
 void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional<SpanEnds>& ends) {
   const Theme& c = ui.colors();
@@ -508,6 +541,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   if (!ui.still && talk.polygons) {
     name_outline(ui, map, origin, ends, words);
     name_outlines_to_come(ui, map, origin, words);
+    mark_vertex(ui, map, origin, words);
   }
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(words.taken));
   cover_cells_to_come(ui, id, map, origin);
