@@ -407,6 +407,58 @@ void name_outlines_to_come(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlac
                  at - middle);
 }
 
+/// The edge that the step is about, or that is asked for, by its name; and the line in which two planes meet, as far as
+/// scan lines have come.
+void draw_edge_in_question(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
+  const Theme& c = ui.colors();
+  const Moment now = ui.moment();
+  const MethodState& m = now.state().machine;
+  const Event* step = now.asked() ? now.asked() : now.event() ? &now.event()->event : nullptr;
+  if (!step || now.told() < 0) return;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto place = [&](double x, double y) { return moved_by(origin, map.px(x), map.py(y)); };
+  const auto* moved = get_if<EdgeStep>(step);
+  const auto* flip = get_if<FlagFlip>(step);
+  const std::int32_t edge = moved ? moved->edge : flip ? flip->edge : -1;
+  if (edge >= 0 && edge < std::ssize(m.edge_table) && m.outline.empty()) {
+    const EdgeTableInsert& its = m.edge_table[static_cast<std::size_t>(edge)];
+    const auto from = on_raster(now.scene(), now.state(), its.vertex_0),
+               to = on_raster(now.scene(), now.state(), its.vertex_1);
+    if (from && to) {
+      stroke_line(list, place(from->x, from->y), place(to->x, to->y), c.now, 3 * ui.thin);
+      words.beside(edge_label(now.scene(), its), c.now, ui.fonts.bold, place(from->x, from->y), place(to->x, to->y),
+                   {1, 0});
+    }
+  }
+  const auto* implied = get_if<ImpliedEdge>(step);
+  const auto known = [&](std::int32_t piece) {
+    return piece >= 0 && piece < std::ssize(m.pieces) && m.pieces[static_cast<std::size_t>(piece)].plane;
+  };
+  if (!implied || !m.scan_line || !known(implied->piece) || !known(implied->other)) return;
+  const Piece &one = m.pieces[static_cast<std::size_t>(implied->piece)],
+              &other = m.pieces[static_cast<std::size_t>(implied->other)];
+  // Where z of one plane is z of the other: a x + b y + d = 0.
+  const auto differ = [&](double PlaneEquation::*number) {
+    return (*one.plane).*number / one.plane->plane_c - (*other.plane).*number / other.plane->plane_c;
+  };
+  const double a = differ(&PlaneEquation::plane_a), b = differ(&PlaneEquation::plane_b),
+               d = differ(&PlaneEquation::plane_d);
+  if (!(std::abs(a) > 1e-12)) return;
+  double first = -1;  // scan line that meets both
+  for (const Piece* piece : {&one, &other}) {
+    double low = HUGE_VAL;
+    for (const std::int32_t vertex : piece->outline)
+      if (const auto p = on_raster(now.scene(), now.state(), vertex)) low = std::min(low, p->y);
+    first = std::max(first, std::ceil(low));
+  }
+  const double last = *m.scan_line - (now.asked() ? 1 : 0);
+  const auto at = [&](double y) { return place(-(b * y + d) / a, y); };
+  if (!(first <= last) || !std::isfinite(first)) return;
+  stroke_line(list, at(first), at(last), c.pane, 5 * ui.thin);
+  stroke_line(list, at(first), at(last), c.now, 3 * ui.thin);
+  for (double y = first; y <= last; ++y) fill_circle(list, at(y), std::round(0.28f * ui.em), c.now);
+}
+
 /// The vertex that comes to the raster; where that is asked, from which y_p to which the window reaches.
 void mark_vertex(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
   const Theme& c = ui.colors();
@@ -542,6 +594,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     name_outline(ui, map, origin, ends, words);
     name_outlines_to_come(ui, map, origin, words);
     mark_vertex(ui, map, origin, words);
+    draw_edge_in_question(ui, map, origin, words);
   }
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(words.taken));
   cover_cells_to_come(ui, id, map, origin);

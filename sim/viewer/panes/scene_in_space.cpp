@@ -17,6 +17,7 @@
 #include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/formulas/shading.hpp"
+#include "traces/formulas/viewing.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/scene.hpp"
 
@@ -259,6 +260,58 @@ void name_vertex(RoomPen& pen, const Moment& now, std::int32_t vertex, glm::dvec
   pen.word(at, vertex_label(now.scene(), vertex), color);
 }
 
+/// The test of a polygon's outcodes that the step makes or that is asked for.
+const ClipTest* outcodes_tested(const Moment& now) {
+  if (now.asked())
+    if (const auto* test = get_if<ClipTest>(now.asked())) return test;
+  return now.event() ? get_if<ClipTest>(&now.event()->event) : nullptr;
+}
+
+/// Bit k is set if a point in view coordinates is outside plane k of ClipPlane.
+int outcode_of(const Scene& scene, glm::dvec3 view) {
+  const Camera& camera = scene.camera;
+  const double width = scene.raster.width, height = scene.raster.height;
+  const formulas::ViewVolume<double> volume{camera.kind == Camera::Kind::orthographic,
+                                            camera.near,
+                                            camera.far,
+                                            camera.d,
+                                            formulas::window_width(camera.window, width, height),
+                                            camera.window};
+  int outside = 0;
+  for (const ClipPlane plane : values_of<ClipPlane>)
+    outside |= int{!(formulas::distance_inside(volume, plane, view.x, view.y, view.z) >= 0)} << index_of(plane);
+  return outside;
+}
+
+/// By ClipPlane, of each what lies between the near and the far plane.
+std::array<std::array<glm::dvec3, 4>, 6> planes_of(const Room& room) {
+  // Of a rectangle of the raster: left top, right top, right bottom, left bottom.
+  const auto front = room.window(room.near()), back = room.window(room.end());
+  const auto side = [&](std::size_t a, std::size_t b) { return std::array{front[a], front[b], back[b], back[a]}; };
+  return {front, back, side(0, 3), side(1, 2), side(2, 3), side(0, 1)};
+}
+
+/// Names of the six planes where the lesson gives the near and the far one; where outcodes are tested those planes that
+/// some vertex is outside of.
+void draw_planes_by_name(RoomPen& pen, const Moment& now) {
+  const Room& room = pen.room;
+  if (now.scene().camera.kind == Camera::Kind::screen || room.by_lamp()) return;
+  const ClipTest* test = outcodes_tested(now);
+  const bool all =
+      now.event() && holds<BuffersClear>(now.event()->event) && now.tells("near", false) && now.tells("far", false);
+  const auto planes = planes_of(room);
+  for (const ClipPlane plane : values_of<ClipPlane>) {
+    const bool outside = test && (test->outside_some >> index_of(plane) & 1) != 0;
+    if (!outside && !all) continue;
+    const auto& its = planes.at(index_of(plane));
+    if (outside) pen.veil(its, pen.colors.now, 40), pen.around(its, pen.colors.now, 1.2);
+    const bool across = plane == ClipPlane::near || plane == ClipPlane::far;
+    const glm::dvec3 place =
+        across ? 0.5 * (its[0] + its[1]) : 0.3 * (0.5 * (its[0] + its[1])) + 0.7 * (0.5 * (its[2] + its[3]));
+    pen.word(place, std::string(word_of(plane)), outside ? pen.colors.now : pen.colors.text);
+  }
+}
+
 /// The plane that a polygon is clipped by, and the vertices that clipping made so far.
 void draw_clipping(RoomPen& pen, const Moment& now) {
   const Room& room = pen.room;
@@ -271,10 +324,7 @@ void draw_clipping(RoomPen& pen, const Moment& now) {
     if (const auto* cross = get_if<ClipCross>(&now.event()->event)) plane = cross->plane;
   }
   if (plane) {
-    // Of a rectangle of the raster: left top, right top, right bottom, left bottom.
-    const auto front = room.window(room.near()), back = room.window(room.end());
-    const auto side = [&](std::size_t a, std::size_t b) { return std::array{front[a], front[b], back[b], back[a]}; };
-    const std::array<std::array<glm::dvec3, 4>, 6> planes{front, back, side(0, 3), side(1, 2), side(2, 3), side(0, 1)};
+    const auto planes = planes_of(room);
     const auto& its = planes.at(static_cast<std::size_t>(*plane));
     pen.veil(its, pen.colors.now, 55);
     pen.around(its, pen.colors.now, 1.6);
@@ -311,9 +361,16 @@ void draw_at_work(RoomPen& pen, const Moment& now) {
   const Theme& c = pen.colors;
   const std::vector<glm::dvec3> corners = corners_at_work(polygons, m);
   if (!corners.empty()) pen.around(corners, c.now, 2.6);
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    name_vertex(pen, now, polygons.corners[static_cast<std::size_t>(polygons.facets[m.facet].first_corner) + k],
-                corners[k], c.text);
+  const bool outcodes = outcodes_tested(now) && !pen.room.by_lamp();
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::int32_t vertex = polygons.corners[static_cast<std::size_t>(polygons.facets[m.facet].first_corner) + k];
+    pen.dot(corners[k], 3, 0, c.text);
+    const glm::dvec3 view(now.scene().camera.view * glm::dvec4(corners[k], 1));
+    pen.word(corners[k],
+             outcodes ? fmt::format("{}: {:06b}", vertex_label(now.scene(), vertex), outcode_of(now.scene(), view))
+                      : vertex_label(now.scene(), vertex),
+             c.text);
+  }
   const auto piece = [&](std::int32_t number, ImU32 color) {
     if (number >= 0 && number < std::ssize(m.pieces)) draw_outline(pen, now, m.pieces[number].outline, color);
   };
@@ -364,10 +421,21 @@ void draw_projection(RoomPen& pen, const Moment& now, std::int32_t vertex) {
   const Camera& camera = pen.room.camera();
   if (!pen.room.has_eye() || pen.room.by_lamp() || static_cast<std::size_t>(vertex) >= vertices.size()) return;
   const VertexStages& its = vertices[static_cast<std::size_t>(vertex)];
-  if (its.stage < VertexStages::viewed || !(its.view.z > 0)) return;
+  if (its.stage < VertexStages::viewed) return;
   const Theme& c = pen.colors;
   const glm::dmat4 to_world = glm::inverse(camera.view);
   const auto place = [&](double x, double y, double z) { return pen.room.place(to_world * glm::dvec4(x, y, z, 1)); };
+  if (!(its.view.z > 0)) {
+    // Behind the eye: where the division would put it, once the lesson gives the plane that it is cut off at.
+    if (its.view.z == 0 || !now.tells("near", false)) return;
+    const glm::dvec3 wrong = place(its.view.x * camera.d / its.view.z, its.view.y * camera.d / its.view.z, camera.d);
+    pen.line(place(its.view.x, its.view.y, its.view.z), wrong, c.now, 2, true, true);
+    pen.dot(wrong, 4, 1, c.now);
+    return pen.word(
+        wrong,
+        fmt::format("({}, {})", number(its.view.x * camera.d / its.view.z), number(its.view.y * camera.d / its.view.z)),
+        c.now);
+  }
   const bool projected = its.stage >= VertexStages::projected, asked = now.asked() && holds<Projection>(*now.asked());
   const double x = its.view.x, y = its.view.y, z = its.view.z, t = camera.d / z;
   const auto named = [&](const char* name, double value) { return fmt::format("{} = {}", name, number(value)); };
@@ -436,6 +504,7 @@ void draw_facing(RoomPen& pen, const Moment& now) {
   const Event& e = now.event()->event;
   const auto* reject = get_if<PolygonReject>(&e);
   const bool by_facing = reject && (reject->reason == Reject::back_facing || reject->reason == Reject::edge_on);
+  if (now.asked() && holds<ClipTest>(*now.asked())) return;
   if (!by_facing && !holds<FacingTest>(e) && !(holds<PolygonBegin>(e) && records<FacingTest>(now.header()))) return;
   glm::dvec3 normal(0), middle(0);
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -602,6 +671,7 @@ void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& c
   draw_dividing_plane(pen, now);
   draw_scan_plane(pen, now);
   draw_area(pen, now);
+  draw_planes_by_name(pen, now);
   draw_clipping(pen, now);
   draw_at_work(pen, now);
   draw_vertex(pen, now);
