@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "algorithms/catalog/changes.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
 #include "sim/classroom/anchor.hpp"
 #include "sim/classroom/evaluate.hpp"
@@ -233,6 +234,7 @@ class Reader {
     }
     if (starts_with(text, "beside:") && !value.empty()) {
       stop.beside = value;
+      if (stop.beside.find('=') != std::string::npos) return void(read_change(stop.beside, lines_.where(lines_.at)));
       std::error_code unreadable;
       if (!std::filesystem::is_regular_file(lesson_.path.parent_path() / stop.beside, unreadable))
         lines_.fail(fmt::format("there is no run `{}`", stop.beside),
@@ -241,7 +243,7 @@ class Reader {
     }
     lines_.fail(fmt::format("`{}` is left over in the anchor", text),
                 "after ; write `focus: edge-table` or another pane, `viewing: T_1` to T_4 for a step of viewing, or "
-                "`beside: runs/first.jsonl` for another run's picture");
+                "`beside: runs/first.jsonl` or `beside: theta = 60` for another run's picture");
   }
 
   void begin_stop() {

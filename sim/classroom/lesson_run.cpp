@@ -2,6 +2,7 @@
 #include <set>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/anchor.hpp"
 #include "sim/classroom/evaluate.hpp"
 #include "sim/classroom/fill.hpp"
@@ -31,6 +32,23 @@ Conventions with_options(Conventions conventions, const ConventionOptions& optio
   if (options.cull) conventions.cull = *options.cull;
   for (const auto& [name, value] : options.options) conventions.options[name] = value;
   return conventions;
+}
+
+Trace recorded(const Method& run, const Scene& scene, const Conventions& conventions, const std::string& name) {
+  TraceRecorder record(header_for(run, conventions), scene);
+  run.record(scene, conventions, record);
+  record.finish();
+  return Trace::from_bytes(record.take_bytes(), name);
+}
+
+/// The run of a trace with the change made that the stop shows beside it.
+Trace changed_run(const Lesson& lesson, const Trace& trace, const Stop& stop) {
+  const std::string who = Place{lesson.path.string(), stop.line}.str();
+  Scene scene = trace.scene();
+  Conventions conventions = trace.header().conventions;
+  const Method& run = method(lesson.method);
+  make_change(run, read_change(stop.beside, who), scene, conventions, who);
+  return recorded(run, scene, conventions, stop.beside);
 }
 
 }  // namespace
@@ -70,7 +88,9 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
       const std::filesystem::path run = lesson.path.parent_path() / stop.beside;
       for (const Stop& other : lesson.stops)
         if (other.beside == stop.beside && other.beside_run) stop.beside_run = other.beside_run;
-      if (!stop.beside_run) stop.beside_run = std::make_shared<const Trace>(open_jsonl(run));
+      if (!stop.beside_run)
+        stop.beside_run = std::make_shared<const Trace>(
+            stop.beside.find('=') != std::string::npos ? changed_run(lesson, trace, stop) : open_jsonl(run));
     }
     stop.names = names_in(stop.text, {file, stop.text_line});
     stop.text = filled(stop.text, stop.text_line);
@@ -107,10 +127,7 @@ Trace run_lesson(Lesson& lesson) {
   if (lesson.conventions.cull && !can_cull(run, scene))
     throw InputError(lesson.path.string(), "cull means nothing for this method and scene",
                      "leave it out of [conventions]");
-  TraceRecorder record(header_for(run, conventions), scene);
-  run.record(scene, conventions, record);
-  record.finish();
-  Trace trace = Trace::from_bytes(record.take_bytes(), "lesson " + lesson.id);
+  Trace trace = recorded(run, scene, conventions, "lesson " + lesson.id);
   resolve_lesson(lesson, trace);
   return trace;
 }

@@ -332,7 +332,7 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   constexpr float low_row = 11;  // in em
   std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
   Ui* const other = run_beside();
-  if (other) leading = {frame_pane, frame_pane};
+  if (other) leading = std::vector<Pane>(2, lead().empty() ? frame_pane : leading[0]);
   else if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   float& share = settings_.layout.lesson;
   share = std::clamp(share, 0.15f, 0.45f);
@@ -354,9 +354,9 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
     const float first = std::round((stage.x - gap) * settings_.layout.frame);
     const std::string title =
         fmt::format("ANOTHER RUN, AT ITS END: {}", session_.lesson()->stops[session_.stop()].beside);
-    draw_on_stage(frame_pane, at, {first, stage.y}, true);
-    draw_beside(*other, frame_pane, title, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
-    stage_at_ = {at, stage}, leading_ = {frame_pane};
+    draw_on_stage(leading[0], at, {first, stage.y}, true);
+    draw_beside(*other, leading[1], title, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
+    stage_at_ = {at, stage}, leading_ = {leading[0]};
   } else {
     draw_leading(leading, at, stage);
   }

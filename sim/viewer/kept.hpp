@@ -75,6 +75,7 @@ inline void take(Fingerprint& print, const Moment& moment) {
   print.take(static_cast<std::uint64_t>(moment.picture_position()));
   print.take(std::uint64_t{moment.at_rest()});
   print.take(std::uint64_t{moment.event_told() != nullptr});
+  take(print, moment.told());
 }
 
 inline void take(Fingerprint& print, const Theme& theme) {

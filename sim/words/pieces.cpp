@@ -26,9 +26,20 @@ std::int32_t node_of_piece(const MethodState& machine, std::int32_t piece) {
 }
 
 std::int32_t node_at_work(const MethodState& machine, const Event* event) {
-  if (event)
+  if (event) {
     if (const auto* skip = get_if<NodeSkip>(event)) return skip->node;
-  if (machine.piece >= 0 && !(event && holds<EyeSide>(*event))) {
+    if (const auto* eye = get_if<EyeSide>(event)) return eye->node;
+    if (const auto* made = get_if<NodeMake>(event)) return made->node < std::ssize(machine.tree) ? made->node : -1;
+    if (holds<BuffersClear>(*event) || holds<ViewTransform>(*event) || holds<Projection>(*event) ||
+        holds<ViewportTransform>(*event))
+      return -1;
+    // A piece that is not drawn: what is beyond its node has been gone through, and nothing on this side.
+    if (const auto* reject = get_if<PolygonReject>(event))
+      for (std::int32_t node = machine.node; node >= 0; node = machine.tree[node].parent)
+        for (const std::int32_t piece : machine.tree[node].pieces)
+          if (machine.pieces[piece].polygon == reject->polygon) return node;
+  }
+  if (machine.piece >= 0) {
     const std::int32_t node = node_of_piece(machine, machine.piece);
     if (node >= 0) return node;
   }

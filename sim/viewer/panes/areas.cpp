@@ -106,6 +106,9 @@ void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) 
   for (const AreaRow& row : ui.session.state().machine.areas) {
     if (!row.decided || !has_pixels(row.entry)) continue;
     std::string sign = sign_of(row.decided->what);
+    const Session& s = ui.session;
+    const bool at_work = &row == &s.state().machine.areas[std::max(0, s.state().machine.area)] && !s.at_rest();
+    if (row.decided->what == AreaCase::pixel && at_work && !ui.still) continue;  // its centre is drawn
     const Box b = box_of(map, row.entry);
     const auto width = to_float(b.right - b.left), height = to_float(b.bottom - b.top);
     const ImVec2 middle = moved_by(origin, (b.left + b.right) / 2.0, (b.top + b.bottom) / 2.0);
@@ -122,6 +125,46 @@ void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) 
       if (words.put(sign, ui.colors().text, font, places)) break;
     }
   }
+}
+
+/// A dot at the centre of the pixel at work, or at the corners of the area at work where planes are held against each
+/// other there; beside it what depths they have.
+void draw_depths(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
+  const Session& s = ui.session;
+  const MethodState& m = s.state().machine;
+  if (ui.still || s.at_rest() || m.area < 0 || m.area >= std::ssize(m.areas) || !s.event()) return;
+  const Theme& c = ui.colors();
+  const AreaRow& row = m.areas[static_cast<std::size_t>(m.area)];
+  const AreaBegin& a = row.entry;
+  const auto* depth = get_if<PlaneDepth>(&s.event()->event);
+  const auto dot = [&](double x, double y) {
+    const ImVec2 at = moved_by(origin, map.px(x), map.py(y));
+    fill_circle(ImGui::GetWindowDrawList(), at, std::round(0.22f * ui.em), c.now);
+    return at;
+  };
+  const auto told = [&](std::int32_t piece, double z) {
+    return fmt::format("{} {}", piece_label(s.scene(), m, piece), number(z));
+  };
+  if (a.end_column - a.first_column == 1 && a.end_row - a.first_row == 1) {
+    const ImVec2 at = dot(a.first_column, a.first_row);
+    if (depth) words.around(told(depth->piece, depth->z), c.now, ui.fonts.bold, at, {1, 0.8});
+    return;
+  }
+  const bool in_front = row.decided && row.decided->what == AreaCase::front_surrounder;
+  if (!has_pixels(a) || !(depth || (in_front && holds<AreaDecide>(s.event()->event)))) return;
+  for (const double x : {a.first_column - 0.5, a.end_column - 0.5})
+    for (const double y : {a.first_row - 0.5, a.end_row - 0.5}) {
+      std::string text;
+      for (const AreaBin& bin : m.bins) {
+        if (bin.bin == Bin::disjoint || bin.piece < 0 || bin.piece >= std::ssize(m.pieces)) continue;
+        const auto& p = m.pieces[static_cast<std::size_t>(bin.piece)].plane;
+        if (p && p->plane_c != 0)
+          text += (text.empty() ? "" : ", ") +
+                  told(bin.piece, -(p->plane_a * x + p->plane_b * y + p->plane_d) / p->plane_c);
+      }
+      const double inwards = x < a.end_column - 1 ? 1 : -1, down = y < a.end_row - 1 ? 1 : -1;
+      words.around(text, c.now, ui.fonts.bold, dot(x, y), {inwards, down * 0.8});
+    }
 }
 
 std::string about_area(const AreaBegin& area) {
@@ -244,21 +287,26 @@ void draw_areas(Ui& ui) {
   const int width = static_cast<int>(beside ? std::max(avail.x - bins_width, avail.x * 0.4f) : avail.x);
   const int height = static_cast<int>(beside ? avail.y : avail.y - bins_height);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
-  const RasterMap map(s.scene().raster, {}, width - 4, height - 4);
+  const Rulers rulers = room_for_rulers(ui, s.scene().raster);
+  const int wide = width - 4 - static_cast<int>(rulers.left), high = height - 4 - static_cast<int>(rulers.below);
+  if (wide < 8 || high < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  const RasterMap map(s.scene().raster, {}, wide, high);
   const bool begins =
       s.event() && holds<AreaBegin>(s.event()->event) && quartered(s.state().machine, s.state().machine.area);
   const double came = begins && ui.arrived < 1 ? ui.on_way() : 1;
-  const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint_areas, map, ui.moment(),
-                                            came, ui.colors(), ui.thin);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
-                                       {at.x + to_float(width - 4), at.y + to_float(height - 4)});
-  WordPlaces words(ui, at, {at.x + to_float(width - 4), at.y + to_float(height - 4)});
+  const Kept<Canvas>& canvas =
+      *keep_canvas(ui.canvases, "areas", wide, high, paint_areas, map, ui.moment(), came, ui.colors(), ui.thin);
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), at{corner.x + rulers.left, corner.y};
+  const ImVec2 end{at.x + to_float(wide), at.y + to_float(high)};
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at, end);
+  draw_rulers(ui, map, at, rulers);
+  WordPlaces words(ui, at, end);
   name_pieces(ui, map, at, words);
+  draw_depths(ui, map, at, words);
   draw_signs(ui, map, at, words);
   mark_areas(ui, map, at);
-  if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
-  else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
+  if (beside) ImGui::SetCursorScreenPos({corner.x + to_float(width) + ui.em * 0.3f, at.y});
+  else ImGui::SetCursorScreenPos({corner.x, at.y + to_float(height)});
   begin_part(ui, "bins");
   draw_bins(ui);
   ImGui::EndChild();

@@ -12,6 +12,7 @@
 #include "sim/viewer/panes/plan_frame.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/scene.hpp"
 
@@ -103,9 +104,16 @@ struct View {
 };
 
 /// The piece that the step holds against the plane, or draws; -1 if none.
-std::int32_t piece_now(const Session& s) {
-  if (!s.event() || s.at_rest()) return -1;
-  const Event& e = s.event()->event;
+std::int32_t piece_now(const Ui& ui) {
+  const Session& s = ui.session;
+  const Event* step = step_of_tree(ui);
+  if (!step) return -1;
+  const Event& e = *step;
+  if (holds<EyeSide>(e) || holds<NodeSkip>(e) || holds<NodeMake>(e)) return -1;
+  if (const auto* reject = get_if<PolygonReject>(&e))
+    if (const std::int32_t node = node_now(ui); node >= 0)
+      for (const std::int32_t piece : s.state().machine.tree[at(node)].pieces)
+        if (s.state().machine.pieces[at(piece)].polygon == reject->polygon) return piece;
   if (const auto* side = get_if<SideTest>(&e)) return side->piece;
   if (const auto* add = get_if<NodeAdd>(&e)) return add->piece;
   if (const auto* candidate = get_if<RootCandidate>(&e)) return candidate->piece;
@@ -113,8 +121,18 @@ std::int32_t piece_now(const Session& s) {
   return s.state().machine.piece;
 }
 
-/// The middle of a name beside its piece: on the side of its longest line that is away from the middle of the plan.
-ImVec2 label_place(const View& v, const std::vector<glm::dvec2>& points, ImVec2 size) {
+/// Towards the front of a piece that is seen from its edge; none of any other.
+std::optional<glm::dvec2> front_beside(const View& v, const Piece& piece) {
+  const glm::dvec3 front = front_of(v.s, piece);
+  if (!(glm::length(front) > 0) || std::abs(glm::dot(glm::normalize(front), v.section.along)) > 1e-6)
+    return std::nullopt;
+  return glm::normalize(v.section.flat(front));
+}
+
+/// Middles for a name beside its piece: on its front's side or, where it is not seen from its edge, on the side of its
+/// longest line that is away from the middle of the plan; at its middle, or nearer to an end.
+std::vector<ImVec2> label_places(const View& v, const Piece& piece, const std::vector<glm::dvec2>& points,
+                                 ImVec2 size) {
   glm::dvec2 low = points[0], high = points[0], way(1, 0);
   double longest = 0;
   for (const glm::dvec2 p : points) {
@@ -124,15 +142,21 @@ ImVec2 label_place(const View& v, const std::vector<glm::dvec2>& points, ImVec2 
   const glm::dvec2 middle = (low + high) / 2.0, outwards = middle - v.frame.middle();
   glm::dvec2 normal(-way.y, way.x);
   if (glm::dot(normal, outwards) < -1e-9) normal = -normal;
-  const ImVec2 at_piece = v.frame.place(middle);
+  normal = front_beside(v, piece).value_or(normal);
   const double off = std::abs(normal.x) * size.x / 2 + std::abs(normal.y) * size.y / 2 + 5;
-  return moved_by(at_piece, normal.x * off, -normal.y * off);
+  std::vector<ImVec2> places;
+  for (const double side : {1.0, -1.0})
+    for (const double along : {0.0, 0.2, -0.2, 0.4, -0.4})
+      places.push_back(
+          moved_by(v.frame.place(middle + along * longest * way), side * normal.x * off, -side * normal.y * off));
+  return places;
 }
 
 /// A piece's name beside it, where no other stands.
 void name_piece(const View& v, std::int32_t number, const std::vector<glm::dvec2>& points, ImU32 color) {
   const std::string name = piece_label(v.s.scene(), v.m, number);
-  v.words->put(name, color, v.ui.fonts.bold, {label_place(v, points, text_size(v.ui, v.ui.fonts.bold, name))});
+  v.words->put(name, color, v.ui.fonts.bold,
+               label_places(v, v.m.pieces[at(number)], points, text_size(v.ui, v.ui.fonts.bold, name)));
 }
 
 /// The vertex that a cut has just made.
@@ -148,35 +172,47 @@ void draw_new_vertex(const View& v) {
   v.words->around(vertex_label(v.s.scene(), made->vertex), v.c.now, v.ui.fonts.bold, at, {1, -1});
 }
 
+/// The longer ones first, so that each is seen; one that is seen from its edge lies on its front's side of its line.
 void draw_pieces(const View& v) {
-  const std::int32_t now = piece_now(v.s);
+  const std::int32_t now = piece_now(v.ui);
   const std::vector<std::int32_t> draw_places = zstep::draw_places(v.m);
-  std::size_t shown = 0;
-  for (const Piece& piece : v.m.pieces) shown += piece.cut ? 0 : 1;
-  std::int32_t number = -1;
-  std::size_t drawn = 0;
-  std::vector<std::pair<std::int32_t, std::vector<glm::dvec2>>> others;  // that are named after the one at work
-  for (const Piece& piece : v.m.pieces) {
-    ++number;
-    if (piece.cut || ++drawn > most_pieces) continue;
-    const std::vector<glm::dvec2> points = v.outline(piece);
-    if (points.size() < 2) continue;
-    const bool lit = number == now;
-    const auto polygon = at(piece.polygon);
-    const Pixel32 own =
-        polygon < v.s.scene().polygons.size() ? opaque(v.s.scene().polygons[polygon].color) : to_pixel(v.c.text);
-    const bool painted = draw_places[at(number)] >= 0;
-    if (lit)
-      for (std::size_t k = 0; k < points.size(); ++k)
-        stroke_line(v.list, v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now,
-                    9 * v.ui.thin);
-    for (std::size_t k = 0; k < points.size(); ++k)
-      stroke_line(v.list, v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own),
-                  (painted || shown < most_names ? 4.0f : 1.5f) * v.ui.thin);
-    if (lit) name_piece(v, number, points, v.c.now);
-    else if (shown <= most_names) others.emplace_back(number, points);
+  struct Drawn {
+    std::int32_t number;
+    std::vector<glm::dvec2> points;
+    double length;
+  };
+  std::vector<Drawn> pieces;
+  for (std::size_t k = 0; k < v.m.pieces.size() && pieces.size() < most_pieces; ++k) {
+    if (v.m.pieces[k].cut) continue;
+    Drawn one{index32(k), v.outline(v.m.pieces[k]), 0};
+    for (const glm::dvec2 p : one.points) one.length = std::max(one.length, glm::length(p - one.points[0]));
+    if (one.points.size() >= 2) pieces.push_back(std::move(one));
   }
-  for (const auto& [other, points] : others) name_piece(v, other, points, v.c.text);
+  const bool few = pieces.size() <= most_names;
+  if (few)
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const Drawn& a, const Drawn& b) { return a.length > b.length + 1e-9; });
+  for (const bool halo : {true, false})
+    for (const auto& [number, points, length] : pieces) {
+      if (halo && number != now) continue;
+      const auto polygon = at(v.m.pieces[at(number)].polygon);
+      const Pixel32 own =
+          polygon < v.s.scene().polygons.size() ? opaque(v.s.scene().polygons[polygon].color) : to_pixel(v.c.text);
+      const glm::dvec2 off =
+          few ? 2.0 * v.ui.thin * front_beside(v, v.m.pieces[at(number)]).value_or(glm::dvec2(0)) : glm::dvec2(0);
+      const auto place = [&](std::size_t k) {
+        return moved_by(v.frame.place(points[k % points.size()]), off.x, -off.y);
+      };
+      for (std::size_t k = 0; k < points.size(); ++k)
+        stroke_line(v.list, place(k), place(k + 1), halo ? v.c.now : to_im(own),
+                    (halo                                  ? 9.0f
+                     : draw_places[at(number)] >= 0 || few ? 4.0f
+                                                           : 1.5f) *
+                        v.ui.thin);
+    }
+  for (const bool lit : {true, false})
+    for (const auto& [number, points, length] : pieces)
+      if (lit == (number == now) && (lit || few)) name_piece(v, number, points, lit ? v.c.now : v.c.text);
 }
 
 void draw_planes(const View& v) {
@@ -209,7 +245,11 @@ void draw_sides(const View& v) {
       const ImVec2 place = v.frame.place(end + normal * (sign * v.ui.em * 0.8 / v.frame.scale));
       return ImVec2{std::round(place.x - size.x / 2), std::round(place.y - size.y / 2)};
     };
-    if (!v.words->taken.free(corner(1), size) || !v.words->taken.free(corner(-1), size)) continue;
+    // Not close to a name, with which they would be read as one.
+    const auto free = [&](ImVec2 at) {
+      return v.words->taken.free({at.x - v.ui.em / 2, at.y}, {size.x + v.ui.em, size.y});
+    };
+    if (!free(corner(1)) || !free(corner(-1))) continue;
     for (const double sign : {1.0, -1.0}) {
       const ImVec2 at = corner(sign);
       v.list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, v.c.pane);
@@ -219,32 +259,85 @@ void draw_sides(const View& v) {
   }
 }
 
-/// The eye as a ring and a dot; at the border, with an arrow's length towards it, where it stands outside.
-void draw_the_eye(const View& v) {
-  const Camera& camera = v.s.scene().camera;
+/// Where an eye stands in the plan; in parallel projection far outside it, and none where the plan is along its view.
+std::optional<glm::dvec2> eye_in_plan(const View& v, const Camera& camera) {
   const bool screen = camera.kind == Camera::Kind::screen, far = screen || camera.kind == Camera::Kind::orthographic;
   const glm::dvec2 towards = v.section.flat(screen ? glm::dvec3(0, 0, -1) : camera.eye);
-  if (screen && glm::length(towards) < 1e-6) return;
-  const glm::dvec2 eye = far ? v.frame.middle() + towards * v.frame.reach() : towards;
+  if (screen && glm::length(towards) < 1e-6) return std::nullopt;
+  return far ? v.frame.middle() + towards * v.frame.reach() : towards;
+}
+
+/// An eye as a ring, that of the run with a dot in it; at the border, with an arrow's length towards it, where it
+/// stands outside.
+struct EyeMark {
+  ImVec2 place;
+  std::string name;
+  bool its_own;
+};
+EyeMark draw_an_eye(const View& v, glm::dvec2 eye, std::string name, bool its_own) {
   ImVec2 place = v.frame.place(eye);
   const float margin = v.ui.em * 0.8f;
   const ImVec2 centre{v.frame.top.x + v.frame.size.x / 2, v.frame.top.y + v.frame.size.y / 2};
   const float wide = v.frame.size.x / 2 - margin, high = v.frame.size.y / 2 - margin;
   const float beyond = std::max(std::abs(place.x - centre.x) / wide, std::abs(place.y - centre.y) / high);
-  const bool outside = beyond > 1;
-  if (outside) place = {centre.x + (place.x - centre.x) / beyond, centre.y + (place.y - centre.y) / beyond};
+  if (beyond > 1) {
+    place = {centre.x + (place.x - centre.x) / beyond, centre.y + (place.y - centre.y) / beyond};
+    name += ", further out";
+  }
+  const ImU32 color = its_own ? v.c.text : v.c.muted;
   fill_circle(v.list, place, margin * 0.7f, v.c.pane);
-  stroke_circle(v.list, place, margin * 0.7f, v.c.text, 2 * v.ui.thin);
-  fill_circle(v.list, place, margin * 0.3f, v.c.text);
-  const std::string text = outside ? "eye, further out" : "eye";
+  stroke_circle(v.list, place, margin * 0.7f, color, 2 * v.ui.thin);
+  if (its_own) fill_circle(v.list, place, margin * 0.3f, color);
   v.words->taken.take({place.x - margin, place.y - margin}, {2 * margin, 2 * margin});
-  if (v.m.pieces.size() <= most_names)  // on none of the lines
+  return {place, std::move(name), its_own};
+}
+
+std::vector<EyeMark> draw_eyes(const View& v) {
+  std::vector<EyeMark> marks;
+  const std::vector<const Camera*> others = v.ui.moment().other_eyes();
+  if (const auto eye = eye_in_plan(v, v.s.scene().camera))
+    marks.push_back(draw_an_eye(v, *eye, others.empty() ? "eye" : "eye 1", true));
+  for (std::size_t k = 0; k < others.size(); ++k)
+    if (const auto other = eye_in_plan(v, *others[k]))
+      marks.push_back(draw_an_eye(v, *other, fmt::format("eye {}", k + 2), false));
+  return marks;
+}
+
+/// On none of the lines.
+void name_eyes(const View& v, const std::vector<EyeMark>& marks) {
+  if (v.m.pieces.size() <= most_names)
     for (const Piece& piece : v.m.pieces) {
       const std::vector<glm::dvec2> points = v.outline(piece);
       for (std::size_t k = 0; k < points.size() && !piece.cut; ++k)
         v.words->keep_line_free(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]));
     }
-  v.words->around(text, v.c.text, v.ui.fonts.small, place, {1, 0});
+  for (const EyeMark& mark : marks)
+    v.words->around(mark.name, mark.its_own ? v.c.text : v.c.muted, v.ui.fonts.small, mark.place, {1, 0});
+}
+
+/// Where a side of a plane is not reached: all that the eye can see, and how near its corners come to the plane.
+void draw_what_is_seen(const View& v) {
+  const Event* step = step_of_tree(v.ui);
+  const auto* skip = step ? get_if<NodeSkip>(step) : nullptr;
+  const PlaneEquation* plane = skip ? plane_of_node(v.m, skip->node) : nullptr;
+  if (!plane || v.s.scene().camera.kind != Camera::Kind::perspective) return;
+  const Room room(v.s.scene(), false);
+  const auto near = room.window(room.near()), end = room.window(room.end());
+  const auto place = [&](glm::dvec3 p) { return v.frame.place(v.section.flat(p)); };
+  for (std::size_t k = 0; k < 4; ++k) {
+    stroke_line(v.list, place(near[k]), place(end[k]), v.c.muted, 1.5f * v.ui.thin);
+    stroke_line(v.list, place(near[k]), place(near[(k + 1) % 4]), v.c.muted, 1.5f * v.ui.thin);
+  }
+  for (const glm::dvec3 corner : near) {
+    const double value = glm::dot(normal_of(*plane), corner) + plane->plane_d;
+    if (std::abs(value - skip->value) > 1e-9) continue;
+    const ImVec2 from = place(corner), to = place(corner - value * normal_of(*plane));
+    stroke_line(v.list, from, to, v.c.changed, 2.5f * v.ui.thin);
+    v.words->around(number(value), v.c.changed, v.ui.fonts.bold, to, {-1, 0.3});
+    break;
+  }
+  v.words->beside("view volume", v.c.muted, v.ui.fonts.small, place(near[0]), place(near[0] + 0.3 * (end[0] - near[0])),
+                  {-1, 0});
 }
 
 void draw_plan(Ui& ui) {
@@ -265,14 +358,17 @@ void draw_plan(Ui& ui) {
          &words};
   for (const Piece& piece : m.pieces)
     for (const glm::dvec2 p : v.outline(piece)) v.frame.take(p);
+  for (const Camera* other : ui.moment().other_eyes()) v.frame.take(v.section.flat(other->eye));
   if (room.x < ui.em * 3 || room.y < ui.em * 3)
     return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   v.frame.fit(top, room);
   v.list->PushClipRect(top, {top.x + room.x, top.y + room.y}, true);
   draw_planes(v);
+  const std::vector<EyeMark> eyes = draw_eyes(v);
   draw_pieces(v);
   draw_new_vertex(v);
-  draw_the_eye(v);
+  name_eyes(v, eyes);
+  draw_what_is_seen(v);
   draw_sides(v);
   v.list->PopClipRect();
 }

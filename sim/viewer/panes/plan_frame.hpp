@@ -14,10 +14,28 @@
 
 namespace zstep::viewer {
 
+/// The step that the picture of a tree is about: the one that is asked for, or the last; none where nothing is at work.
+inline const Event* step_of_tree(const Ui& ui) {
+  const Session& s = ui.session;
+  if (ui.still || s.at_rest()) return nullptr;
+  if (s.event_in_question()) return &s.event_in_question()->event;
+  return s.event() ? &s.event()->event : nullptr;
+}
 /// The node of a tree at work; −1 where none is, as where the picture is looked at as a whole.
 inline std::int32_t node_now(const Ui& ui) {
-  const Session& s = ui.session;
-  return ui.still ? -1 : node_at_work(s.state().machine, s.event() ? &s.event()->event : nullptr);
+  const Event* step = step_of_tree(ui);
+  return step ? node_at_work(ui.session.state().machine, step) : -1;
+}
+
+/// Across a piece, out of its front, in the space in which pieces are cut; as long as its area is large.
+inline glm::dvec3 front_of(const Session& s, const Piece& piece) {
+  std::vector<glm::dvec3> corners;
+  for (const std::int32_t vertex : piece.outline)
+    if (const auto p = cutting_point(s.scene(), s.state(), vertex)) corners.push_back(*p);
+  glm::dvec3 normal(0);
+  for (std::size_t k = 2; k < corners.size(); ++k)
+    normal += glm::cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
+  return normal;
 }
 
 /// From a flat drawing, y upwards, to a part of the window, with a border left free.

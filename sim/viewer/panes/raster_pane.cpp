@@ -16,6 +16,7 @@
 #include "sim/viewer/panes/outline_names.hpp"
 #include "sim/viewer/panes/sweep.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/math/whole.hpp"
@@ -408,6 +409,90 @@ void name_outlines_to_come(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlac
                  at - middle);
 }
 
+/// The edge that the step is about, or that is asked for, by its name; and the line in which two planes meet, as far as
+/// scan lines have come.
+void draw_edge_in_question(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
+  const Theme& c = ui.colors();
+  const Moment now = ui.moment();
+  const MethodState& m = now.state().machine;
+  const Event* step = now.asked() ? now.asked() : now.event() ? &now.event()->event : nullptr;
+  if (!step || now.told() < 0) return;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto place = [&](double x, double y) { return moved_by(origin, map.px(x), map.py(y)); };
+  const auto* moved = get_if<EdgeStep>(step);
+  const auto* flip = get_if<FlagFlip>(step);
+  const std::int32_t edge = moved ? moved->edge : flip ? flip->edge : -1;
+  if (edge >= 0 && edge < std::ssize(m.edge_table) && m.outline.empty()) {
+    const EdgeTableInsert& its = m.edge_table[static_cast<std::size_t>(edge)];
+    const auto from = on_raster(now.scene(), now.state(), its.vertex_0),
+               to = on_raster(now.scene(), now.state(), its.vertex_1);
+    if (from && to) {
+      stroke_line(list, place(from->x, from->y), place(to->x, to->y), c.now, 3 * ui.thin);
+      words.beside(edge_label(now.scene(), its), c.now, ui.fonts.bold, place(from->x, from->y), place(to->x, to->y),
+                   {1, 0});
+    }
+  }
+  const auto* implied = get_if<ImpliedEdge>(step);
+  const auto known = [&](std::int32_t piece) {
+    return piece >= 0 && piece < std::ssize(m.pieces) && m.pieces[static_cast<std::size_t>(piece)].plane;
+  };
+  if (!implied || !m.scan_line || !known(implied->piece) || !known(implied->other)) return;
+  const Piece &one = m.pieces[static_cast<std::size_t>(implied->piece)],
+              &other = m.pieces[static_cast<std::size_t>(implied->other)];
+  // Where z of one plane is z of the other: a x + b y + d = 0.
+  const auto differ = [&](double PlaneEquation::*number) {
+    return (*one.plane).*number / one.plane->plane_c - (*other.plane).*number / other.plane->plane_c;
+  };
+  const double a = differ(&PlaneEquation::plane_a), b = differ(&PlaneEquation::plane_b),
+               d = differ(&PlaneEquation::plane_d);
+  if (!(std::abs(a) > 1e-12)) return;
+  double first = -1;  // scan line that meets both
+  for (const Piece* piece : {&one, &other}) {
+    double low = HUGE_VAL;
+    for (const std::int32_t vertex : piece->outline)
+      if (const auto p = on_raster(now.scene(), now.state(), vertex)) low = std::min(low, p->y);
+    first = std::max(first, std::ceil(low));
+  }
+  const double last = *m.scan_line - (now.asked() ? 1 : 0);
+  const auto at = [&](double y) { return place(-(b * y + d) / a, y); };
+  if (!(first <= last) || !std::isfinite(first)) return;
+  stroke_line(list, at(first), at(last), c.pane, 5 * ui.thin);
+  stroke_line(list, at(first), at(last), c.now, 3 * ui.thin);
+  for (double y = first; y <= last; ++y) fill_circle(list, at(y), std::round(0.28f * ui.em), c.now);
+}
+
+/// The vertex that comes to the raster; where that is asked, from which y_p to which the window reaches.
+void mark_vertex(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words) {
+  const Theme& c = ui.colors();
+  const Moment now = ui.moment();
+  const Camera& camera = now.scene().camera;
+  if (now.asked() && holds<ViewportTransform>(*now.asked()) && camera.kind == Camera::Kind::perspective) {
+    const double x = map.left + map.width * map.cell / 2, top = map.top, end = map.top + map.height * map.cell;
+    const float half = ui.fonts.small->FontSize;
+    words.put("y_p = " + number(camera.window), c.text, ui.fonts.small, {moved_by(origin, x, top + half)});
+    words.put("y_p = " + number(-camera.window), c.text, ui.fonts.small, {moved_by(origin, x, end - half)});
+  }
+  const std::vector<std::int32_t>& outline = now.state().machine.outline;
+  if (now.event() && holds<OutlineVertex>(now.event()->event) && outline.size() <= 8) {
+    std::vector<glm::dvec2> places;
+    for (const std::int32_t vertex : outline)
+      if (const auto p = on_raster(now.scene(), now.state(), vertex)) places.emplace_back(map.px(p->x), map.py(p->y));
+    glm::dvec2 middle(0);
+    for (const glm::dvec2 place : places) middle += place / static_cast<double>(places.size());
+    for (std::size_t k = 0; k < places.size() && places.size() == outline.size(); ++k)
+      words.around(vertex_label(now.scene(), outline[k]), c.text, ui.fonts.bold,
+                   moved_by(origin, places[k].x, places[k].y), places[k] - middle);
+  }
+  const auto* made = now.event() ? get_if<ViewportTransform>(&now.event()->event) : nullptr;
+  if (!made) return;
+  const ImVec2 at = moved_by(origin, map.px(made->x_s), map.py(made->y_s));
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  fill_circle(list, at, std::round(0.3f * ui.em), c.now);
+  words.around(
+      fmt::format("{} ({}, {})", vertex_label(now.scene(), made->vertex), number(made->x_s), number(made->y_s)), c.now,
+      ui.fonts.bold, at, {1, -1});
+}
+
 /// Marks over the raster: changed, selected, pointed at, now.
 void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional<SpanEnds>& ends) {
   const Theme& c = ui.colors();
@@ -510,6 +595,8 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   if (!ui.still && talk.polygons) {
     name_outline(ui, map, origin, ends, words);
     name_outlines_to_come(ui, map, origin, words);
+    mark_vertex(ui, map, origin, words);
+    draw_edge_in_question(ui, map, origin, words);
   }
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(words.taken));
   cover_cells_to_come(ui, id, map, origin);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -13,8 +14,10 @@
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/formulas/shading.hpp"
+#include "traces/formulas/viewing.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/scene.hpp"
 
@@ -74,7 +77,7 @@ bool paint_with_glass(Canvas& canvas, const Outside& outside, const Scene& polyg
   return true;
 }
 
-void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness, bool dashed) {
+void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness, bool dashed, bool through) {
   const auto ends = outside_.line(from, to);
   if (!ends) return;
   const Outside::Spot a = (*ends)[0], b = (*ends)[1];
@@ -91,7 +94,7 @@ void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness
     while (last < parts && hidden(at(last), at(last + 1)) == behind && !(dashed && (last - first) >= 2)) ++last;
     const Outside::Spot from_here = at(first), to_here = at(last);
     picture_.canvas.line(from_here.x, from_here.y, to_here.x, to_here.y, thickness * thin_, to_pixel(color),
-                         behind ? 70 : 255);
+                         behind ? (through ? 170 : 70) : 255);
     first = last + (dashed ? 2 : 0);
   }
 }
@@ -169,6 +172,7 @@ void draw_eye(RoomPen& pen) {
   const bool window_apart = perspective && camera.d > 0 && camera.d < room.end();
   const auto window = room.window(window_apart ? camera.d : room.near());
   for (std::size_t k = 0; k < 4; ++k) pen.line(perspective ? camera.eye : near[k], end[k], c.muted, 1);
+  if (perspective) pen.dot(camera.eye, 5, 0, c.text), pen.word(camera.eye, room.by_lamp() ? "light" : "eye", c.text);
   pen.around(window, c.text, 2);
   pen.word(window[0], camera.kind == Camera::Kind::screen ? "raster" : "window", c.text);
   if (window_apart && std::abs(room.near() - camera.d) > 0.02 * room.end()) {
@@ -179,9 +183,6 @@ void draw_eye(RoomPen& pen) {
     pen.around(end, c.muted, 1, true);
     pen.word(end[3], "far", c.muted);
   }
-  if (!perspective) return;
-  pen.dot(camera.eye, 5, 0, c.text);
-  pen.word(camera.eye, room.by_lamp() ? "light" : "eye", c.text);
 }
 
 void draw_axes(RoomPen& pen, const Moment& now, int viewing, double arrived) {
@@ -203,27 +204,32 @@ void draw_axes(RoomPen& pen, const Moment& now, int viewing, double arrived) {
   const bool views = now.event() && get_if<ViewTransform>(&now.event()->event),
              begins = (vertices.empty() || vertices[0].stage == VertexStages::untouched) &&
                       now.state().machine.pieces.empty() && now.state().machine.rays.tree.empty();
+  const auto shows = [&](const char* name, int step) {
+    return viewing > 0 ? viewing == step : (views || begins || now.told() >= 0) && now.tells(name, views || begins);
+  };
+  const bool rho = shows("rho", 1), turned = shows("theta", 2), inclined = shows("phi", 3);
   if (!camera.polar || camera.kind != Camera::Kind::perspective || pen.room.by_lamp() ||
-      !(views || begins || viewing > 0))
+      !(rho || turned || inclined || viewing > 0))
     return;
   const double theta = glm::radians(camera.theta), phi = glm::radians(camera.phi), radius = 0.6 * length;
   const glm::dvec3 foot(camera.eye.x, camera.eye.y, 0);
-  const bool all = viewing == 0;  // else what the step at work needs
-  if (all || viewing == 1) {
+  if (rho) {
     pen.line(glm::dvec3(0), camera.eye, c.now, 1.6);
     pen.word(0.55 * camera.eye, "\u03c1", c.now);
   }
-  pen.line(glm::dvec3(0), foot, c.muted, 1, true);
-  pen.line(foot, camera.eye, c.muted, 1, true);
+  if (viewing > 0 || turned || inclined) {
+    pen.line(glm::dvec3(0), foot, c.muted, 1, true);
+    pen.line(foot, camera.eye, c.muted, 1, true);
+  }
   const auto arc = [&](double angle, auto place, const char* name) {
     constexpr int parts = 24;
     for (int k = 0; k < parts; ++k) pen.line(place(angle * k / parts), place(angle * (k + 1) / parts), c.now, 1.6);
     pen.word(place(angle / 2), name, c.now);
   };
-  if (all || viewing == 2)
+  if (turned)
     arc(
         theta, [&](double t) { return radius * glm::dvec3(portable::cos(t), portable::sin(t), 0); }, "\u03b8");
-  if (all || viewing == 3)
+  if (inclined)
     arc(
         phi,
         [&](double t) {
@@ -254,6 +260,58 @@ void name_vertex(RoomPen& pen, const Moment& now, std::int32_t vertex, glm::dvec
   pen.word(at, vertex_label(now.scene(), vertex), color);
 }
 
+/// The test of a polygon's outcodes that the step makes or that is asked for.
+const ClipTest* outcodes_tested(const Moment& now) {
+  if (now.asked())
+    if (const auto* test = get_if<ClipTest>(now.asked())) return test;
+  return now.event() ? get_if<ClipTest>(&now.event()->event) : nullptr;
+}
+
+/// Bit k is set if a point in view coordinates is outside plane k of ClipPlane.
+int outcode_of(const Scene& scene, glm::dvec3 view) {
+  const Camera& camera = scene.camera;
+  const double width = scene.raster.width, height = scene.raster.height;
+  const formulas::ViewVolume<double> volume{camera.kind == Camera::Kind::orthographic,
+                                            camera.near,
+                                            camera.far,
+                                            camera.d,
+                                            formulas::window_width(camera.window, width, height),
+                                            camera.window};
+  int outside = 0;
+  for (const ClipPlane plane : values_of<ClipPlane>)
+    outside |= int{!(formulas::distance_inside(volume, plane, view.x, view.y, view.z) >= 0)} << index_of(plane);
+  return outside;
+}
+
+/// By ClipPlane, of each what lies between the near and the far plane.
+std::array<std::array<glm::dvec3, 4>, 6> planes_of(const Room& room) {
+  // Of a rectangle of the raster: left top, right top, right bottom, left bottom.
+  const auto front = room.window(room.near()), back = room.window(room.end());
+  const auto side = [&](std::size_t a, std::size_t b) { return std::array{front[a], front[b], back[b], back[a]}; };
+  return {front, back, side(0, 3), side(1, 2), side(2, 3), side(0, 1)};
+}
+
+/// Names of the six planes where the lesson gives the near and the far one; where outcodes are tested those planes that
+/// some vertex is outside of.
+void draw_planes_by_name(RoomPen& pen, const Moment& now) {
+  const Room& room = pen.room;
+  if (now.scene().camera.kind == Camera::Kind::screen || room.by_lamp()) return;
+  const ClipTest* test = outcodes_tested(now);
+  const bool all =
+      now.event() && holds<BuffersClear>(now.event()->event) && now.tells("near", false) && now.tells("far", false);
+  const auto planes = planes_of(room);
+  for (const ClipPlane plane : values_of<ClipPlane>) {
+    const bool outside = test && (test->outside_some >> index_of(plane) & 1) != 0;
+    if (!outside && !all) continue;
+    const auto& its = planes.at(index_of(plane));
+    if (outside) pen.veil(its, pen.colors.now, 40), pen.around(its, pen.colors.now, 1.2);
+    const bool across = plane == ClipPlane::near || plane == ClipPlane::far;
+    const glm::dvec3 place =
+        across ? 0.5 * (its[0] + its[1]) : 0.3 * (0.5 * (its[0] + its[1])) + 0.7 * (0.5 * (its[2] + its[3]));
+    pen.word(place, std::string(word_of(plane)), outside ? pen.colors.now : pen.colors.text);
+  }
+}
+
 /// The plane that a polygon is clipped by, and the vertices that clipping made so far.
 void draw_clipping(RoomPen& pen, const Moment& now) {
   const Room& room = pen.room;
@@ -266,10 +324,7 @@ void draw_clipping(RoomPen& pen, const Moment& now) {
     if (const auto* cross = get_if<ClipCross>(&now.event()->event)) plane = cross->plane;
   }
   if (plane) {
-    // Of a rectangle of the raster: left top, right top, right bottom, left bottom.
-    const auto front = room.window(room.near()), back = room.window(room.end());
-    const auto side = [&](std::size_t a, std::size_t b) { return std::array{front[a], front[b], back[b], back[a]}; };
-    const std::array<std::array<glm::dvec3, 4>, 6> planes{front, back, side(0, 3), side(1, 2), side(2, 3), side(0, 1)};
+    const auto planes = planes_of(room);
     const auto& its = planes.at(static_cast<std::size_t>(*plane));
     pen.veil(its, pen.colors.now, 55);
     pen.around(its, pen.colors.now, 1.6);
@@ -306,17 +361,127 @@ void draw_at_work(RoomPen& pen, const Moment& now) {
   const Theme& c = pen.colors;
   const std::vector<glm::dvec3> corners = corners_at_work(polygons, m);
   if (!corners.empty()) pen.around(corners, c.now, 2.6);
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    name_vertex(pen, now, polygons.corners[static_cast<std::size_t>(polygons.facets[m.facet].first_corner) + k],
-                corners[k], c.text);
+  const bool outcodes = outcodes_tested(now) && !pen.room.by_lamp();
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::int32_t vertex = polygons.corners[static_cast<std::size_t>(polygons.facets[m.facet].first_corner) + k];
+    pen.dot(corners[k], 3, 0, c.text);
+    const glm::dvec3 view(now.scene().camera.view * glm::dvec4(corners[k], 1));
+    pen.word(corners[k],
+             outcodes ? fmt::format("{}: {:06b}", vertex_label(now.scene(), vertex), outcode_of(now.scene(), view))
+                      : vertex_label(now.scene(), vertex),
+             c.text);
+  }
   const auto piece = [&](std::int32_t number, ImU32 color) {
     if (number >= 0 && number < std::ssize(m.pieces)) draw_outline(pen, now, m.pieces[number].outline, color);
   };
   piece(piece_shown(now), c.now);
+  const auto* side = now.event() ? get_if<SideTest>(&now.event()->event) : nullptr;
+  const auto plane = side && now.tells("least", false) && side->plane_of >= 0 && side->plane_of < std::ssize(m.pieces)
+                         ? m.pieces[side->plane_of].plane
+                         : std::nullopt;
+  if (plane && side->piece >= 0 && side->piece < std::ssize(m.pieces))
+    for (const std::int32_t vertex : m.pieces[side->piece].outline)
+      if (const auto p = cutting_point(now.scene(), now.state(), vertex))
+        if (const auto corner = vertex_in(pen.room, now, vertex)) {
+          pen.dot(*corner, 4, 0, c.now);
+          pen.word(*corner,
+                   number(plane->plane_a * p->x + plane->plane_b * p->y + plane->plane_c * p->z + plane->plane_d),
+                   c.now);
+        }
+  const auto* made = now.event() ? get_if<PieceMake>(&now.event()->event) : nullptr;
+  if (made && made->piece >= 0 && made->piece < std::ssize(m.pieces) && m.pieces[made->piece].parent >= 0) {
+    glm::dvec3 middle(0);
+    const auto& outline = m.pieces[made->piece].outline;
+    for (const std::int32_t vertex : outline)
+      if (const auto corner = vertex_in(pen.room, now, vertex)) {
+        middle += *corner / static_cast<double>(outline.size());
+        pen.dot(*corner, 4, vertex >= std::ssize(now.scene().points) ? 1 : 0, c.now);
+      }
+    pen.word(middle, piece_label(now.scene(), m, made->piece), c.now);
+  }
   if (m.pair && !m.list.empty()) piece(m.pair->other, c.selected), piece(m.pair->piece, c.now);
 }
 
-/// The vertex at work, and where its line of sight meets the window.
+/// Vertices by number, where the lesson gives how many there are or one of them is moved.
+void number_vertices(RoomPen& pen, const Moment& now) {
+  constexpr std::size_t most = 12;
+  const auto& points = pen.room.polygons().points;
+  const Event* step = now.event() ? &now.event()->event : nullptr;
+  const bool moved =
+      step && (holds<ViewTransform>(*step) || holds<Projection>(*step) || holds<ViewportTransform>(*step));
+  if (points.size() > most || !(now.tells("vertices", false) || (moved && now.told() >= 0))) return;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (vertex_at_work(now.event()) != index32(v)) name_vertex(pen, now, index32(v), points[v], pen.colors.text);
+}
+
+/// How a vertex is projected, as two similar triangles: along the line of sight z_v and d, across it (x_v, y_v) and
+/// (x_p, y_p). Numbers as far as they are there.
+void draw_projection(RoomPen& pen, const Moment& now, std::int32_t vertex) {
+  const auto& vertices = now.state().vertices;
+  const Camera& camera = pen.room.camera();
+  if (!pen.room.has_eye() || pen.room.by_lamp() || static_cast<std::size_t>(vertex) >= vertices.size()) return;
+  const VertexStages& its = vertices[static_cast<std::size_t>(vertex)];
+  if (its.stage < VertexStages::viewed) return;
+  const Theme& c = pen.colors;
+  const glm::dmat4 to_world = glm::inverse(camera.view);
+  const auto place = [&](double x, double y, double z) { return pen.room.place(to_world * glm::dvec4(x, y, z, 1)); };
+  if (!(its.view.z > 0)) {
+    // Behind the eye: where the division would put it, once the lesson gives the plane that it is cut off at.
+    if (its.view.z == 0 || !now.tells("near", false)) return;
+    const glm::dvec3 wrong = place(its.view.x * camera.d / its.view.z, its.view.y * camera.d / its.view.z, camera.d);
+    pen.line(place(its.view.x, its.view.y, its.view.z), wrong, c.now, 2, true, true);
+    pen.dot(wrong, 4, 1, c.now);
+    return pen.word(
+        wrong,
+        fmt::format("({}, {})", number(its.view.x * camera.d / its.view.z), number(its.view.y * camera.d / its.view.z)),
+        c.now);
+  }
+  const bool projected = its.stage >= VertexStages::projected, asked = now.asked() && holds<Projection>(*now.asked());
+  const double x = its.view.x, y = its.view.y, z = its.view.z, t = camera.d / z;
+  const auto named = [&](const char* name, double value) { return fmt::format("{} = {}", name, number(value)); };
+  /// From the line of sight, at this depth, up and then to the side.
+  const auto across = [&](double dx, double dy, double depth, const char* to_side, const char* up, bool told) {
+    const glm::dvec3 foot = place(0, 0, depth), above = place(0, dy, depth), end = place(dx, dy, depth);
+    pen.line(foot, above, c.changed, 2.4, false, true);
+    pen.line(above, end, c.changed, 2.4, false, true);
+    if (std::abs(dy) > 1e-9) pen.word(0.5 * (foot + above), told ? named(up, dy) : up, c.changed);
+    if (std::abs(dx) > 1e-9) pen.word(0.5 * (above + end), told ? named(to_side, dx) : to_side, c.changed);
+  };
+  const glm::dvec3 foot = place(0, 0, z);
+  pen.line(camera.eye, foot, c.changed, 2.4, false, true);
+  pen.word(foot, named("z_v", z), c.changed);
+  across(x, y, z, "x_v", "y_v", true);
+  if (!projected && !asked) return;
+  pen.line(camera.eye, place(x, y, z), c.now, 2, false, true);
+  pen.word(place(0, 0, camera.d), named("d", camera.d), c.changed);
+  across(x * t, y * t, camera.d, "x_p", "y_p", projected);
+  pen.dot(place(x * t, y * t, camera.d), 4, 1, c.now);
+  pen.word(place(x * t, y * t, camera.d), "(x_p, y_p)", c.now);
+}
+
+/// Half of the window and half of the angle of view.
+void draw_half_window(RoomPen& pen) {
+  const Camera& camera = pen.room.camera();
+  if (!pen.room.has_eye() || pen.room.by_lamp()) return;
+  const Theme& c = pen.colors;
+  const glm::dmat4 to_world = glm::inverse(camera.view);
+  const auto place = [&](double y, double z) { return pen.room.place(to_world * glm::dvec4(0, y, z, 1)); };
+  const glm::dvec3 middle = place(0, camera.d), top = place(camera.window, camera.d);
+  pen.line(camera.eye, middle, c.changed, 2.4, false, true);
+  pen.line(middle, top, c.changed, 2.4, false, true);
+  pen.line(camera.eye, top, c.now, 2, false, true);
+  pen.word(0.5 * (middle + camera.eye), fmt::format("d = {}", number(camera.d)), c.changed);
+  pen.word(0.5 * (middle + top), number(camera.window), c.changed);
+  constexpr int parts = 12;
+  const double half = portable::atan2(camera.window, camera.d), reach = 0.4 * camera.d;
+  const auto on_arc = [&](int k) {
+    return place(reach * portable::sin(half * k / parts), reach * portable::cos(half * k / parts));
+  };
+  for (int k = 0; k < parts; ++k) pen.line(on_arc(k), on_arc(k + 1), c.now, 1.6, false, true);
+  pen.word(on_arc(parts / 2), "\u03b1/2", c.now);
+}
+
+/// The vertex at work, and how it is projected.
 void draw_vertex(RoomPen& pen, const Moment& now) {
   const std::int32_t vertex = vertex_at_work(now.event());
   const std::size_t at = vertex;
@@ -325,11 +490,10 @@ void draw_vertex(RoomPen& pen, const Moment& now) {
   const glm::dvec3 point = pen.room.polygons().points[at];
   pen.dot(point, 5, 0, c.now);
   pen.word(point, vertex_label(now.scene(), vertex), c.now);
-  const auto seen = on_raster(now.scene(), now.state(), vertex);
-  if (!pen.room.has_eye() || !seen) return;
-  const glm::dvec3 on_window = pen.room.behind(seen->x, seen->y, pen.room.camera().d);
-  pen.line(pen.room.camera().eye, point, c.now, 1.2, true);
-  pen.dot(on_window, 4, 1, c.now);
+  const Event& step = now.event()->event;
+  if (holds<Projection>(step) && now.tells("window", false)) draw_half_window(pen);
+  else if (holds<ViewTransform>(step) || holds<Projection>(step) || holds<ViewportTransform>(step))
+    draw_projection(pen, now, vertex);
 }
 
 /// Which way a polygon faces: its normal, and the line of sight to its first vertex that the normal is compared with.
@@ -340,6 +504,7 @@ void draw_facing(RoomPen& pen, const Moment& now) {
   const Event& e = now.event()->event;
   const auto* reject = get_if<PolygonReject>(&e);
   const bool by_facing = reject && (reject->reason == Reject::back_facing || reject->reason == Reject::edge_on);
+  if (now.asked() && holds<ClipTest>(*now.asked())) return;
   if (!by_facing && !holds<FacingTest>(e) && !(holds<PolygonBegin>(e) && records<FacingTest>(now.header()))) return;
   glm::dvec3 normal(0), middle(0);
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -464,6 +629,16 @@ void draw_area(RoomPen& pen, const Moment& now) {
   pen.around(back, pen.colors.now, 1.2);
 }
 
+/// The other eyes that the lesson speaks of, before anything is done.
+void draw_other_eyes(RoomPen& pen, const Moment& now) {
+  int eye = 1;
+  if (now.position() > 0) return;
+  for (const Camera* other : now.other_eyes()) {
+    pen.dot(other->eye, 5, 0, pen.colors.muted);
+    pen.word(other->eye, fmt::format("eye {}", ++eye), pen.colors.text);
+  }
+}
+
 /// The lamp, and what it sees; while its own picture is made, the eye.
 void draw_lamp(RoomPen& pen, const Moment& now) {
   const auto& light = now.scene().light;
@@ -490,10 +665,13 @@ void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& c
   draw_axes(pen, now, viewing, arrived);
   draw_eye(pen);
   draw_lamp(pen, now);
+  draw_other_eyes(pen, now);
+  number_vertices(pen, now);
   if (now.at_rest()) return draw_light_at_vertices(pen, now);
   draw_dividing_plane(pen, now);
   draw_scan_plane(pen, now);
   draw_area(pen, now);
+  draw_planes_by_name(pen, now);
   draw_clipping(pen, now);
   draw_at_work(pen, now);
   draw_vertex(pen, now);

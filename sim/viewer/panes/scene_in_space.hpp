@@ -32,7 +32,8 @@ class RoomPen {
           double thin)
       : room(of), colors(theme), picture_(picture), seen_(seen), outside_(outside), thin_(thin) {}
 
-  void line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness = 1, bool dashed = false);
+  void line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness = 1, bool dashed = false,
+            bool through = false);  ///< `through`: what a polygon hides of it is seen nearly as well
   /// With a name at its tip.
   void arrow(glm::dvec3 from, glm::dvec3 to, ImU32 color, const std::string& name = "");
   void around(const std::vector<glm::dvec3>& corners, ImU32 color, double thickness = 1, bool dashed = false);

@@ -282,13 +282,19 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
     const ImVec2 size = label_size(ui, font, text);
     const float width = to_float(picture.canvas.width()), height = to_float(picture.canvas.height());
     if (size.x + 4 > width || size.y + 2 > height) return;
-    const float left = std::clamp(middle.x + (on_polygon ? -size.x / 2 : 6), 2.0f, width - size.x - 2);
-    const float top = std::clamp(middle.y - size.y / 2, 0.0f, height - size.y);
-    const ImVec2 low{at.x + left - 2, at.y + top}, extent{size.x + 4, size.y + std::round(2 * ui.thin)};  // for x_v
-    if (!taken.free(low, extent)) return;
-    taken.take(low, extent);
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + extent.x, low.y + extent.y}, ui.colors().pane);
-    draw_label(ui, {at.x + left, at.y + top}, font, color, text);
+    // On the right of a point, or else on its left, above or below it.
+    std::vector<ImVec2> places{{-size.x / 2, -size.y / 2}};
+    if (!on_polygon)
+      places = {{6, -size.y / 2}, {-size.x - 6, -size.y / 2}, {-size.x / 2, -size.y - 6}, {-size.x / 2, 6}};
+    for (const ImVec2 place : places) {
+      const float left = std::clamp(middle.x + place.x, 2.0f, width - size.x - 2);
+      const float top = std::clamp(middle.y + place.y, 0.0f, height - size.y);
+      const ImVec2 low{at.x + left - 2, at.y + top}, extent{size.x + 4, size.y + std::round(2 * ui.thin)};  // for x_v
+      if (!taken.free(low, extent)) continue;
+      taken.take(low, extent);
+      ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + extent.x, low.y + extent.y}, ui.colors().pane);
+      return draw_label(ui, {at.x + left, at.y + top}, font, color, text);
+    }
   };
   const Scene& scene = ui.session.scene();
   const bool curves = scene.surface && records<HorizonTest>(ui.session.header());  // no polygons

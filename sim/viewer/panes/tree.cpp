@@ -82,6 +82,38 @@ void draw_eye(ImDrawList* list, ImVec2 low, ImVec2 high, bool front, ImU32 color
   }
 }
 
+/// By piece, whether it turned its back to the eye when its node was gone through, and was not drawn.
+std::vector<bool> turned_away(const Ui& ui) {
+  const Session& s = ui.session;
+  const MethodState& m = s.state().machine;
+  std::vector<bool> away(m.pieces.size(), false);
+  if (!s.header().conventions.cull || s.scene().camera.kind != Camera::Kind::perspective) return away;
+  // Not yet gone through: nodes whose far side, or they themselves, the eye was held against last.
+  std::vector<std::int32_t> waiting;
+  for (std::int32_t node = m.node, from = -1; node >= 0 && s.position() < s.size();
+       from = node, node = m.tree[at(node)].parent) {
+    const TreeNode& one = m.tree[at(node)];
+    if (!one.eye || (from >= 0 && from == (one.eye->front ? one.front_child : one.back_child))) continue;
+    waiting.push_back(node);
+    for (const std::int32_t piece : one.pieces)
+      if (std::find(m.drawn.begin(), m.drawn.end(), piece) != m.drawn.end()) waiting.clear();
+  }
+  const auto* reject = s.event() ? get_if<PolygonReject>(&s.event()->event) : nullptr;
+  const std::int32_t now = reject ? node_at_work(m, &s.event()->event) : -1;
+  for (std::size_t node = 0; node < m.tree.size(); ++node) {
+    const TreeNode& one = m.tree[node];
+    const bool waits = std::find(waiting.begin(), waiting.end(), index32(node)) != waiting.end();
+    if (!one.eye || one.front_skipped || one.back_skipped || (waits && index32(node) != now)) continue;
+    for (const std::int32_t number : one.pieces) {
+      const Piece& piece = m.pieces[at(number)];
+      const auto corner = cutting_point(s.scene(), s.state(), piece.outline.empty() ? -1 : piece.outline[0]);
+      away[at(number)] = (!waits || reject->polygon == piece.polygon) && corner &&
+                         glm::dot(front_of(s, piece), s.scene().camera.eye - *corner) < 0;
+    }
+  }
+  return away;
+}
+
 std::string about_node(const Session& s, const TreeNode& node) { return name_of(s, node); }
 
 /// What the tree shows of each node: where it hangs, and where the eye is.
@@ -116,12 +148,13 @@ void draw_whole(Ui& ui) {
 
   const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float legend = std::round(ui.fonts.small->FontSize * 1.3f);
-  const float wide = room.x / to_float(places.size()), high = (room.y - legend) / to_float(rows);
+  const float side = std::round(0.8f * ui.em);  // for an arrow at the border
+  const float wide = (room.x - 2 * side) / to_float(places.size()), high = (room.y - legend) / to_float(rows);
   const ImFont* font = wide > ui.em * 2.4f ? ui.fonts.bold : ui.fonts.small;
   const float half_height = std::round(std::min(high * 0.36f, font->FontSize * 0.72f));
   ImDrawList* list = ImGui::GetWindowDrawList();
   const auto centre = [&](std::size_t node) {
-    return ImVec2{std::round(top.x + wide * (places[node].column + 0.5f)),
+    return ImVec2{std::round(top.x + side + wide * (places[node].column + 0.5f)),
                   std::round(top.y + high * (to_float(places[node].row) + 0.5f))};
   };
 
@@ -141,6 +174,7 @@ void draw_whole(Ui& ui) {
     }
   }
   const std::vector<std::int32_t> draw_places = zstep::draw_places(m);
+  const std::vector<bool> away = turned_away(ui);
   const ChangedParts changed = changed_parts(ui, node_rows);
   float lowest = top.y;  // that anything is written
   for (std::size_t node = 0; node < places.size(); ++node) {
@@ -159,19 +193,28 @@ void draw_whole(Ui& ui) {
     if (one.eye) number_at(ui, low, end, answers::made_by<EyeSide>(s.position(), "value", {{"node", index32(node)}}));
     mark_part(ui, changed, about_node(s, one), low, end);
     if (one.eye) draw_eye(list, low, end, one.eye->front, lit ? c.now : c.text);
-    std::int32_t drawn = -1;
-    for (const std::int32_t piece : one.pieces)
-      if (at(piece) < m.pieces.size()) drawn = std::max(drawn, draw_places[at(piece)]);
-    lowest = std::max(lowest, end.y + (drawn >= 0 ? ui.fonts.small->FontSize : 0));
-    if (drawn < 0) continue;
-    const std::string turn = fmt::format("#{}", drawn + 1);
+    std::string turn, before;
+    for (const std::int32_t piece : one.pieces) {
+      if (at(piece) >= m.pieces.size()) continue;
+      const std::string its = piece_label(s.scene(), m, piece);
+      const float from = low.x + half - text_size(ui, font, name).x / 2 + text_size(ui, font, before).x;
+      if (away[at(piece)])
+        stroke_line(list, {from, middle.y}, {from + text_size(ui, font, its).x, middle.y}, c.text, 1.5f * ui.thin);
+      before += its + ", ";
+      if (draw_places[at(piece)] >= 0)
+        turn += fmt::format("{}#{}", turn.empty() ? "" : ", ", draw_places[at(piece)] + 1);
+    }
+    lowest = std::max(lowest, end.y + (turn.empty() ? 0 : ui.fonts.small->FontSize));
+    if (turn.empty()) continue;
     const ImVec2 size = text_size(ui, ui.fonts.small, turn), place{std::round(middle.x - size.x / 2), end.y + 1};
     list->AddRectFilled(place, {place.x + size.x, place.y + size.y}, c.pane);  // on lines to children
     draw_text(ui, place, ui.fonts.small, c.changed, turn);
   }
   const std::string long_text = "+ in front, \u2212 behind   arrow: the eye's side   #1: drawn first";
+  const bool any_away = std::find(away.begin(), away.end(), true) != away.end();
   for (const std::string& text :
-       {long_text, std::string("arrow: the eye's side   #1: drawn first"), std::string("arrow: the eye's side")})
+       {any_away ? long_text + "   struck out: back face" : long_text, long_text,
+        std::string("arrow: the eye's side   #1: drawn first"), std::string("arrow: the eye's side")})
     if (text_size(ui, ui.fonts.small, text).x <= room.x && lowest <= top.y + room.y - legend) {
       draw_text(ui, {top.x, top.y + room.y - legend}, ui.fonts.small, c.muted, text);
       break;
