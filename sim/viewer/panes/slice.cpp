@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -127,7 +128,7 @@ void paint_slice(Canvas& canvas, const SlicePicture& picture, const Scene& scene
       for (const SliceSpan& span : slice.spans)
         if ((now > 0 && span.step == now) == at_work) {
           // Down to the columns, where the span at work begins and ends.
-          if (at_work && run == 0)
+          if (at_work && run == 0 && !plot.view)
             for (const auto& [x, z] : {std::pair{span.x_left, span.z_left}, {span.x_right, span.z_right}})
               canvas.line(plot.x(x), std::clamp(plot.y(z), 0.0f, plot.bottom), plot.x(x), to_float(plot.height), line,
                           to_pixel(c.now));
@@ -202,7 +203,7 @@ struct Room {
 /// What the depths are called, and which way is far, where the trace says so.
 std::string upwards(const Ui& ui, const SlicePlot& plot) {
   const Header& header = ui.session.header();
-  std::string z = depth_symbol(ui.session.scene(), header.conventions);
+  const std::string z = plot.view ? "z_v" : depth_symbol(ui.session.scene(), header.conventions);
   if (plot.unit > 0) return z + " in units \u2191";
   if (!header.declares(Convention::nearer)) return z;
   return z + (header.comparison.nearer == Comparison::Nearer::greater ? "  \u2191 nearer" : "  \u2191 farther");
@@ -291,6 +292,19 @@ std::vector<SliceSample> unrounded_depths(Ui& ui, const Moment& now, const Slice
   return depths;
 }
 
+/// The straight line between the ends of the span at work, at its columns.
+std::vector<SliceSample> straight_depths(const Slice& slice) {
+  std::vector<SliceSample> depths;
+  const auto at_work = [&](const SliceSpan& span) { return slice.work_from > 0 && span.step == slice.work_from; };
+  const auto first = std::find_if(slice.spans.begin(), slice.spans.end(), at_work);
+  const auto last = std::find_if(slice.spans.rbegin(), slice.spans.rend(), at_work);
+  if (first == slice.spans.end() || !(first->x_left < last->x_right)) return depths;
+  const double slope = (last->z_right - first->z_left) / (last->x_right - first->x_left);
+  for (double x = std::ceil(first->x_left); x <= last->x_right; ++x)
+    depths.push_back({first->step, first->polygon, x, first->z_left + (x - first->x_left) * slope});
+  return depths;
+}
+
 /// The true depths as a dotted curve.
 void paint_true(Canvas& canvas, const SlicePlot& plot, const std::vector<SliceSample>& depths, const Theme& c,
                 double line) {
@@ -311,7 +325,7 @@ void paint_true(Canvas& canvas, const SlicePlot& plot, const std::vector<SliceSa
 }
 
 /// What line, dot and steps mean.
-void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true, bool units) {
+void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true, bool units, bool view) {
   const Theme& c = ui.colors();
   const ImFont* font = ui.fonts.mono;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -326,6 +340,7 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true, bool uni
   std::vector<Entry> entries{{0, "span"}, {1, "depth at a pixel"}, {2, stored}};
   if (two) entries = {{0, "run A"}, {3, "run B"}, {2, stored}};
   if (with_true) entries[1] = {4, "true depth"};
+  if (view) entries[1] = {4, "if z_v were linear"};
   if (units) entries = {{5, "without rounding"}, {0, "rounded"}, {2, stored}};
   const float sign = 1.6f * ui.em, gap = ui.em, middle = at.y + font->FontSize * 0.55f;
   float needed = -gap;
@@ -422,6 +437,41 @@ void see_columns(const Ui& ui, SlicePlot& plot) {
 
 }  // namespace
 
+Slice in_view_depth(Slice slice, const Camera& camera, const Conventions& conventions, bool ends_only) {
+  const auto seen = [&](double z) { return std::isfinite(z) ? view_depth(camera, conventions, z) : z; };
+  std::vector<SliceSpan> pieces;
+  for (const SliceSpan& span : slice.spans) {
+    const double left = seen(span.z_left), right = seen(span.z_right);
+    if (ends_only && span.step == slice.work_from) {
+      pieces.push_back({span.step, span.polygon, span.x_left, left, span.x_left, left});
+      pieces.push_back({span.step, span.polygon, span.x_right, right, span.x_right, right});
+      continue;
+    }
+    constexpr int most = 24;
+    SliceSpan piece{span.step, span.polygon, span.x_left, left, span.x_left, left};
+    for (int k = 1; k <= most; ++k) {
+      const double share = static_cast<double>(k) / most;
+      piece.x_right = span.x_left + share * (span.x_right - span.x_left);
+      piece.z_right = seen(span.z_left + share * (span.z_right - span.z_left));
+      pieces.push_back(piece);
+      piece.x_left = piece.x_right, piece.z_left = piece.z_right;
+    }
+  }
+  slice.spans = std::move(pieces);
+  if (ends_only && slice.work_from > 0) {
+    std::erase_if(slice.samples, [&](const SliceSample& sample) { return sample.step > slice.work_from; });
+    slice.compare.reset();
+  }
+  for (SliceSample& sample : slice.samples) sample.z = seen(sample.z);
+  for (double& z : slice.stored) z = z == slice.empty ? z : seen(z);
+  if (slice.compare) {
+    slice.compare->z = seen(slice.compare->z);
+    if (slice.compare->stored != slice.empty) slice.compare->stored = seen(slice.compare->stored);
+  }
+  std::tie(slice.low, slice.high) = std::minmax({seen(slice.low), seen(slice.high)});
+  return slice;
+}
+
 void see_units(SlicePlot& plot, Slice& slice, const Scene& scene, const Conventions& conventions,
                const std::vector<SliceSample>& exact) {
   if (!slice.compare) return;
@@ -455,15 +505,19 @@ void see_units(SlicePlot& plot, Slice& slice, const Scene& scene, const Conventi
 
 namespace {
 
-void draw_slice(Ui& ui) {
+void draw_slice_of(Ui& ui, bool view) {
   const Moment now = ui.moment();
   const auto at = line_of(ui, now);
   if (!at) return say_empty(ui, "Empty: no scan line is at work. Point at a pixel of the frame to see its depths.");
   SlicePicture lines;
   lines.runs.push_back(slice_of(now, ui.slices, *at));
+  if (view)
+    lines.runs[0] =
+        in_view_depth(lines.runs[0], now.scene().camera, now.header().conventions, ui.session.question_open());
   const Slice slice = lines.runs[0];
-  if (ui.other) lines.runs.push_back(slice_of(ui.other->moment(), ui.other->slices, *at));
+  if (ui.other && !view) lines.runs.push_back(slice_of(ui.other->moment(), ui.other->slices, *at));
   SlicePlot& plot = lines.plot;
+  plot.view = view;
   plot.x_first = slice.x_first, plot.x_last = slice.x_last, plot.low = slice.low, plot.high = slice.high;
   for (const Slice& run : lines.runs) {
     plot.x_first = std::min(plot.x_first, run.x_first), plot.x_last = std::max(plot.x_last, run.x_last);
@@ -472,7 +526,7 @@ void draw_slice(Ui& ui) {
   see_columns(ui, plot);
   const bool two = lines.runs.size() > 1;
   std::vector<SliceSample> truth;
-  if (!two) truth = unrounded_depths(ui, now, slice);
+  if (!two && !view) truth = unrounded_depths(ui, now, slice);
   if (!truth.empty()) see_units(plot, lines.runs[0], now.scene(), now.header().conventions, truth);
 
   const ImFont* font = ui.fonts.mono;
@@ -507,7 +561,7 @@ void draw_slice(Ui& ui) {
                                           ui.session.scene(), ui.colors(), ui.thin);
   Canvas& canvas = ui.canvases["slice"].made;
   canvas = base.made;
-  if (!two && plot.unit == 0) truth = depths_on_plane(now, plot, slice);
+  if (!two && plot.unit == 0) truth = view ? straight_depths(slice) : depths_on_plane(now, plot, slice);
   paint_true(canvas, plot, truth, ui.colors(), ui.thin);
   for (const SliceSample& depth : truth)
     if (slice.compare && slice.compare->x == depth.x && depth.z >= plot.low && depth.z <= plot.high &&
@@ -520,7 +574,7 @@ void draw_slice(Ui& ui) {
                          {},
                          plot.unit > 0 ? fmt::format("{} exactly {}", polygon_label(now.scene(), depth.polygon),
                                                      number(plot.shown(depth.z), 2))
-                                       : fmt::format("true {}", number(depth.z))});
+                                       : fmt::format("{} {}", view ? "linear" : "true", number(depth.z))});
   paint_markers(ui, canvas, markers);
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), origin,
                                        {origin.x + to_float(plot.width), origin.y + to_float(plot.height)});
@@ -543,9 +597,13 @@ void draw_slice(Ui& ui) {
   const float sentence_at = corner.x + label_size(ui, font, upwards(ui, plot)).x + 1.5f * ui.em;
   if (sentence_at + text_size(ui, ui.fonts.bold, sentence).x < corner.x + avail.x)
     draw_text(ui, {sentence_at, corner.y - 1}, ui.fonts.bold, ui.colors().text, sentence);
-  if (keyed) draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two, !truth.empty(), plot.unit > 0);
+  if (keyed)
+    draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two, !truth.empty(), plot.unit > 0, plot.view);
   point(ui, plot, origin, slice);
 }
+
+void draw_slice(Ui& ui) { draw_slice_of(ui, false); }
+void draw_slice_in_view(Ui& ui) { draw_slice_of(ui, true); }
 
 std::string note_of_slice(Ui& ui) {
   const auto at = line_of(ui, ui.moment());
@@ -560,12 +618,19 @@ bool serves_slice(const Header& header) {
   return records<SpanBegin>(header) || records<SpanFlags>(header) || records(header, AtPixel::verdict);
 }
 
+bool serves_slice_in_view(const Header& header) {
+  return serves_slice(header) && header.conventions.depth == Conventions::Depth::pseudodepth;
+}
+
 bool no_slice_yet(Ui& ui) { return none_yet<SpanBegin, SpanFlags>(ui) && none_yet(ui, AtPixel::verdict); }
 
 }  // namespace
 
-const Pane slice_pane{"slice", "SLICE", draw_slice, note_of_slice, serves_slice,
-                      0.7f,    false,   nullptr,    true,          no_slice_yet};
+const Pane slice_pane{"slice", "SLICE", draw_slice, note_of_slice, serves_slice,    0.7f,
+                      false,   nullptr, true,       no_slice_yet,  &slice_view_pane};
+const Pane slice_view_pane{
+    "slice_view", "SLICE IN z_v", draw_slice_in_view, note_of_slice, serves_slice_in_view, 0.7f, false,
+    nullptr,      true,           no_slice_yet};
 
 // The letters in the plot of the slice: on no other, and rather on no line.
 
@@ -694,7 +759,7 @@ void write_names(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Slice& slic
                  {origin.x + plot.x(span.x_right), origin.y + plot.y(span.z_right)});
   name_markers(ui, labels, origin, markers);
   name_spans(ui, labels, plot, origin, slice);
-  if (plot.unit == 0) name_ends(ui, labels, plot, origin, slice);
+  if (plot.unit == 0 && !plot.view) name_ends(ui, labels, plot, origin, slice);
 }
 
 }  // namespace zstep::viewer

@@ -15,6 +15,7 @@ struct SlicePlot {
   int width = 0, height = 0;
   double x_first = 0, x_last = 1, low = 0, high = 1;
   float top = 0, bottom = 1, band = 0;  ///< band: the middle of the empty one
+  bool view = false;                    ///< depths are z_v
   double unit = 0, least = 0;           ///< unit > 0: depths are shown as whole numbers of it, counted from `least`
 
   double column() const { return width / (x_last - x_first); }
@@ -36,6 +37,10 @@ struct SlicePicture {
 /// has no depth. `exact`: depths without rounding, of which those in its column are to be seen.
 void see_units(SlicePlot& plot, Slice& slice, const Scene& scene, const Conventions& conventions,
                const std::vector<SliceSample>& exact);
+
+/// The same in z_v, a span in short pieces: only pseudodepth is straight on the picture. Of the span at work nothing
+/// but the ends where `ends_only`.
+Slice in_view_depth(Slice slice, const Camera& camera, const Conventions& conventions, bool ends_only);
 
 void take(Fingerprint& print, const SlicePicture& picture);
 /// All but the markers.
