@@ -320,6 +320,16 @@ Expression parse_expression(std::string_view text, std::string_view where) {
   return parsed_whole(Parser{text, text, where});
 }
 
+std::vector<Expression> parse_list(std::string_view text, std::string_view where) {
+  std::vector<Expression> all;
+  for (std::string_view rest = text;; text = rest.substr(1)) {
+    all.push_back(parse_expression(text, rest, where));
+    if (rest.empty()) return all;
+    if (rest.front() != ',')
+      throw InputError(where, fmt::format("`{}` is left over", rest), "write a comma between two values");
+  }
+}
+
 Expression parse_typed(std::string_view text, std::string_view where) {
   return parsed_whole(Parser{text, text, where, true});
 }

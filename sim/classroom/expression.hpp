@@ -61,6 +61,8 @@ struct Expression {
 Expression parse_expression(std::string_view text, std::string_view& rest, std::string_view where);
 /// The same for a text that is an expression and nothing else.
 Expression parse_expression(std::string_view text, std::string_view where);
+/// Expressions with commas between them.
+std::vector<Expression> parse_list(std::string_view text, std::string_view where);
 /// The same as a person types it and as panes write it: = and <> compare, NOT AND OR in any case, 0,42 and z* < 0.5.
 Expression parse_typed(std::string_view text, std::string_view where);
 

@@ -232,6 +232,10 @@ class Reader {
       stop.viewing_step = value[2] - '0';
       return;
     }
+    if (starts_with(text, "depths:") && !value.empty()) {
+      stop.depths = value;
+      return;
+    }
     if (starts_with(text, "beside:") && !value.empty()) {
       stop.beside = value;
       if (stop.beside.find('=') != std::string::npos) return void(read_change(stop.beside, lines_.where(lines_.at)));
@@ -242,8 +246,9 @@ class Reader {
       return;
     }
     lines_.fail(fmt::format("`{}` is left over in the anchor", text),
-                "after ; write `focus: edge-table` or another pane, `viewing: T_1` to T_4 for a step of viewing, or "
-                "`beside: runs/first.jsonl` or `beside: theta = 60` for another run's picture");
+                "after ; write `focus: edge-table` or another pane, `viewing: T_1` to T_4 for a step of viewing, "
+                "`depths: near, 18` for view depths of the depth curve, or `beside: runs/first.jsonl` or "
+                "`beside: theta = 60` for another run's picture");
   }
 
   void begin_stop() {
@@ -358,6 +363,10 @@ void check_stops(const Lesson& lesson, const std::string& file) {
     if (anchor.kind == Anchor::Kind::step) kind = require_step(page, anchor.step, place.str()).kind;
     else if (anchor.kind != Anchor::Kind::here) kind = no_kind;
     check_fill(stop.heading, place, kind, page);
+    if (!stop.depths.empty())
+      for (const Expression& depth : parse_list(stop.depths, place.str()))
+        if (check(depth, kind, page, place.str()) != Quantity::Type::number)
+          throw InputError(place.str(), "a depth to be marked is no number", "write view depths, `depths: near, 18`");
     check_fill(stop.text, {file, stop.text_line}, kind, page);
     if (stop.task) {
       const std::string done = Place{file, stop.task->done_line}.str();

@@ -92,6 +92,11 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
         stop.beside_run = std::make_shared<const Trace>(
             stop.beside.find('=') != std::string::npos ? changed_run(lesson, trace, stop) : open_jsonl(run));
     }
+    stop.marked_depths.clear();
+    if (!stop.depths.empty())
+      for (const Expression& depth : parse_list(stop.depths, place.str()))
+        stop.marked_depths.push_back(
+            evaluate(depth, Moment(replay, event ? &*event : nullptr, spot.position, place.str())).number);
     stop.names = names_in(stop.text, {file, stop.text_line});
     stop.text = filled(stop.text, stop.text_line);
     if (stop.task) {

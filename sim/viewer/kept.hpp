@@ -138,8 +138,10 @@ inline void take(Fingerprint& print, const LineChart& chart) {
     take(print, line.name);
     take(print, line.dashed);
     take(print, line.look);
+    take(print, line.bare);
     for (const glm::dvec2& point : line.points) take(print, point);
   }
+  for (const glm::dvec2& point : chart.led) take(print, point);
   for (const LineChart::Now& now : chart.now) {
     take(print, now.at);
     take(print, now.text);

@@ -258,17 +258,36 @@ void draw_names(Paper& sheet, std::vector<EndName> names, float x, float top, fl
   for (const EndName& name : names) sheet.text(x, name.y - sheet.text_height() / 2, name.text, name.color);
 }
 
-/// A mark with its text beside it, on the side where there is room.
-void draw_now(Paper& paper, const LineChart::Now& now, ImVec2 at, const viewer::PlotArea& plot) {
+struct Box {
+  ImVec2 from, to;
+  bool meets(const Box& other) const {
+    return from.x < other.to.x && other.from.x < to.x && from.y < other.to.y && other.from.y < to.y;
+  }
+};
+
+/// A mark with its text beside it, on the side where there is room and no other text.
+void draw_now(Paper& paper, const LineChart::Now& now, ImVec2 at, const viewer::PlotArea& plot,
+              std::vector<Box>& taken) {
   const viewer::Theme& theme = paper.theme();
   const float radius = mark_size * plot.scale, away = radius + 5, wide = paper.text_width(now.text);
   paper.mark(at, radius + 2, 3, theme.pane);
   paper.mark(at, radius, 3, theme.now);
   if (now.text.empty()) return;
-  const float left = at.x + away + wide <= plot.right ? at.x + away : at.x - away - wide;
-  const float below = std::clamp(at.y + 0.5f * paper.text_height(), plot.top, plot.bottom - paper.text_height());
-  paper.rectangle({left - 2, below}, {left + wide + 2, below + paper.text_height()}, theme.pane);
-  paper.text(left, below, now.text, theme.now);
+  const float letters = paper.text_height(), right = at.x + away, left = at.x - away - wide;
+  Box box;
+  for (const float down : {0.5f, -1.5f, 1.6f, 2.7f, 3.8f}) {
+    const float below = std::clamp(at.y + down * letters, plot.top, plot.bottom - letters);
+    for (const float x : {right, left}) {
+      if (x < plot.left || x + wide > plot.right) continue;
+      const Box place{{x - 2, below}, {x + wide + 2, below + letters}};
+      const bool free = std::none_of(taken.begin(), taken.end(), [&](const Box& one) { return one.meets(place); });
+      if (free && box.to.x == 0) box = place;
+    }
+  }
+  if (box.to.x == 0) return;
+  taken.push_back(box);
+  paper.rectangle(box.from, box.to, theme.pane);
+  paper.text(box.from.x + 2, box.from.y, now.text, theme.now);
 }
 
 struct Reach {
@@ -318,16 +337,25 @@ void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& ar
   paper.text(area.left, area.top, chart.y_title, theme.text);
   for (const ChartAxis::Tick& tick : up.ticks()) {
     const float y = up.at(tick.value);
-    paper.rule({plot.left, y}, {plot.right, y}, tick.value == 0 ? theme.muted : theme.rule);
+    if (chart.led.empty()) paper.rule({plot.left, y}, {plot.right, y}, tick.value == 0 ? theme.muted : theme.rule);
     paper.text(plot.left - 10, y - letters / 2, tick.text, theme.muted, Paper::Side::right);
   }
   for (const ChartAxis::Tick& tick : across.ticks()) {
     const float x = across.at(tick.value);
-    paper.rule({x, plot.top}, {x, plot.bottom}, theme.rule);
+    if (chart.led.empty()) paper.rule({x, plot.top}, {x, plot.bottom}, theme.rule);
     paper.text(x, plot.bottom + 8 * area.scale, tick.text, theme.muted, Paper::Side::middle);
   }
   paper.text((plot.left + plot.right) / 2, plot.bottom + 8 * area.scale + line, chart.x_title, theme.text,
              Paper::Side::middle);
+
+  const auto lead = [&](glm::dvec2 point, ImU32 color) {
+    const ImVec2 at{across.at(point.x), up.at(point.y)};
+    paper.rule({plot.left, at.y}, {at.x, at.y}, color);
+    paper.rule({at.x, at.y}, {at.x, plot.bottom}, color);
+  };
+  for (const glm::dvec2 point : chart.led) lead(point, theme.rule);
+  if (!chart.led.empty())
+    for (const LineChart::Now& now : chart.now) lead(now.at, theme.now);
 
   std::vector<EndName> names;
   for (const LineChart::Line& one : chart.lines) {
@@ -340,13 +368,15 @@ void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& ar
     }
     float last = -1e9f;  // marks that would hide each other are left out
     for (const glm::dvec2 point : one.points) {
+      if (one.bare) break;
       if (linear && place(point).x - last < 2.5f * mark_size * area.scale) continue;
       last = place(point).x;
       paper.mark(place(point), mark_size * area.scale, one.look, color, !one.dashed);
     }
     if (!one.points.empty() && !one.name.empty()) names.push_back({up.at(one.points.back().y), color, one.name});
   }
-  for (const LineChart::Now& now : chart.now) draw_now(paper, now, {across.at(now.at.x), up.at(now.at.y)}, plot);
+  std::vector<Box> taken;
+  for (const LineChart::Now& now : chart.now) draw_now(paper, now, {across.at(now.at.x), up.at(now.at.y)}, plot, taken);
   draw_names(paper, std::move(names), plot.right + 14 * area.scale, plot.top, plot.bottom);
 }
 

@@ -37,7 +37,8 @@ struct LineChart {
     std::string name;
     std::vector<glm::dvec2> points;  ///< on logarithmic axes both coordinates are above 0
     bool dashed = false;
-    int look = 0;  ///< colour and mark: lines of the same look belong together
+    int look = 0;       ///< colour and mark: lines of the same look belong together
+    bool bare = false;  ///< no mark at its points
   };
   /// A place that is marked as now at work, and what stands beside it.
   struct Now {
@@ -52,6 +53,8 @@ struct LineChart {
   std::vector<Line> lines;
   /// The axes of a linear chart reach at least so far, from the least to the greatest.
   glm::dvec2 x_reach{0, 0}, y_reach{0, 0};
+  /// In place of a grid: points that thin lines lead to both axes. So are the places that are marked.
+  std::vector<glm::dvec2> led;
   std::vector<Now> now;
 
   /// Looks for a pane: there the accent colours mean something else.

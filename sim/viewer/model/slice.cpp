@@ -12,6 +12,7 @@
 #include "sim/words/numbers.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/formulas/outlines.hpp"
+#include "traces/formulas/rounding.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -275,7 +276,10 @@ std::string slice_sentence(const Moment& now, const Slice& slice) {
   if (!slice.compare || !slice.compare->nearer || slice.compare->written) return "";
   const Slice::Compare& c = *slice.compare;
   const Comparison& comparison = now.header().comparison;
-  const auto [z, stored] = tell_apart(c.z, c.stored);
+  const double unit = depth_unit(now.scene(), now.header().conventions);
+  const double least = unit > 0 ? formulas::least_depth(now.scene(), now.header().conventions.depth) : 0;
+  const auto shown = [&](double depth) { return unit > 0 ? std::round((depth - least) / unit * 1e6) / 1e6 : depth; };
+  const auto [z, stored] = tell_apart(shown(c.z), shown(c.stored));
   const bool shadow =
       now.event() && (holds<ShadowCompare>(now.event()->event) || holds<ShadowNeighbour>(now.event()->event));
   const std::string who = shadow                    ? "the point"

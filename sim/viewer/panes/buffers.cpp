@@ -234,6 +234,16 @@ std::optional<double> depth_now(const Ui& ui) {
   return z_v >= camera.near && z_v <= camera.far ? std::optional(z_v) : std::nullopt;
 }
 
+/// The view depths that the stop marks, else the depth at work. None while a question is open: they may answer it.
+std::vector<double> depths_to_mark(const Ui& ui) {
+  const Session& s = ui.session;
+  if (s.question_open()) return {};
+  if (s.lesson() && s.stop() >= 0 && !s.lesson()->stops[s.stop()].marked_depths.empty())
+    return s.lesson()->stops[s.stop()].marked_depths;
+  const auto z_v = depth_now(ui);
+  return z_v ? std::vector{*z_v} : std::vector<double>();
+}
+
 bool has_no_planes(Ui& ui) { return ui.session.scene().camera.kind == Camera::Kind::screen; }
 
 void draw_depth_units(Ui& ui) {
@@ -263,10 +273,9 @@ void draw_depth_units(Ui& ui) {
   });
   chart.x_ticks.insert(chart.x_ticks.begin(), near);
   chart.x_ticks.push_back(far);
-  if (const auto z_v = depth_now(ui)) {
-    const double unit = formulas::resolution(scene, conventions, *z_v);
-    if (unit > 0) chart.now.push_back({{*z_v, unit}, fmt::format("z_v = {}: {}", number(*z_v), number(unit))});
-  }
+  for (const double z_v : depths_to_mark(ui))
+    if (const double unit = formulas::resolution(scene, conventions, z_v); unit > 0)
+      chart.now.push_back({{z_v, unit}, fmt::format("z_v = {}: {:.2g}", number(z_v), unit)});
   draw_line_chart(ui, "depths of the buffer", chart);
   if (ImGui::IsWindowHovered())
     ui.mouse_help = "What the depth buffer cannot tell apart, near to far. Point at a pixel to see its depth.";
@@ -297,6 +306,65 @@ const Pane depth_units_pane{"depth_units",
                             true,
                             has_no_planes,
                             &depth_error_pane};
+
+// The number of the depth buffer over the distance: between the planes, with the view depths that a stop is about.
+
+namespace {
+
+void draw_depth_curve(Ui& ui) {
+  const Scene& scene = ui.session.scene();
+  const Conventions& conventions = ui.session.header().conventions;
+  if (has_no_planes(ui))
+    return say_empty(ui, "Empty: this scene's points are on the screen already; it has no near and no far plane.");
+  const double near = scene.camera.near, far = scene.camera.far, unit = depth_unit(scene, conventions);
+  const double least = unit > 0 ? formulas::least_depth(scene, conventions.depth) : 0;
+  const auto at = [&](double z_v) {
+    const double z = buffer_depth(scene.camera, conventions, z_v);
+    return glm::dvec2(z_v, unit > 0 ? (z - least) / unit : z);
+  };
+  const auto mark = [&](const char* name, double z_v) {
+    const double z = at(z_v).y;
+    return LineChart::Now{at(z_v), fmt::format("{}{} \u2192 {}", name, number(z_v), number(z, unit > 0 ? 0 : 4))};
+  };
+  LineChart chart;
+  chart.scale = LineChart::Scale::linear;
+  const std::string z = depth_symbol(scene, conventions);
+  constexpr int steps = 16;  // as four bits have numbers
+  chart.y_title = fmt::format("{}{}; thin lines: {} equal steps of it", z, unit > 0 ? " in units" : "", steps);
+  chart.x_title = "z_v";
+  chart.x_reach = {near, far}, chart.y_reach = {at(near).y, at(far).y};
+  chart.now = {mark("near ", near), mark("far ", far)};
+  for (int step = 0; step <= steps; ++step) {
+    const double share = static_cast<double>(step) / steps, number = at(near).y + share * (at(far).y - at(near).y);
+    const double z_v = view_depth(scene.camera, conventions, unit > 0 ? least + number * unit : number);
+    chart.led.emplace_back(std::clamp(z_v, near, far), number);
+  }
+  if (!ui.session.question_open()) {  // the curve is the answer
+    LineChart::Line line{"", {}, false, LineChart::plain_look, true};
+    constexpr int points = 200;
+    for (int k = 0; k <= points; ++k) line.points.push_back(at(near * portable::pow(far / near, 1.0 * k / points)));
+    chart.lines.push_back(std::move(line));
+    for (const double z_v : depths_to_mark(ui)) chart.now.push_back(mark("", z_v));
+  } else {
+    chart.led = {at(near), at(far)};
+  }
+  draw_line_chart(ui, "depth curve", chart);
+  if (ImGui::IsWindowHovered())
+    ui.mouse_help = "Which number the depth buffer has for each distance from the eye, near to far.";
+}
+
+std::string note_of_depth_curve(Ui& ui) {
+  if (has_no_planes(ui)) return "empty: points on the screen have no near and no far plane";
+  return fmt::format("{} over z_v", depth_symbol(ui.session.scene(), ui.session.header().conventions));
+}
+
+bool serves_depth_curve(const Header& header) { return depth_pane_of(header) != nullptr; }
+
+}  // namespace
+
+const Pane depth_curve_pane{
+    "depth_curve", "DEPTH CURVE", draw_depth_curve, note_of_depth_curve, serves_depth_curve, 0.5f, false,
+    nullptr,       true,          has_no_planes,    &depth_units_pane};
 
 // How errors of depth add up: along the span at work, and along its left edge. What rounding alone does: each depth is
 // held against what its own formula gives without any.
@@ -389,8 +457,7 @@ const Pane depth_error_pane{"depth_error",
                             false,
                             nullptr,
                             true,
-                            waits_for_depths,
-                            &depth_units_pane};
+                            waits_for_depths};
 
 // The shadow buffer: depths as the light sees them, with the place of the point under test.
 

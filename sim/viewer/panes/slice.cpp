@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/file/header.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/math/portable_math.hpp"
 #include "traces/math/whole.hpp"
 #include "traces/oracle/exact_depth.hpp"
@@ -30,7 +32,7 @@ enum Shape : int { disc = 0, square = 1, diamond = 3 };  // as Canvas::mark has 
 void take(Fingerprint& print, const SlicePicture& picture) {
   const auto all = [&](auto... values) { (take(print, values), ...); };
   const SlicePlot& p = picture.plot;
-  all(p.x_first, p.x_last, p.low, p.high, p.top, p.bottom, p.band);
+  all(p.x_first, p.x_last, p.low, p.high, p.top, p.bottom, p.band, p.unit, p.least);
   for (const Slice& slice : picture.runs) {
     all(slice.work_from, slice.empty, slice.spans.size());
     for (const SliceSpan& s : slice.spans) all(s.step, s.polygon, s.x_left, s.z_left, s.x_right, s.z_right);
@@ -82,6 +84,19 @@ void paint_span(Canvas& canvas, const SlicePlot& plot, const SliceSpan& span, bo
   }
 }
 
+/// Rounded depths as one step a pixel; of two at one level the later lies on the earlier one, and is thinner.
+void paint_steps(Canvas& canvas, const SlicePlot& plot, const Slice& slice, const Scene& scene, const Theme& c,
+                 double line) {
+  for (const SliceSample& sample : slice.samples) {
+    const bool at_work = sample.step > slice.work_from && slice.work_from > 0;
+    const double half = (at_work ? 1.8 : 3.6) * line, y = plot.y(sample.z);
+    if (y < plot.top - half || y > plot.bottom + half) continue;
+    const int left = nearest_int(plot.x(sample.x - 0.5)), right = nearest_int(plot.x(sample.x + 0.5));
+    canvas.rectangle(left, nearest_int(y - half - line), right, nearest_int(y + half + line), to_pixel(c.text));
+    canvas.rectangle(left, nearest_int(y - half), right, nearest_int(y + half), color_of(scene, sample.polygon, c));
+  }
+}
+
 }  // namespace
 
 void paint_slice(Canvas& canvas, const SlicePicture& picture, const Scene& scene, const Theme& c, const float& thin) {
@@ -94,17 +109,26 @@ void paint_slice(Canvas& canvas, const SlicePicture& picture, const Scene& scene
       const int at = nearest_int(plot.x(x));
       canvas.rectangle(at, top, at + 1, bottom, to_pixel(c.head));
     }
+  if (plot.unit > 0)
+    for (double z = std::ceil(plot.shown(plot.low)); z <= plot.shown(plot.high); ++z) {
+      const int at = nearest_int(plot.y(plot.least + z * plot.unit));
+      canvas.rectangle(0, at, plot.width, at + 1, to_pixel(c.rule));
+    }
   for (std::size_t run = picture.runs.size(); run-- > 0;)
     paint_stored(canvas, plot, picture.runs[run], run > 0,
                  mixed(to_pixel(c.pane), to_pixel(c.text), run > 0 ? 150 : 90), line);
   for (std::size_t run = picture.runs.size(); run-- > 0;) {
     const Slice& slice = picture.runs[run];
     const std::int64_t now = slice.work_from;
+    if (plot.unit > 0) {
+      paint_steps(canvas, plot, slice, scene, c, line);
+      continue;
+    }
     for (const bool at_work : {false, true})
       for (const SliceSpan& span : slice.spans)
         if ((now > 0 && span.step == now) == at_work) {
           // Down to the columns, where the span at work begins and ends.
-          if (at_work && run == 0)
+          if (at_work && run == 0 && !plot.view)
             for (const auto& [x, z] : {std::pair{span.x_left, span.z_left}, {span.x_right, span.z_right}})
               canvas.line(plot.x(x), std::clamp(plot.y(z), 0.0f, plot.bottom), plot.x(x), to_float(plot.height), line,
                           to_pixel(c.now));
@@ -125,7 +149,9 @@ namespace {
 void draw_marker(Ui& ui, Canvas& canvas, const SliceMarker& marker) {
   const Theme& c = ui.colors();
   // Of equal depths both are seen: the diamond lies on the square.
-  const double radius = std::max(5.0, 0.36 * ui.em) * (marker.shape == square ? 1.35 : 0.9);
+  const double radius = std::max(5.0, 0.36 * ui.em) * (marker.shape == square ? 1.35
+                                                       : marker.shape == disc ? 0.6
+                                                                              : 0.9);
   canvas.mark(marker.x, marker.y, radius + 1.5, marker.shape, to_pixel(c.pane));
   canvas.mark(marker.x, marker.y, radius, marker.shape, to_pixel(c.now));
   if (marker.wins && !*marker.wins) canvas.mark(marker.x, marker.y, radius - 2.5, marker.shape, to_pixel(c.pane));
@@ -141,16 +167,17 @@ std::vector<SliceMarker> markers_of(Ui& ui, const SlicePlot& plot, const Slice& 
   for (const SliceSample& rival : slice.rivals)
     markers.push_back({plot.x(rival.x), plot.y(rival.z), diamond,
                        slice.winner ? std::optional(rival.polygon == *slice.winner) : std::nullopt,
-                       fmt::format("{}{} {}", run, name(rival.polygon, ""), number(rival.z))});
+                       fmt::format("{}{} {}", run, name(rival.polygon, ""), number(plot.shown(rival.z)))});
   if (const auto& compare = slice.compare) {
-    const auto [z, stored] = tell_apart(compare->z, compare->stored);
+    const auto [z, stored] = tell_apart(plot.shown(compare->z), plot.shown(compare->stored));
     if (compare->written) {
       markers.push_back({plot.x(compare->x), plot.y(compare->z), diamond, true,
-                         fmt::format("{}{} {}", run, name(compare->polygon, "new"), number(compare->z))});
+                         fmt::format("{}{} {}", run, name(compare->polygon, "new"), number(plot.shown(compare->z)))});
       return markers;
     }
     markers.push_back({plot.x(compare->x), plot.y(compare->z), diamond, compare->nearer,
                        fmt::format("{}{} {}", run, name(compare->polygon, "new"), z)});
+    if (plot.unit > 0 && !compare->nearer) return markers;
     const auto loses = compare->nearer ? std::optional(!*compare->nearer) : std::optional(false);
     markers.push_back({plot.x(compare->x), plot.y_stored(compare->stored, slice.empty), square, loses,
                        fmt::format("{}stored {}", run, stored)});
@@ -174,9 +201,10 @@ struct Room {
 };
 
 /// What the depths are called, and which way is far, where the trace says so.
-std::string upwards(const Ui& ui) {
+std::string upwards(const Ui& ui, const SlicePlot& plot) {
   const Header& header = ui.session.header();
-  const std::string z = depth_symbol(ui.session.scene(), header.conventions);
+  const std::string z = plot.view ? "z_v" : depth_symbol(ui.session.scene(), header.conventions);
+  if (plot.unit > 0) return z + " in units \u2191";
   if (!header.declares(Convention::nearer)) return z;
   return z + (header.comparison.nearer == Comparison::Nearer::greater ? "  \u2191 nearer" : "  \u2191 farther");
 }
@@ -196,11 +224,12 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
     draw_text(ui, {origin.x - 8 - text_size(ui, font, text).x, origin.y + y - half}, font, c.muted, text);
   };
   const int most = std::max(1, static_cast<int>((plot.bottom - plot.top) / (font->FontSize * 1.7f)));
-  const double step = nice_step(plot.high - plot.low, most);
+  const double low = plot.shown(plot.low), high = plot.shown(plot.high);
+  const double step = std::max(plot.unit > 0 ? 1.0 : 0.0, nice_step(high - low, most));
   const int decimals = std::clamp(ceil_int(-portable::log10(step) - 1e-9), 0, 8);
-  for (double z = std::ceil(plot.low / step) * step; z <= plot.high; z += step) {
+  for (double z = std::ceil(low / step) * step; z <= high; z += step) {
     const double shown = std::abs(z) < step * 1e-6 ? 0 : z;
-    beside(plot.y(shown), number(shown, decimals));
+    beside(plot.y(plot.unit > 0 ? plot.least + shown * plot.unit : shown), number(shown, decimals));
   }
   beside(plot.band, number(slice.empty));
   // Columns.
@@ -219,13 +248,13 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
   // Which way is which, where the trace says so.
   const bool named = header.declares(Convention::nearer);
   const char* down = header.comparison.nearer == Comparison::Nearer::greater ? "farther" : "nearer";
-  draw_label(ui, {origin.x - room.margin, origin.y - room.line}, font, c.text, upwards(ui));
+  draw_label(ui, {origin.x - room.margin, origin.y - room.line}, font, c.text, upwards(ui, plot));
   if (named) draw_text(ui, {origin.x - room.margin, below}, font, c.text, std::string("\u2193 ") + down);
 }
 
 /// Where z_v is interpolated as if it were linear on the picture: what it is on the plane of the polygon at work, at
 /// each column of the span. Nothing where that is the line of the span, as nearly as can be seen.
-std::vector<SliceSample> true_depths(const Moment& now, const SlicePlot& plot, const Slice& slice) {
+std::vector<SliceSample> depths_on_plane(const Moment& now, const SlicePlot& plot, const Slice& slice) {
   const auto span = std::find_if(slice.spans.begin(), slice.spans.end(),
                                  [&](const SliceSpan& one) { return one.step == slice.work_from; });
   if (slice.work_from == 0 || span == slice.spans.end() || slice.at.pass != Pass::eye ||
@@ -250,23 +279,53 @@ std::vector<SliceSample> true_depths(const Moment& now, const SlicePlot& plot, c
   return apart > 2 ? depths : std::vector<SliceSample>();
 }
 
+/// In fixed point: the depths of this scan line's spans without rounding, as far as the run has and will have them.
+std::vector<SliceSample> unrounded_depths(Ui& ui, const Moment& now, const Slice& slice) {
+  std::vector<SliceSample> depths;
+  const double unit = depth_unit(now.scene(), now.header().conventions);
+  if (unit == 0 || slice.at.pass != Pass::eye) return depths;
+  for (const oracle::DepthError& depth : ui.errors.of(now.trace()))
+    if (depth.y == slice.at.y)
+      for (const SliceSpan& span : slice.spans)
+        if (span.step == depth.span)
+          depths.push_back({depth.span, span.polygon, static_cast<double>(depth.x), depth.z - depth.error * unit});
+  return depths;
+}
+
+/// The straight line between the ends of the span at work, at its columns.
+std::vector<SliceSample> straight_depths(const Slice& slice) {
+  std::vector<SliceSample> depths;
+  const auto at_work = [&](const SliceSpan& span) { return slice.work_from > 0 && span.step == slice.work_from; };
+  const auto first = std::find_if(slice.spans.begin(), slice.spans.end(), at_work);
+  const auto last = std::find_if(slice.spans.rbegin(), slice.spans.rend(), at_work);
+  if (first == slice.spans.end() || !(first->x_left < last->x_right)) return depths;
+  const double slope = (last->z_right - first->z_left) / (last->x_right - first->x_left);
+  for (double x = std::ceil(first->x_left); x <= last->x_right; ++x)
+    depths.push_back({first->step, first->polygon, x, first->z_left + (x - first->x_left) * slope});
+  return depths;
+}
+
 /// The true depths as a dotted curve.
 void paint_true(Canvas& canvas, const SlicePlot& plot, const std::vector<SliceSample>& depths, const Theme& c,
                 double line) {
   for (std::size_t k = 1; k < depths.size(); ++k)
     for (const double from : {0.0, 0.5}) {
+      if (depths[k].step != depths[k - 1].step) continue;
+      if (std::max(plot.y(depths[k].z), plot.y(depths[k - 1].z)) > plot.bottom + 50) continue;
+      if (std::min(plot.y(depths[k].z), plot.y(depths[k - 1].z)) < -50) continue;
       const auto at = [&](double share) {
         const double z = depths[k - 1].z + share * (depths[k].z - depths[k - 1].z);
         return std::pair{plot.x(depths[k - 1].x + share), plot.y(z)};
       };
       const auto [x0, y0] = at(from);
       const auto [x1, y1] = at(from + 0.3);
-      canvas.line(x0, y0, x1, y1, 3 * line, to_pixel(c.text));
+      if (plot.unit > 0) canvas.line(x0, y0, x1 + (x1 - x0), y1 + (y1 - y0), 1.4 * line, to_pixel(c.text));
+      else canvas.line(x0, y0, x1, y1, 3 * line, to_pixel(c.text));
     }
 }
 
 /// What line, dot and steps mean.
-void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true) {
+void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true, bool units, bool view) {
   const Theme& c = ui.colors();
   const ImFont* font = ui.fonts.mono;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -281,6 +340,8 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true) {
   std::vector<Entry> entries{{0, "span"}, {1, "depth at a pixel"}, {2, stored}};
   if (two) entries = {{0, "run A"}, {3, "run B"}, {2, stored}};
   if (with_true) entries[1] = {4, "true depth"};
+  if (view) entries[1] = {4, "if z_v were linear"};
+  if (units) entries = {{5, "without rounding"}, {0, "rounded"}, {2, stored}};
   const float sign = 1.6f * ui.em, gap = ui.em, middle = at.y + font->FontSize * 0.55f;
   float needed = -gap;
   for (const Entry& entry : entries) needed += sign + text_size(ui, font, entry.text).x + gap + 4;
@@ -289,6 +350,7 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true) {
   const float line = 3 * ui.thin;
   for (const Entry& entry : entries) {
     const float end = x + sign - 4;
+    if (entry.sign == 5) list->AddRectFilled({x, middle}, {end, middle + ui.thin}, c.text);
     if (entry.sign == 0) list->AddRectFilled({x, middle - line / 2}, {end, middle + line / 2}, c.text);
     if (entry.sign == 3)
       for (const float from : {x, x + (end - x) * 0.6f})
@@ -347,6 +409,23 @@ std::optional<SliceAt> line_of(const Ui& ui, const Moment& now) {
   return slice_line(now, ui.pointed ? ui.pointed : ui.session.selected);
 }
 
+/// The part of a span that is seen; nothing where none is.
+std::optional<SliceSpan> seen_of(SliceSpan span, const SlicePlot& plot) {
+  const double slope = span.x_left < span.x_right ? (span.z_right - span.z_left) / (span.x_right - span.x_left) : 0;
+  double from = std::max(span.x_left, plot.x_first), to = std::min(span.x_right, plot.x_last);
+  if (slope != 0) {
+    const auto [one, other] =
+        std::minmax(span.x_left + (plot.low - span.z_left) / slope, span.x_left + (plot.high - span.z_left) / slope);
+    from = std::max(from, one), to = std::min(to, other);
+  } else if (span.z_left < plot.low || span.z_left > plot.high) {
+    return std::nullopt;
+  }
+  if (from > to) return std::nullopt;
+  span.z_right = span.z_left + (to - span.x_left) * slope, span.z_left += (from - span.x_left) * slope;
+  span.x_left = from, span.x_right = to;
+  return span;
+}
+
 /// The columns that are seen: those that the line reaches, or what the frame is zoomed to.
 void see_columns(const Ui& ui, SlicePlot& plot) {
   if (ui.view.zoom <= 1) return;
@@ -356,27 +435,106 @@ void see_columns(const Ui& ui, SlicePlot& plot) {
   if (plot.x_last - plot.x_first < 1) plot.x_last = plot.x_first + 1;
 }
 
-void draw_slice(Ui& ui) {
+}  // namespace
+
+Slice in_view_depth(Slice slice, const Camera& camera, const Conventions& conventions, bool ends_only) {
+  const auto seen = [&](double z) { return std::isfinite(z) ? view_depth(camera, conventions, z) : z; };
+  std::vector<SliceSpan> pieces;
+  for (const SliceSpan& span : slice.spans) {
+    const double left = seen(span.z_left), right = seen(span.z_right);
+    if (ends_only && span.step == slice.work_from) {
+      pieces.push_back({span.step, span.polygon, span.x_left, left, span.x_left, left});
+      pieces.push_back({span.step, span.polygon, span.x_right, right, span.x_right, right});
+      continue;
+    }
+    constexpr int most = 24;
+    SliceSpan piece{span.step, span.polygon, span.x_left, left, span.x_left, left};
+    for (int k = 1; k <= most; ++k) {
+      const double share = static_cast<double>(k) / most;
+      piece.x_right = span.x_left + share * (span.x_right - span.x_left);
+      piece.z_right = seen(span.z_left + share * (span.z_right - span.z_left));
+      pieces.push_back(piece);
+      piece.x_left = piece.x_right, piece.z_left = piece.z_right;
+    }
+  }
+  slice.spans = std::move(pieces);
+  if (ends_only && slice.work_from > 0) {
+    std::erase_if(slice.samples, [&](const SliceSample& sample) { return sample.step > slice.work_from; });
+    slice.compare.reset();
+  }
+  for (SliceSample& sample : slice.samples) sample.z = seen(sample.z);
+  for (double& z : slice.stored) z = z == slice.empty ? z : seen(z);
+  if (slice.compare) {
+    slice.compare->z = seen(slice.compare->z);
+    if (slice.compare->stored != slice.empty) slice.compare->stored = seen(slice.compare->stored);
+  }
+  std::tie(slice.low, slice.high) = std::minmax({seen(slice.low), seen(slice.high)});
+  return slice;
+}
+
+void see_units(SlicePlot& plot, Slice& slice, const Scene& scene, const Conventions& conventions,
+               const std::vector<SliceSample>& exact) {
+  if (!slice.compare) return;
+  const Slice::Compare& now = *slice.compare;
+  const double unit = depth_unit(scene, conventions);
+  double low = now.z, high = now.z, slope = 0;
+  constexpr double most_units = 64, most_columns = 12, least_columns = 5;
+  const auto take = [&](double x, double z) {
+    if (x == now.x && std::abs(z - now.z) < most_units * unit) low = std::min(low, z), high = std::max(high, z);
+  };
+  if (now.nearer)  // else no other depth matters yet
+    for (const SliceSample& sample : slice.samples) take(sample.x, sample.z);
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    if (now.nearer || exact[k].step == slice.work_from) take(exact[k].x, exact[k].z);
+    if (k > 0 && exact[k].step == slice.work_from && exact[k - 1].step == slice.work_from)
+      slope = std::abs(exact[k].z - exact[k - 1].z) / unit;
+  }
+  plot.unit = unit, plot.least = formulas::least_depth(scene, conventions.depth);
+  const double middle = (plot.shown(low) + plot.shown(high)) / 2;
+  const double half = std::max((plot.shown(high) - plot.shown(low)) / 2 + (slope > 0.1 ? 4 : 2), least_columns * slope);
+  plot.low = plot.least + std::max(-1.0, std::floor(middle - half)) * unit;
+  plot.high = plot.least + std::ceil(middle + half) * unit;
+  const double columns = std::clamp(half / std::max(slope, 0.2), least_columns, most_columns);
+  plot.x_first = std::max(plot.x_first, now.x - columns - 0.5);
+  plot.x_last = std::min(plot.x_last, now.x + columns + 0.5);
+  std::vector<SliceSpan> seen;
+  for (const SliceSpan& span : slice.spans)
+    if (const auto part = seen_of(span, plot)) seen.push_back(*part);
+  slice.spans = std::move(seen);
+}
+
+namespace {
+
+void draw_slice_of(Ui& ui, bool view) {
   const Moment now = ui.moment();
   const auto at = line_of(ui, now);
   if (!at) return say_empty(ui, "Empty: no scan line is at work. Point at a pixel of the frame to see its depths.");
   SlicePicture lines;
   lines.runs.push_back(slice_of(now, ui.slices, *at));
+  if (view)
+    lines.runs[0] =
+        in_view_depth(lines.runs[0], now.scene().camera, now.header().conventions, ui.session.question_open());
   const Slice slice = lines.runs[0];
-  if (ui.other) lines.runs.push_back(slice_of(ui.other->moment(), ui.other->slices, *at));
+  if (ui.other && !view) lines.runs.push_back(slice_of(ui.other->moment(), ui.other->slices, *at));
   SlicePlot& plot = lines.plot;
+  plot.view = view;
   plot.x_first = slice.x_first, plot.x_last = slice.x_last, plot.low = slice.low, plot.high = slice.high;
   for (const Slice& run : lines.runs) {
     plot.x_first = std::min(plot.x_first, run.x_first), plot.x_last = std::max(plot.x_last, run.x_last);
     plot.low = std::min(plot.low, run.low), plot.high = std::max(plot.high, run.high);
   }
   see_columns(ui, plot);
+  const bool two = lines.runs.size() > 1;
+  std::vector<SliceSample> truth;
+  if (!two && !view) truth = unrounded_depths(ui, now, slice);
+  if (!truth.empty()) see_units(plot, lines.runs[0], now.scene(), now.header().conventions, truth);
 
   const ImFont* font = ui.fonts.mono;
   const ImVec2 corner = ImGui::GetCursorScreenPos(), avail = ImGui::GetContentRegionAvail();
   const float line = std::round(font->FontSize * 1.25f);
   float numbers = text_size(ui, font, "\u2193 farther").x;
-  for (const double z : {plot.low, plot.high}) numbers = std::max(numbers, text_size(ui, font, number(z)).x + 10);
+  for (const double z : {plot.low, plot.high})
+    numbers = std::max(numbers, text_size(ui, font, number(plot.shown(z), plot.unit > 0 ? 0 : 4)).x + 10);
   const Room room{numbers + 4, line};
   const ImVec2 origin{corner.x + room.margin, corner.y + line};
   plot.width = static_cast<int>(avail.x - room.margin);
@@ -395,7 +553,6 @@ void draw_slice(Ui& ui) {
   }
 
   // Of the second run what is not the same.
-  const bool two = lines.runs.size() > 1;
   const bool parts = two && !same_compare(lines.runs[0], lines.runs[1]);
   std::vector<SliceMarker> markers = markers_of(ui, plot, slice, parts ? "A: " : "");
   if (parts)
@@ -404,16 +561,25 @@ void draw_slice(Ui& ui) {
                                           ui.session.scene(), ui.colors(), ui.thin);
   Canvas& canvas = ui.canvases["slice"].made;
   canvas = base.made;
-  const std::vector<SliceSample> truth = two ? std::vector<SliceSample>() : true_depths(now, plot, slice);
+  if (!two && plot.unit == 0) truth = view ? straight_depths(slice) : depths_on_plane(now, plot, slice);
   paint_true(canvas, plot, truth, ui.colors(), ui.thin);
   for (const SliceSample& depth : truth)
-    if (slice.compare && slice.compare->x == depth.x && depth.z >= plot.low && depth.z <= plot.high)
-      markers.push_back({plot.x(depth.x), plot.y(depth.z), disc, {}, fmt::format("true {}", number(depth.z))});
+    if (slice.compare && slice.compare->x == depth.x && depth.z >= plot.low && depth.z <= plot.high &&
+        std::none_of(slice.samples.begin(), slice.samples.end(), [&](const SliceSample& found) {
+          return found.x == depth.x && found.polygon == depth.polygon && std::abs(found.z - depth.z) < 1e-6 * plot.unit;
+        }))
+      markers.push_back({plot.x(depth.x),
+                         plot.y(depth.z),
+                         disc,
+                         {},
+                         plot.unit > 0 ? fmt::format("{} exactly {}", polygon_label(now.scene(), depth.polygon),
+                                                     number(plot.shown(depth.z), 2))
+                                       : fmt::format("{} {}", view ? "linear" : "true", number(depth.z))});
   paint_markers(ui, canvas, markers);
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), origin,
                                        {origin.x + to_float(plot.width), origin.y + to_float(plot.height)});
 
-  write_names(ui, plot, origin, slice, markers);
+  write_names(ui, plot, origin, lines.runs[0], markers);
   draw_axes(ui, plot, origin, room, slice);
   const float below = origin.y + to_float(plot.height) + line;
   std::string sentence = slice_sentence(now, slice);
@@ -428,12 +594,16 @@ void draw_slice(Ui& ui) {
       key_from += wide + ui.em;
     }
   }
-  const float sentence_at = corner.x + label_size(ui, font, upwards(ui)).x + 1.5f * ui.em;
+  const float sentence_at = corner.x + label_size(ui, font, upwards(ui, plot)).x + 1.5f * ui.em;
   if (sentence_at + text_size(ui, ui.fonts.bold, sentence).x < corner.x + avail.x)
     draw_text(ui, {sentence_at, corner.y - 1}, ui.fonts.bold, ui.colors().text, sentence);
-  if (keyed) draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two, !truth.empty());
+  if (keyed)
+    draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two, !truth.empty(), plot.unit > 0, plot.view);
   point(ui, plot, origin, slice);
 }
+
+void draw_slice(Ui& ui) { draw_slice_of(ui, false); }
+void draw_slice_in_view(Ui& ui) { draw_slice_of(ui, true); }
 
 std::string note_of_slice(Ui& ui) {
   const auto at = line_of(ui, ui.moment());
@@ -448,12 +618,19 @@ bool serves_slice(const Header& header) {
   return records<SpanBegin>(header) || records<SpanFlags>(header) || records(header, AtPixel::verdict);
 }
 
+bool serves_slice_in_view(const Header& header) {
+  return serves_slice(header) && header.conventions.depth == Conventions::Depth::pseudodepth;
+}
+
 bool no_slice_yet(Ui& ui) { return none_yet<SpanBegin, SpanFlags>(ui) && none_yet(ui, AtPixel::verdict); }
 
 }  // namespace
 
-const Pane slice_pane{"slice", "SLICE", draw_slice, note_of_slice, serves_slice,
-                      0.7f,    false,   nullptr,    true,          no_slice_yet};
+const Pane slice_pane{"slice", "SLICE", draw_slice, note_of_slice, serves_slice,    0.7f,
+                      false,   nullptr, true,       no_slice_yet,  &slice_view_pane};
+const Pane slice_view_pane{
+    "slice_view", "SLICE IN z_v", draw_slice_in_view, note_of_slice, serves_slice_in_view, 0.7f, false,
+    nullptr,      true,           no_slice_yet};
 
 // The letters in the plot of the slice: on no other, and rather on no line.
 
@@ -582,7 +759,7 @@ void write_names(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Slice& slic
                  {origin.x + plot.x(span.x_right), origin.y + plot.y(span.z_right)});
   name_markers(ui, labels, origin, markers);
   name_spans(ui, labels, plot, origin, slice);
-  name_ends(ui, labels, plot, origin, slice);
+  if (plot.unit == 0 && !plot.view) name_ends(ui, labels, plot, origin, slice);
 }
 
 }  // namespace zstep::viewer
