@@ -77,6 +77,8 @@ struct Stop {
   int viewing_step = 0;                     ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
   std::string depths;                       ///< as written: z_v that are marked where depths are drawn over z_v
   std::vector<double> marked_depths;        ///< these; set by resolve()
+  std::optional<Trace::Pixel> pixel;        ///< that it follows: marked, with its line of sight, at whatever step
+  std::vector<std::int32_t> vertices;       ///< named in the scene meanwhile
   std::int32_t line = 0, text_line = 0;     ///< of the lesson's file
   std::int64_t position = 0;                ///< where the trace is when it speaks; set by resolve()
   std::int64_t event = 0;                   ///< of the step that it is about, before which it may speak; 0: of none

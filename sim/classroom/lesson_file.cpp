@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <charconv>
 #include <fmt/core.h>
 #include <optional>
 #include <string>
@@ -219,7 +220,22 @@ class Reader {
   }
 
  private:
-  /// What a stop shows, as "focus: edge-table", "viewing: T_2" or "beside: runs/first.jsonl".
+  /// "(12, 15)" or "2 3 4 5": whole numbers of a picture or a scene, which is not known yet; none of anything else.
+  static std::vector<std::int32_t> whole_numbers(std::string_view text) {
+    std::vector<std::int32_t> numbers;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t digit = text.find_first_not_of("(), ", at);
+      if (digit == std::string_view::npos) break;
+      std::int32_t number = 0;
+      const auto [end, error] = std::from_chars(text.data() + digit, text.data() + text.size(), number);
+      if (error != std::errc() || number < 0) return {};
+      numbers.push_back(number);
+      at = static_cast<std::size_t>(end - text.data());
+    }
+    return numbers;
+  }
+
+  /// What a stop shows, as "focus: edge-table", "pixel: (12, 15)", "viewing: T_2" or "beside: runs/first.jsonl".
   void read_shown(std::string_view text, Stop& stop) const {
     const std::string_view value = trim(text.substr(std::min(text.size(), text.find(':') + 1)));
     if (starts_with(text, "focus:") && !value.empty()) {
@@ -234,6 +250,15 @@ class Reader {
     }
     if (starts_with(text, "depths:") && !value.empty()) {
       stop.depths = value;
+      return;
+    }
+    const std::vector<std::int32_t> numbers = whole_numbers(value);
+    if (starts_with(text, "pixel:") && numbers.size() == 2) {
+      stop.pixel = {numbers[0], numbers[1]};
+      return;
+    }
+    if (starts_with(text, "vertices:") && !numbers.empty()) {
+      stop.vertices = numbers;
       return;
     }
     if (starts_with(text, "beside:") && !value.empty()) {

@@ -97,6 +97,14 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
       for (const Expression& depth : parse_list(stop.depths, place.str()))
         stop.marked_depths.push_back(
             evaluate(depth, Moment(replay, event ? &*event : nullptr, spot.position, place.str())).number);
+    const Scene& scene = trace.scene();
+    if (stop.pixel && (stop.pixel->x >= scene.raster.width || stop.pixel->y >= scene.raster.height))
+      throw InputError(place.str(), fmt::format("there is no pixel ({}, {})", stop.pixel->x, stop.pixel->y),
+                       fmt::format("x is less than {}, y less than {}", scene.raster.width, scene.raster.height));
+    for (const std::int32_t vertex : stop.vertices)
+      if (vertex >= std::ssize(scene.points))
+        throw InputError(place.str(), fmt::format("there is no vertex {}", vertex),
+                         fmt::format("the scene's last one is {}", std::ssize(scene.points) - 1));
     stop.names = names_in(stop.text, {file, stop.text_line});
     stop.text = filled(stop.text, stop.text_line);
     if (stop.task) {

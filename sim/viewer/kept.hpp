@@ -107,6 +107,11 @@ inline void take(Fingerprint& print, const std::string& text) {
   for (const char c : text) print.take(byte_of(c));
 }
 
+inline void take(Fingerprint& print, const std::vector<std::int32_t>& numbers) {
+  print.take(numbers.size());
+  for (const std::int32_t number : numbers) take(print, number);
+}
+
 inline void take(Fingerprint& print, const glm::dvec2& point) {
   take(print, point.x);
   take(print, point.y);

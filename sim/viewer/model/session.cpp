@@ -90,7 +90,7 @@ void Session::arrived() {
   proposes_why_ = false;
   message.clear();
   asked_.reset();
-  const Stop* stop = speaks() ? &lesson_->stops[stop_] : nullptr;
+  const Stop* stop = stop_here();
   if (stop && (stop->question || stop->marking) && stop->event > position()) asked_ = trace_.event(stop->event);
 }
 
@@ -234,7 +234,9 @@ const RecordedEvent* Session::event_told() const {
   return !asked_ || !event() || has_same_subject(event()->event, asked_->event) ? event() : nullptr;
 }
 
-std::optional<Cell> Session::cell_looked_at() const {
+std::optional<Cell> Session::cell_looked_at(bool still) const {
+  if (const Stop* stop = stop_here(); stop && stop->pixel) return Cell{stop->pixel->x, stop->pixel->y};
+  if (still) return std::nullopt;
   if (asked_ && !marking())  // what is to be marked is not shown
     if (const auto pixel = pixel_of(asked_->event)) return Cell{pixel->x, pixel->y};
   return event_told() ? current_cell() : std::nullopt;

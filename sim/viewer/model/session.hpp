@@ -71,8 +71,13 @@ class Session {
   /// The last step, which panes tell of. nullptr where the lesson's stop asks about a step of another subject: what was
   /// done before is no part of the question.
   const RecordedEvent* event_told() const;
-  /// The pixel that the reader looks at: that of the step in question, or else the current one.
-  std::optional<Cell> cell_looked_at() const;
+  /// The pixel that the reader looks at: the one that the lesson's stop names, that of the step in question, or else
+  /// the current one; in a picture at which nothing is at work any more, only the first.
+  std::optional<Cell> cell_looked_at(bool still = false) const;
+  /// Vertices that the lesson's stop names.
+  std::vector<std::int32_t> vertices_looked_at() const {
+    return stop_here() ? stop_here()->vertices : std::vector<std::int32_t>();
+  }
 
   // --- Lesson
   int stop() const { return stop_; }  ///< index of the stop that speaks, −1 before the first
@@ -145,6 +150,7 @@ class Session {
 
  private:
   std::optional<std::int32_t> entry_of(const ScenePart& part) const;
+  const Stop* stop_here() const { return speaks() ? &lesson_->stops[static_cast<std::size_t>(stop_)] : nullptr; }
   void arrived();
   int stop_at(std::int64_t position) const;
   bool asks_here() const;

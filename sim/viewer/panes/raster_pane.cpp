@@ -506,7 +506,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional
     frame_cell(ui, map, origin, *s.selected, small + 1, 2, c.selected);
     frame_cell(ui, map, origin, *s.selected, small + 4, 1, c.selected);
   }
-  if (const auto now = ui.still ? std::nullopt : s.cell_looked_at()) {
+  if (const auto now = s.cell_looked_at(ui.still)) {
     frame_cell(ui, map, origin, *now, small + 2, 3, c.now);
     frame_cell(ui, map, origin, *now, small - 1, 1, ui.colors().pane);
   }
@@ -586,7 +586,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
       return !is_drawn(low.x, low.y) && !is_drawn(high.x, low.y) && !is_drawn(low.x, high.y) &&
              !is_drawn(high.x, high.y);
     };
-  if (const auto now = ui.still ? std::nullopt : s.cell_looked_at()) {  // its frame is drawn over all
+  if (const auto now = s.cell_looked_at(ui.still)) {  // its frame is drawn over all
     const float side = static_cast<float>(map.cell) + 8 * ui.thin;
     const ImVec2 middle = moved_by(origin, map.px(now->x), map.py(now->y));
     words.taken.take({middle.x - side / 2, middle.y - side / 2}, {side, side});

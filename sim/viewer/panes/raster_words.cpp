@@ -311,7 +311,7 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin, TakenPlaces taken)
   const auto find = static_cast<void (*)(std::vector<LabelSpot>&, const RasterMap&, const Moment&)>(find_label_spots);
   const ImFont* font = ui.fonts.bold;
   const float rim = std::round(2 * ui.thin);
-  if (const auto cell = ui.session.cell_looked_at()) {  // its frame is drawn over the letters
+  if (const auto cell = ui.session.cell_looked_at(ui.still)) {  // its frame is drawn over the letters
     const float around = rim + std::round(3 * ui.thin), side = static_cast<float>(map.cell);
     taken.take({origin.x + static_cast<float>(map.px(cell->x)) - side / 2 - around,
                 origin.y + static_cast<float>(map.py(cell->y)) - side / 2 - around},

@@ -121,10 +121,11 @@ void RoomPen::dot(glm::dvec3 at, double radius, int shape, ImU32 color) {
     picture_.canvas.mark(spot->x, spot->y, radius * thin_, shape, to_pixel(color));
 }
 
-void RoomPen::word(glm::dvec3 at, const std::string& text, ImU32 color) {
+bool RoomPen::word(glm::dvec3 at, const std::string& text, ImU32 color) {
   const auto spot = outside_.spot(at);
-  if (spot && spot->x >= 0 && spot->y >= 0 && spot->x < seen_.width && spot->y < seen_.height)
-    picture_.words.push_back({{static_cast<float>(spot->x), static_cast<float>(spot->y)}, color, text});
+  if (!spot || !(spot->x >= 0 && spot->y >= 0 && spot->x < seen_.width && spot->y < seen_.height)) return false;
+  picture_.words.push_back({{static_cast<float>(spot->x), static_cast<float>(spot->y)}, color, text});
+  return true;
 }
 
 void RoomPen::veil(const std::vector<glm::dvec3>& corners, ImU32 color, unsigned share) {
@@ -185,7 +186,7 @@ void draw_eye(RoomPen& pen) {
   }
 }
 
-void draw_axes(RoomPen& pen, const Moment& now, int viewing, double arrived) {
+void draw_axes(RoomPen& pen, const Moment& now, int viewing, double arrived, bool follows_pixel) {
   const Camera& camera = now.scene().camera;
   if (camera.kind == Camera::Kind::screen) return;
   const Theme& c = pen.colors;
@@ -197,12 +198,12 @@ void draw_axes(RoomPen& pen, const Moment& now, int viewing, double arrived) {
     glm::dvec3 end(0);
     end[axis] = length;
     pen.line(glm::dvec3(0), end, c.muted, 1.2);
-    pen.word(1.06 * end, names[axis], c.muted);
+    for (double t = 1.06; t > 0.1 && !pen.word(t * end, names[axis], c.muted); t -= 0.1) continue;
   }
   // Where the eye is, as 000 says it, while points are moved into its coordinates.
   const auto& vertices = now.state().vertices;
   const bool views = now.event() && get_if<ViewTransform>(&now.event()->event),
-             begins = (vertices.empty() || vertices[0].stage == VertexStages::untouched) &&
+             begins = !follows_pixel && (vertices.empty() || vertices[0].stage == VertexStages::untouched) &&
                       now.state().machine.pieces.empty() && now.state().machine.rays.tree.empty();
   const auto shows = [&](const char* name, int step) {
     return viewing > 0 ? viewing == step : (views || begins || now.told() >= 0) && now.tells(name, views || begins);
@@ -319,15 +320,15 @@ void draw_clipping(RoomPen& pen, const Moment& now) {
   const MethodState& m = now.state().machine;
   if (scene.camera.kind == Camera::Kind::screen || room.by_lamp() || m.facet < 0) return;
   std::optional<ClipPlane> plane;
-  if (now.event()) {
-    if (const auto* vertex = get_if<ClipVertex>(&now.event()->event)) plane = vertex->plane;
-    if (const auto* cross = get_if<ClipCross>(&now.event()->event)) plane = cross->plane;
-  }
+  const auto* cross = now.event() ? get_if<ClipCross>(&now.event()->event) : nullptr;
+  if (cross) plane = cross->plane;
+  else if (const auto* vertex = now.event() ? get_if<ClipVertex>(&now.event()->event) : nullptr) plane = vertex->plane;
   if (plane) {
     const auto planes = planes_of(room);
     const auto& its = planes.at(static_cast<std::size_t>(*plane));
     pen.veil(its, pen.colors.now, 55);
     pen.around(its, pen.colors.now, 1.6);
+    pen.word(0.5 * (its[0] + its[1]), fmt::format("{} plane", word_of(*plane)), pen.colors.now);
   }
   const glm::dmat4 to_world = glm::inverse(scene.camera.view);
   const auto& vertices = now.state().vertices;
@@ -336,6 +337,26 @@ void draw_clipping(RoomPen& pen, const Moment& now) {
     const std::size_t at = static_cast<std::size_t>(vertex);
     return room.place(glm::dvec3(to_world * glm::dvec4(vertices[at].view, 1)));
   };
+  if (cross) {  // how far inside both ends are, and where between them it is zero
+    const Camera& camera = scene.camera;
+    const formulas::ViewVolume<double> volume{
+        !room.has_eye(),
+        camera.near,
+        camera.far,
+        camera.d,
+        formulas::window_width(camera.window, 1.0 * scene.raster.width, 1.0 * scene.raster.height),
+        camera.window};
+    const auto tell = [&](std::int32_t vertex, const char* name, double value) {
+      pen.word(place(vertex), fmt::format("{}: {} = {}", vertex_label(scene, vertex), name, number(value)),
+               pen.colors.now);
+    };
+    for (const std::int32_t end : {cross->vertex_inside, cross->vertex_outside})
+      if (end >= 0 && end < std::ssize(vertices)) {
+        const glm::dvec3& view = vertices[static_cast<std::size_t>(end)].view;
+        tell(end, "d", formulas::distance_inside(volume, cross->plane, view.x, view.y, view.z));
+      }
+    if (cross->vertex >= 0 && cross->vertex < std::ssize(vertices)) tell(cross->vertex, "t", cross->t);
+  }
   for (std::size_t v = scene.points.size(); v < vertices.size(); ++v)
     if (vertices[v].stage != VertexStages::untouched)
       name_vertex(pen, now, index32(v), place(index32(v)), pen.colors.now);
@@ -512,6 +533,8 @@ void draw_facing(RoomPen& pen, const Moment& now) {
     middle += corners[k] / static_cast<double>(corners.size());
   }
   if (!(glm::length(normal) > 0)) return;
+  for (std::size_t k = 0; k < corners.size(); ++k)  // its winding
+    pen.arrow(corners[k], 0.5 * (corners[k] + corners[(k + 1) % corners.size()]), pen.colors.now);
   pen.arrow(middle, middle + glm::normalize(normal) * (0.25 * room.size()), pen.colors.text, "n");
   const glm::dvec3 from =
       room.has_eye() ? room.camera().eye : corners[0] + glm::normalize(room.towards()) * room.size();
@@ -587,6 +610,10 @@ void draw_line_of_sight(RoomPen& pen, const Moment& now, const std::optional<Cel
   const glm::dvec3 end = room.behind(cell->x, cell->y, z);
   pen.line(room.has_eye() ? room.camera().eye : room.behind(cell->x, cell->y, room.near()), end, pen.colors.now, 1.6);
   if (here) pen.dot(end, 5, 0, pen.colors.now);
+  if (!room.has_eye() || !(room.camera().d < room.end())) return;
+  pen.around(room.rectangle(cell->x - 0.5, cell->y - 0.5, cell->x + 0.5, cell->y + 0.5, room.camera().d),
+             pen.colors.now, 2);
+  pen.word(room.behind(cell->x, cell->y, room.camera().d), fmt::format("({}, {})", cell->x, cell->y), pen.colors.now);
 }
 
 void draw_rays(RoomPen& pen, const Moment& now) {
@@ -647,7 +674,8 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
   if (pen.room.by_lamp()) {
     if (now.scene().camera.kind != Camera::Kind::perspective) return;
     pen.dot(now.scene().camera.eye, 5, 0, c.muted);
-    return pen.word(now.scene().camera.eye, "eye", c.muted);
+    pen.word(now.scene().camera.eye, "eye", c.muted);
+    return;
   }
   pen.dot(light->position, 7, 3, c.text);
   pen.word(light->position, "light", c.text);
@@ -660,14 +688,17 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
 
 }  // namespace
 
-void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing, double arrived) {
+void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell,
+                   const std::vector<std::int32_t>& vertices, int viewing, double arrived) {
   draw_edges(pen, now);
-  draw_axes(pen, now, viewing, arrived);
+  draw_axes(pen, now, viewing, arrived, cell.has_value());
   draw_eye(pen);
   draw_lamp(pen, now);
   draw_other_eyes(pen, now);
   number_vertices(pen, now);
-  if (now.at_rest()) return draw_light_at_vertices(pen, now);
+  for (const std::int32_t vertex : vertices)
+    name_vertex(pen, now, vertex, pen.room.polygons().points[static_cast<std::size_t>(vertex)], pen.colors.text);
+  if (now.at_rest()) return draw_line_of_sight(pen, now, cell), draw_light_at_vertices(pen, now);
   draw_dividing_plane(pen, now);
   draw_scan_plane(pen, now);
   draw_area(pen, now);

@@ -188,8 +188,8 @@ void see_room(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const
 }
 
 void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Kept<Room>& kept_room, const Look& look,
-                   const Moment& now, const std::optional<Cell>& cell, const int& viewing, const double& arrived,
-                   const Theme& c, const float& thin) {
+                   const Moment& now, const std::optional<Cell>& cell, const std::vector<std::int32_t>& vertices,
+                   const int& viewing, const double& arrived, const Theme& c, const float& thin) {
   const Room& room = kept_room.made;
   const Picture& seen = kept.made.polygons;
   const Outside outside(room, look, seen.width, seen.height);
@@ -209,7 +209,7 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
   Picture nothing_hides;
   if (wires) nothing_hides = seen, std::fill(nothing_hides.depth.begin(), nothing_hides.depth.end(), HUGE_VAL);
   RoomPen pen(picture, wires ? nothing_hides : seen, room, outside, c, thin);
-  draw_in_space(pen, now, cell, viewing, arrived);
+  draw_in_space(pen, now, cell, vertices, viewing, arrived);
 }
 
 /// As many decimals as a hundredth of the scene has.
@@ -351,10 +351,11 @@ void draw_outside(Ui& ui, ImVec2 size) {
   const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0);
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
   const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_room, room, ui.look, whole);
-  const ChartPicture& picture = keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look,
-                                                   ui.moment(), ui.session.current_cell(), viewing_step(ui),
-                                                   ui.axes_turn ? ui.on_way() : 1.0, ui.colors(), ui.thin)
-                                    ->made;
+  const ChartPicture& picture =
+      keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, ui.moment(),
+                         ui.session.cell_looked_at(ui.still), ui.session.vertices_looked_at(), viewing_step(ui),
+                         ui.axes_turn ? ui.on_way() : 1.0, ui.colors(), ui.thin)
+          ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("outside", size);
   can_be_hit(ui, at, {at.x + size.x, at.y + size.y});

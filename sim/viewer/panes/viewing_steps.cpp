@@ -56,7 +56,9 @@ StageLayout lay_out_stages(const Ui& ui, const std::vector<StageRow>& rows, floa
   std::vector<double> values;
   for (const StageRow& row : rows)
     for (int k = 0; k < (row.flat ? 2 : 3); ++k) values.push_back((*row.at)[k]);
-  StageLayout how{ui.fonts.mono, 3, decimals_needed(values, 3), 0, 0};
+  StageLayout how{ui.fonts.mono, 3, 0, 0, 0};
+  for (const double v : values)  // as formulas and texts write them, in one column
+    while (how.decimals < usual_decimals && number(v, how.decimals, true) != number(v)) ++how.decimals;
   for (const auto& [font, across] :
        {std::pair{ui.fonts.mono, 3}, {ui.fonts.small, 3}, {ui.fonts.mono, 1}, {ui.fonts.small, 1}}) {
     how.font = font, how.across = across, how.column = 0;
