@@ -1,4 +1,6 @@
 // Running a lesson: its method on its scene, then its stops against the trace.
+#include <algorithm>
+#include <fmt/format.h>
 #include <set>
 
 #include "algorithms/catalog/catalog.hpp"
@@ -31,6 +33,33 @@ Conventions with_options(Conventions conventions, const ConventionOptions& optio
   if (options.cull) conventions.cull = *options.cull;
   for (const auto& [name, value] : options.options) conventions.options[name] = value;
   return conventions;
+}
+
+/// What a stop has named or shown large is there, and its words name what its pictures name.
+void check_shown(const Stop& stop, const Scene& scene, const std::string& place) {
+  const auto is_polygon = [&](const std::string& name) {
+    return std::any_of(scene.polygons.begin(), scene.polygons.end(),
+                       [&](const auto& one) { return *one.name == name; });
+  };
+  std::string words = stop.heading + stop.text;
+  if (stop.question) {
+    words += stop.question->text;
+    for (const Answer& answer : stop.question->answers) words += answer.text;
+  }
+  for (const StopLabel& label : stop.labels) {
+    const std::string& polygon = label.plane_of.empty() ? label.name : label.plane_of;
+    const bool known =
+        label.vertex < 0 ? is_polygon(polygon) : std::max(label.vertex, label.to) < std::ssize(scene.points);
+    if (!known)
+      throw InputError(place, fmt::format("the scene has no `{}` to label", label.name),
+                       "name a vertex or a polygon of it");
+    if (words.find(label.name) == std::string::npos)
+      throw InputError(place, fmt::format("`{}` is labelled, and the stop does not speak of it", label.name),
+                       "leave it out");
+  }
+  if (!stop.close.empty() && !is_polygon(stop.close))
+    throw InputError(place, fmt::format("the scene has no polygon `{}` to come close to", stop.close),
+                     "name one of it");
 }
 
 }  // namespace
@@ -74,6 +103,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     }
     stop.names = names_in(stop.text, {file, stop.text_line});
     stop.text = filled(stop.text, stop.text_line);
+    check_shown(stop, trace.scene(), place.str());
     if (stop.task) {
       stop.task->text = filled(stop.task->text, stop.task->text_line);
       for (std::string& hint : stop.task->hints) hint = trim(filled(hint, stop.task->line));
@@ -107,7 +137,7 @@ Trace run_lesson(Lesson& lesson) {
   if (lesson.conventions.cull && !can_cull(run, scene))
     throw InputError(lesson.path.string(), "cull means nothing for this method and scene",
                      "leave it out of [conventions]");
-  TraceRecorder record(header_for(run, conventions), scene);
+  TraceRecorder record(header_for(run, conventions, scene.camera.kind), scene);
   run.record(scene, conventions, record);
   record.finish();
   Trace trace = Trace::from_bytes(record.take_bytes(), "lesson " + lesson.id);

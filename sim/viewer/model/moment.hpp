@@ -14,6 +14,8 @@ class Moment {
   const Header& header() const { return session_.header(); }
   const State& state() const { return session_.state(); }
   const RecordedEvent* event() const { return session_.event(); }
+  /// The lesson's stop that speaks of it, if any.
+  const Stop* told() const { return session_.speaks() ? &session_.lesson()->stops[session_.stop()] : nullptr; }
   bool at_rest() const { return session_.at_rest(); }
   std::int64_t position() const { return session_.position(); }
   /// The buffers, which are those of before() while a reader looks back.

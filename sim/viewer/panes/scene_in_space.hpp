@@ -41,7 +41,7 @@ class RoomPen {
   }
   /// `shape` as of Canvas::mark.
   void dot(glm::dvec3 at, double radius, int shape, ImU32 color);
-  void word(glm::dvec3 at, const std::string& text, ImU32 color);
+  void word(glm::dvec3 at, const std::string& text, ImU32 color, bool first = false);
   /// A plane that one sees through; a convex outline. `share` of 255.
   void veil(const std::vector<glm::dvec3>& corners, ImU32 color, unsigned share);
   void veil(const std::array<glm::dvec3, 4>& corners, ImU32 color, unsigned share) {
