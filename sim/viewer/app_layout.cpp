@@ -320,8 +320,11 @@ Ui* App::run_beside() {
     beside_->ui.asks = false, beside_->ui.still = true;
   }
   // Its scene is looked at before anything is at work.
-  if (beside_) beside_->session.go_to(lead() == scene_pane.id ? 0 : run->size()), share_look(beside_->ui);
-  return beside_ ? &beside_->ui : nullptr;
+  if (!beside_) return nullptr;
+  beside_->session.go_to(lead() == scene_pane.id ? 0 : run->size());
+  beside_->ui.laboratory = lead().empty();
+  share_look(beside_->ui);
+  return &beside_->ui;
 }
 
 /// A lesson, and whatever is shown to a class: one large picture, or two that belong together, and beside it what the
@@ -356,6 +359,7 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   if (alone) {
     draw_beside(*other, leading[0], "ANOTHER RUN: " + session_.lesson()->stops[session_.stop()].beside, at, stage);
     stage_at_ = {at, stage}, leading_ = leading;
+    said.clear();  // of this run's step
   } else if (other) {
     const float first = std::round((stage.x - gap) * settings_.layout.frame);
     const std::string title =

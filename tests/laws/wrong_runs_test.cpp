@@ -30,7 +30,7 @@ TEST_CASE(
 TEST_CASE("the runs that stand beside lessons end with the pictures of which they speak") {
   const auto pixels = [](const Trace& trace) {
     Replay replay(trace);
-    replay.seek(trace.size());
+    replay.go_to(trace.size());
     std::map<std::string, int> count;
     for (const std::int32_t polygon : replay.state().picture.polygon)
       if (polygon != no_polygon) ++count[*trace.scene().polygons[static_cast<std::size_t>(polygon)].name];

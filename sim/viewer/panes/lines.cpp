@@ -243,7 +243,9 @@ void draw_labels(Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 origin, con
         one.outline.emplace_back(map.px(at->x), map.py(at->y));
   }
   name_outlines(ui, words, origin, outlines);
-  for (const StopLabel& label : stop.labels) {
+  std::vector<StopLabel> labels = stop.labels;  // lines first: no name stands on one
+  std::stable_partition(labels.begin(), labels.end(), [](const StopLabel& label) { return label.to >= 0; });
+  for (const StopLabel& label : labels) {
     if (label.vertex < 0) continue;
     const std::int32_t end = label.to < 0 ? label.vertex : label.to;
     const auto ends = ends_of(now, map, {0, label.vertex, end, -1, -1, LineKind::inner});
@@ -251,6 +253,7 @@ void draw_labels(Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 origin, con
     const ImVec2 from = moved_by(origin, ends->x0, ends->y0), to = moved_by(origin, ends->x1, ends->y1);
     if (label.to >= 0) {
       stroke_line(list, from, to, c.now, 3.4f * ui.thin);
+      words.keep_line_free(from, to);
       if (!label.name.empty())
         words.beside(label.name, c.now, ui.fonts.bold, from, to, {ends->y1 - ends->y0, ends->x0 - ends->x1});
       continue;

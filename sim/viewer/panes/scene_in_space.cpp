@@ -356,7 +356,12 @@ void draw_facing(RoomPen& pen, const Moment& now) {
     middle += corners[k] / static_cast<double>(corners.size());
   }
   if (!(glm::length(normal) > 0)) return;
-  pen.arrow(middle, middle + glm::normalize(normal) * (0.25 * room.size()), pen.colors.text, "n");
+  double length = 0.25 * room.size();
+  if (now.told() && !now.told()->close.empty()) {  // as far as the polygon that is shown large reaches
+    length = 0;
+    for (const glm::dvec3& corner : corners) length = std::max(length, glm::length(corner - middle));
+  }
+  pen.arrow(middle, middle + glm::normalize(normal) * length, pen.colors.text, "n");
   const glm::dvec3 from =
       room.has_eye() ? room.camera().eye : corners[0] + glm::normalize(room.towards()) * room.size();
   pen.arrow(from, corners[0], pen.colors.now);
@@ -546,7 +551,6 @@ void draw_told_window(RoomPen& pen, const StopWindow& w) {
   const auto at = [&](double x, double y, double z) { return room.rectangle_in_view(x, x, y, y, z)[0]; };
   const glm::dvec3 eye = room.camera().eye;
   const auto name = [&](const char* symbol, double value) { return fmt::format("{} = {}", symbol, number(value)); };
-  const auto distance = [&](double z, const char* symbol) { pen.word(at(0, 0, z), name(symbol, z), c.now, true); };
   pen.dot(eye, 5, 0, c.text);
   pen.word(eye, "eye", c.text, true);
   pen.around(corners, c.now, 2.6);

@@ -313,9 +313,9 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
   };
   for (const ChartPicture::Word& word : picture.words) {
     if (!word.first) continue;
-    const float across = label_size(ui, ui.fonts.small, word.text).x + 12, up = 1.1f * ui.em;
+    const float across = label_size(ui, ui.fonts.bold, word.text).x + 12, up = 1.1f * ui.em;
     for (const ImVec2 moved : {ImVec2{0, 0}, {-across, 0}, {-across / 2, -up}, {-across / 2, up}, {0, -up}, {0, up}})
-      if (write({word.at.x + moved.x, word.at.y + moved.y}, ui.fonts.small, word.color, word.text, false)) break;
+      if (write({word.at.x + moved.x, word.at.y + moved.y}, ui.fonts.bold, word.color, word.text, false)) break;
   }
   const Scene& scene = ui.session.scene();
   const bool curves = scene.surface && records<HorizonTest>(ui.session.header());  // no polygons
