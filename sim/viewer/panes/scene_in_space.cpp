@@ -365,7 +365,7 @@ void draw_facing(RoomPen& pen, const Moment& now) {
   const glm::dvec3 from =
       room.has_eye() ? room.camera().eye : corners[0] + glm::normalize(room.towards()) * room.size();
   pen.arrow(from, corners[0], pen.colors.now);
-  pen.word(0.5 * (from + corners[0]), room.has_eye() ? "p \u2212 e" : "line of sight", pen.colors.now);
+  pen.word(0.5 * (from + corners[0]), room.has_eye() ? "p \u2212 e" : "line of sight", pen.colors.now, true);
 }
 
 /// Where light is computed at vertices: the normal at each vertex of the polygon at work, and at the vertex at work the
