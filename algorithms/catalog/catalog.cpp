@@ -25,6 +25,8 @@
 #include "algorithms/scan_line/scan_line.hpp"
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "algorithms/transparency/transparency.hpp"
+#include "algorithms/viewing/clip.hpp"
+#include "algorithms/viewing/vertices.hpp"
 #include "algorithms/warnock/warnock.hpp"
 #include "algorithms/fast/z_buffer.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
@@ -291,13 +293,26 @@ Conventions conventions_for(const Method& other, Conventions conventions) {
   return plain;
 }
 
-Header header_for(const Method& method, const Conventions& conventions) {
+namespace {
+
+/// The lines that speak of an eye, said of parallel lines of sight.
+void say_in_parallel(Page& page) {
+  for (StepInfo& line : page) {
+    if (line.id == viewing::step::project.id) line.text = "project: x_p = x_v, y_p = y_v, and its depth";
+    if (line.id == clipping::step::facing.id) line.text = "does P face the eye? sign of (line of sight)\u00b7n";
+  }
+}
+
+}  // namespace
+
+Header header_for(const Method& method, const Conventions& conventions, Camera::Kind camera) {
   Header header;
   header.writer = "zstep " ZSTEP_VERSION;
   header.algorithm = method.id;
   header.title = method.title;
   header.conventions = conventions;
   header.page = method.page_for ? method.page_for(conventions) : method.page();
+  if (camera == Camera::Kind::orthographic) say_in_parallel(header.page);
   header.comparison = interpolation::comparison_of(conventions);
   return header;
 }

@@ -110,7 +110,8 @@ bool can_cull(const Method& method, const Scene& scene);
 /// What stays of a run's conventions for another method: its options are not the other's.
 Conventions conventions_for(const Method& other, Conventions conventions);
 
-/// The header of a trace of this method under these conventions.
-Header header_for(const Method& method, const Conventions& conventions);
+/// The header of a trace of this method under these conventions; its pseudo-code is that of such a camera.
+Header header_for(const Method& method, const Conventions& conventions,
+                  Camera::Kind camera = Camera::Kind::perspective);
 
 }  // namespace zstep

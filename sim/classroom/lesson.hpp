@@ -62,6 +62,23 @@ struct SpeakerNotes {
 };
 
 /// One stop of the narration.
+/// What a stop's words name and its pictures name, too: "V_5", "V_0 = 5" where the words have another name for it,
+/// "V_4-V_5" (a line), "V_01 = V_0>V_1" (an arrow with its name), a polygon, "U", or a polygon's plane, "plane = C".
+struct StopLabel {
+  std::string name;  ///< of a line empty where its ends alone are named
+  std::int32_t vertex = -1, to = -1;
+  bool arrow = false;
+  std::string plane_of;
+};
+
+/// A window of which a stop speaks, as seen from the run's eye: in view coordinates, at z_v = distance.
+struct StopWindow {
+  double left = 0, right = 0, bottom = 0, top = 0, distance = 0;
+  double far = 0;      ///< z_v of a second plane, up to which the view volume is drawn; 0: none
+  bool angle = false;  ///< from its bottom to its top as the eye sees it, α, is drawn
+  bool operator==(const StopWindow&) const = default;
+};
+
 struct Stop {
   std::string heading;
   std::string text;                  ///< Markdown; its {…} are filled with the trace's numbers when resolved
@@ -78,10 +95,12 @@ struct Stop {
   std::string depths;                       ///< as written: z_v that are marked where depths are drawn over z_v
   std::vector<double> marked_depths;        ///< these; set by resolve()
   std::optional<Trace::Pixel> pixel;        ///< that it follows: marked, with its line of sight, at whatever step
-  std::vector<std::int32_t> vertices;       ///< named in the scene meanwhile
-  std::int32_t line = 0, text_line = 0;     ///< of the lesson's file
-  std::int64_t position = 0;                ///< where the trace is when it speaks; set by resolve()
-  std::int64_t event = 0;                   ///< of the step that it is about, before which it may speak; 0: of none
+  std::vector<StopLabel> labels;
+  std::string close;  ///< a polygon that the scene shows large, with the eye; mostly none
+  std::optional<StopWindow> window;
+  std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
+  std::int64_t position = 0;             ///< where the trace is when it speaks; set by resolve()
+  std::int64_t event = 0;                ///< of the step that it is about, before which it may speak; 0: of none
 };
 
 /// What a lesson may change about its scene's conventions. Unset: as the scene has them.

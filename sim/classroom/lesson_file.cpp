@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <charconv>
 #include <fmt/core.h>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -257,10 +258,6 @@ class Reader {
       stop.pixel = {numbers[0], numbers[1]};
       return;
     }
-    if (starts_with(text, "vertices:") && !numbers.empty()) {
-      stop.vertices = numbers;
-      return;
-    }
     if (starts_with(text, "beside:") && !value.empty()) {
       stop.beside = value;
       if (stop.beside.find('=') != std::string::npos) return void(read_change(stop.beside, lines_.where(lines_.at)));
@@ -270,10 +267,67 @@ class Reader {
                     "give the path of its .jsonl from the lesson's folder, `beside: runs/first.jsonl`");
       return;
     }
-    lines_.fail(fmt::format("`{}` is left over in the anchor", text),
-                "after ; write `focus: edge-table` or another pane, `viewing: T_1` to T_4 for a step of viewing, "
-                "`depths: near, 18` for view depths of the depth curve, or `beside: runs/first.jsonl` or "
-                "`beside: theta = 60` for another run's picture");
+    if (starts_with(text, "label:") && !value.empty()) return read_labels(value, stop);
+    if (starts_with(text, "close:") && !value.empty()) {
+      stop.close = value;
+      return;
+    }
+    if (starts_with(text, "window:") && !value.empty()) return read_window(value, stop);
+    lines_.fail(
+        fmt::format("`{}` is left over in the anchor", text),
+        "after ; write `focus:`, `viewing:`, `depths:`, `pixel:`, `label:`, `close:`, `window:` or `beside:` as "
+        "docs/writing-a-lesson.md says");
+  }
+
+  /// "V_5, V_0 = 5, 4-5-6, V_01 = 0>1, U, plane = C"; of several lines after each other the first has the name.
+  void read_labels(std::string_view text, Stop& stop) const {
+    const auto vertex = [](std::string_view name) -> std::int32_t {
+      name = trim(name);
+      if (starts_with(name, "V_")) name.remove_prefix(2);
+      std::int32_t number = -1;
+      const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+      return error == std::errc() && end == name.data() + name.size() ? number : -1;
+    };
+    while (!text.empty()) {
+      const std::size_t comma = std::min(text.size(), text.find(','));
+      const std::string_view one = trim(text.substr(0, comma));
+      text.remove_prefix(std::min(text.size(), comma + 1));
+      const std::size_t is = one.find('=');
+      const std::string_view what = is == std::string_view::npos ? one : trim(one.substr(is + 1));
+      StopLabel label;
+      std::size_t to = what.find_first_of("->");
+      label.vertex = vertex(what.substr(0, to));
+      if (is != std::string_view::npos) label.name = trim(one.substr(0, is));
+      else if (to == std::string_view::npos) label.name = one;
+      if (label.vertex < 0 && is != std::string_view::npos) label.plane_of = what;
+      if (to == std::string_view::npos) stop.labels.push_back(label);
+      while (to != std::string_view::npos) {
+        const std::size_t next = what.find_first_of("->", to + 1);
+        label.to = vertex(what.substr(to + 1, next == std::string_view::npos ? next : next - to - 1));
+        label.arrow = what[to] == '>';
+        if (label.vertex < 0 || label.to < 0)
+          lines_.fail(fmt::format("`{}` is no label", one),
+                      "write `V_5`, `V_0 = 5`, `4-5-6`, `V_01 = 0>1` or a polygon");
+        stop.labels.push_back(label);
+        const std::int32_t end = label.to;
+        label = {}, label.vertex = end;
+        to = next;
+      }
+    }
+  }
+
+  /// "-25 15 -20 30 10": left, right, bottom, top, distance; then the far plane, or α.
+  void read_window(std::string_view text, Stop& stop) const {
+    constexpr std::string_view alpha = "α";
+    const bool angle = text.size() > alpha.size() && text.substr(text.size() - alpha.size()) == alpha;
+    std::istringstream in{std::string(text.substr(0, text.size() - (angle ? alpha.size() : 0)))};
+    std::vector<double> numbers;
+    for (double number = 0; in >> number;) numbers.push_back(number);
+    const auto at = [&](std::size_t k) { return k < numbers.size() ? numbers[k] : 0; };
+    stop.window = StopWindow{at(0), at(1), at(2), at(3), at(4), at(5), angle};
+    if (!in.eof() || numbers.size() < 5 || numbers.size() > 6 || !(at(0) < at(1)) || !(at(2) < at(3)) || !(at(4) > 0))
+      lines_.fail(fmt::format("`{}` is no window", text),
+                  "write left, right, bottom, top and distance, `-25 15 -20 30 10`");
   }
 
   void begin_stop() {

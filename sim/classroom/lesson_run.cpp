@@ -1,4 +1,6 @@
 // Running a lesson: its method on its scene, then its stops against the trace.
+#include <algorithm>
+#include <fmt/format.h>
 #include <set>
 
 #include "algorithms/catalog/catalog.hpp"
@@ -35,7 +37,7 @@ Conventions with_options(Conventions conventions, const ConventionOptions& optio
 }
 
 Trace recorded(const Method& run, const Scene& scene, const Conventions& conventions, const std::string& name) {
-  TraceRecorder record(header_for(run, conventions), scene);
+  TraceRecorder record(header_for(run, conventions, scene.camera.kind), scene);
   run.record(scene, conventions, record);
   record.finish();
   return Trace::from_bytes(record.take_bytes(), name);
@@ -49,6 +51,33 @@ Trace changed_run(const Lesson& lesson, const Trace& trace, const Stop& stop) {
   const Method& run = method(lesson.method);
   make_change(run, read_change(stop.beside, who), scene, conventions, who);
   return recorded(run, scene, conventions, stop.beside);
+}
+
+/// What a stop has named or shown large is there, and its words name what its pictures name.
+void check_shown(const Stop& stop, const Scene& scene, const std::string& place) {
+  const auto is_polygon = [&](const std::string& name) {
+    return std::any_of(scene.polygons.begin(), scene.polygons.end(),
+                       [&](const auto& one) { return *one.name == name; });
+  };
+  std::string words = stop.heading + stop.text;
+  if (stop.question) {
+    words += stop.question->text;
+    for (const Answer& answer : stop.question->answers) words += answer.text;
+  }
+  for (const StopLabel& label : stop.labels) {
+    const std::string& polygon = label.plane_of.empty() ? label.name : label.plane_of;
+    const bool known =
+        label.vertex < 0 ? is_polygon(polygon) : std::max(label.vertex, label.to) < std::ssize(scene.points);
+    if (!known)
+      throw InputError(place, fmt::format("the scene has no `{}` to label", label.name),
+                       "name a vertex or a polygon of it");
+    if (words.find(label.name) == std::string::npos)
+      throw InputError(place, fmt::format("`{}` is labelled, and the stop does not speak of it", label.name),
+                       "leave it out");
+  }
+  if (!stop.close.empty() && !is_polygon(stop.close))
+    throw InputError(place, fmt::format("the scene has no polygon `{}` to come close to", stop.close),
+                     "name one of it");
 }
 
 }  // namespace
@@ -101,12 +130,9 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     if (stop.pixel && (stop.pixel->x >= scene.raster.width || stop.pixel->y >= scene.raster.height))
       throw InputError(place.str(), fmt::format("there is no pixel ({}, {})", stop.pixel->x, stop.pixel->y),
                        fmt::format("x is less than {}, y less than {}", scene.raster.width, scene.raster.height));
-    for (const std::int32_t vertex : stop.vertices)
-      if (vertex >= std::ssize(scene.points))
-        throw InputError(place.str(), fmt::format("there is no vertex {}", vertex),
-                         fmt::format("the scene's last one is {}", std::ssize(scene.points) - 1));
     stop.names = names_in(stop.text, {file, stop.text_line});
     stop.text = filled(stop.text, stop.text_line);
+    check_shown(stop, trace.scene(), place.str());
     if (stop.task) {
       stop.task->text = filled(stop.task->text, stop.task->text_line);
       for (std::string& hint : stop.task->hints) hint = trim(filled(hint, stop.task->line));

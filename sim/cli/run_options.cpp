@@ -348,7 +348,7 @@ Run prepare_with(const RunOptions& options, bool notes) {
 }  // namespace
 
 Header header_of(const Run& run) {
-  Header header = header_for(*run.method, run.conventions);
+  Header header = header_for(*run.method, run.conventions, run.scene.camera.kind);
   header.written = run.written;
   if (run.conventions.options.contains(std::string(interpolation::initial_depth_option.name)))
     if (const double initial = interpolation::initial_depth(run.scene, run.conventions); std::isfinite(initial))

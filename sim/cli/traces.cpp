@@ -128,7 +128,7 @@ namespace {
 OtherRun record_watched(const Method& method, const Scene& scene, const Conventions& conventions, std::int64_t most,
                         const RunWatch& watch) {
   check_run(method, scene, conventions);
-  TraceRecorder recorder(header_for(method, conventions), scene);
+  TraceRecorder recorder(header_for(method, conventions, scene.camera.kind), scene);
   recorder.on_block([&](std::int64_t events) {
     if (events > most || (watch && !watch(events))) throw TooLong{};
   });

@@ -318,7 +318,7 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, L
     throw InputError(file.string(), "is larger than 1 GiB", "print each step once, and nothing else");
   if (fs::file_size(file, ignored) == 0)
     throw InputError(file.string(), "is empty", "print each step to standard output, one a line, as the hand-out says");
-  const Header header = header_for(*homework.method, task.conventions);
+  const Header header = header_for(*homework.method, task.conventions, task.scene.camera.kind);
   GivenRun given = grade::given_run(header, task.scene, homework.free);
   std::string impossible;
   PassedOver passed_over;

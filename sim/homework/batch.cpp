@@ -103,7 +103,8 @@ std::string digest_of(std::string_view text) {
 std::string key_of(const Homework& homework, const std::string& scene) {
   std::string all = ZSTEP_VERSION "\n" + scene + "\n" + read_whole(homework.folder / "homework.toml", no_limit);
   for (const Task& task : homework.tasks)
-    all += task.name + "\n" + jsonl_header(header_for(*homework.method, task.conventions), task.scene) + "\n";
+    all += task.name + "\n" +
+           jsonl_header(header_for(*homework.method, task.conventions, task.scene.camera.kind), task.scene) + "\n";
   return digest_of(all);
 }
 

@@ -324,7 +324,7 @@ double Homework::points() const {
 }
 
 Trace reference_run(const Method& method, const Scene& scene, const Conventions& conventions) {
-  TraceRecorder recorder(header_for(method, conventions), scene);
+  TraceRecorder recorder(header_for(method, conventions, scene.camera.kind), scene);
   recorder.on_block([&](std::int64_t steps) {
     if (steps > most_scene_steps)
       throw InputError(scene.source, fmt::format("a right run of it has more than {} steps", most_scene_steps),

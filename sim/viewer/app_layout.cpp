@@ -317,11 +317,14 @@ Ui* App::run_beside() {
   if (!run) beside_.reset();
   else if (!beside_ || &beside_->session.trace() != run) {
     beside_ = std::make_unique<Beside>(*run, renderer_);
-    beside_->session.go_to(run->size());
     beside_->ui.asks = false, beside_->ui.still = true;
   }
-  if (beside_) share_look(beside_->ui);
-  return beside_ ? &beside_->ui : nullptr;
+  // Its scene is looked at before anything is at work.
+  if (!beside_) return nullptr;
+  beside_->session.go_to(lead() == scene_pane.id ? 0 : run->size());
+  beside_->ui.laboratory = lead().empty();
+  share_look(beside_->ui);
+  return &beside_->ui;
 }
 
 /// A lesson, and whatever is shown to a class: one large picture, or two that belong together, and beside it what the
@@ -332,7 +335,10 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   constexpr float low_row = 11;  // in em
   std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
   Ui* const other = run_beside();
-  if (other) leading = std::vector<Pane>(2, lead().empty() ? frame_pane : leading[0]);
+  // With a focus the other run's picture alone, else its frame beside this one's.
+  const bool alone = other && !lead().empty();
+  if (alone) leading = {lesson_pictures(other->session.header(), lead())[0]};
+  else if (other) leading = {frame_pane, frame_pane};
   else if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   float& share = settings_.layout.lesson;
   share = std::clamp(share, 0.15f, 0.45f);
@@ -350,7 +356,11 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
         std::max(frame_height((stage.x - gap) / 2) - std::round(0.8f * ui_.em), std::ceil(least * window / stage.x));
     if (size.y - needed >= 7.5f * ui_.em) stage.y = needed;
   }
-  if (other) {
+  if (alone) {
+    draw_beside(*other, leading[0], "ANOTHER RUN: " + session_.lesson()->stops[session_.stop()].beside, at, stage);
+    stage_at_ = {at, stage}, leading_ = leading;
+    said.clear();  // of this run's step
+  } else if (other) {
     const float first = std::round((stage.x - gap) * settings_.layout.frame);
     const std::string title =
         fmt::format("ANOTHER RUN, AT ITS END: {}", session_.lesson()->stops[session_.stop()].beside);

@@ -69,6 +69,8 @@ inline void take(Fingerprint& print, const std::vector<CurveMarks::Mark>& marks)
 }
 inline void take(Fingerprint&, const DepthScale&) {}  // there is but one
 
+inline void take(Fingerprint& print, const Stop* const& stop) { print.take(std::bit_cast<std::uintptr_t>(stop)); }
+
 /// The state is a function of the step.
 inline void take(Fingerprint& print, const Moment& moment) {
   print.take(static_cast<std::uint64_t>(moment.position()));

@@ -17,7 +17,7 @@ std::vector<std::filesystem::path> golden_files() {
 
 Trace recorded_by(const std::string& id, const Scene& scene, const Conventions& conventions) {
   const Method& m = method(id);
-  TraceRecorder recorder(header_for(m, conventions), scene);
+  TraceRecorder recorder(header_for(m, conventions, scene.camera.kind), scene);
   m.record(scene, conventions, recorder);
   recorder.finish();
   return Trace::from_bytes(recorder.take_bytes(), scene.name);

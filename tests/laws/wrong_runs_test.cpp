@@ -1,11 +1,14 @@
 // The three wrong programs' runs that a lesson has the student judge: what it says of them is so.
 #include <doctest/doctest.h>
 
+#include <map>
 #include <string>
 
+#include "sim/classroom/lesson.hpp"
 #include "tests/where.hpp"
 #include "traces/check/check.hpp"
 #include "traces/file/jsonl.hpp"
+#include "traces/replay/replay.hpp"
 
 using namespace zstep;
 
@@ -22,6 +25,33 @@ TEST_CASE(
     CHECK(report.wrong_steps == run.wrong);
     CHECK(report.inherited == run.follow);
   }
+}
+
+TEST_CASE("the runs that stand beside lessons end with the pictures of which they speak") {
+  const auto pixels = [](const Trace& trace) {
+    Replay replay(trace);
+    replay.go_to(trace.size());
+    std::map<std::string, int> count;
+    for (const std::int32_t polygon : replay.state().picture.polygon)
+      if (polygon != no_polygon) ++count[*trace.scene().polygons[static_cast<std::size_t>(polygon)].name];
+    return count;
+  };
+  const auto of = [&](const char* name) {
+    return pixels(open_jsonl(test::in_checkout(std::string("lessons/runs/") + name + ".jsonl")));
+  };
+  const auto named = [](const std::map<std::string, int>& count) {
+    std::string names;
+    for (const auto& [name, pixels] : count) names += name;
+    return names;
+  };
+  CHECK(named(of("one-cube")) == "A");
+  CHECK(named(of("three-cubes")) == "ABCDEF");
+  CHECK(named(of("sign")) == "CDE");
+  CHECK(named(of("subtree")) == "BW");
+  Lesson lesson = find_lesson("where-the-notes-disagree");
+  const auto right = pixels(run_lesson(lesson)), half = of("half");
+  CHECK(half.at("W") - right.at("W") == 16);
+  CHECK(right.at("A") - half.at("A") == 10);
 }
 
 TEST_CASE("of the third of them, the two writes of a wrong compare follow from it, and the next pixel does not") {

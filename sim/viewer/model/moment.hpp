@@ -22,16 +22,15 @@ class Moment {
   const RecordedEvent* event() const { return session_.event(); }
   const RecordedEvent* event_told() const { return session_.event_told(); }
   const std::optional<RecordedEvent>& event_in_question() const { return session_.event_in_question(); }
+  /// The lesson's stop that speaks of it, if any.
+  const Stop* told() const { return session_.speaks() ? &session_.lesson()->stops[session_.stop()] : nullptr; }
   bool at_rest() const { return session_.at_rest(); }
   /// The step that the lesson's stop asks about, or nullptr.
   const Event* asked() const { return session_.event_in_question() ? &session_.event_in_question()->event : nullptr; }
-  /// The stop of the lesson that speaks, from 0; −1 where none does.
-  int told() const { return session_.lesson() && session_.speaks() ? session_.stop() : -1; }
   /// Whether the stop that speaks gives this number, `rho` say; `else_so` where none speaks.
   bool tells(std::string_view name, bool else_so) const {
-    if (told() < 0) return else_so;
-    const auto& names = session_.lesson()->stops[static_cast<std::size_t>(told())].names;
-    return std::find(names.begin(), names.end(), name) != names.end();
+    if (!told()) return else_so;
+    return std::find(told()->names.begin(), told()->names.end(), name) != told()->names.end();
   }
   std::int64_t position() const { return session_.position(); }
   /// The buffers, which are those of before() while a reader looks back.

@@ -229,6 +229,13 @@ std::array<glm::dvec3, 4> Room::rectangle(double left, double top, double right,
   return {behind(left, top, z_v), behind(right, top, z_v), behind(right, bottom, z_v), behind(left, bottom, z_v)};
 }
 
+std::array<glm::dvec3, 4> Room::rectangle_in_view(double left, double right, double bottom, double top,
+                                                  double z_v) const {
+  const glm::dmat4 to_world = glm::inverse(camera_.view);
+  const auto at = [&](double x, double y) { return glm::dvec3(to_world * glm::dvec4(x, y, z_v, 1)); };
+  return {at(left, bottom), at(right, bottom), at(right, top), at(left, top)};
+}
+
 std::array<glm::dvec3, 4> Room::window(double z_v) const {
   return rectangle(-0.5, -0.5, raster_.width - 0.5, raster_.height - 0.5, z_v);
 }

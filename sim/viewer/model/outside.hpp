@@ -93,6 +93,10 @@ class Room {
   std::vector<glm::dvec3> section(double a, double b, double c, double d) const;
   /// These too.
   void show(const std::vector<glm::dvec3>& more) { marks_.insert(marks_.end(), more.begin(), more.end()); }
+  /// These alone, large.
+  void show_only(std::vector<glm::dvec3> marks) { marks_ = std::move(marks); }
+  /// Four corners of a window in view coordinates, in order around it from its left bottom.
+  std::array<glm::dvec3, 4> rectangle_in_view(double left, double right, double bottom, double top, double z_v) const;
   /// All that should be seen at first.
   const std::vector<glm::dvec3>& marks() const { return marks_; }
 

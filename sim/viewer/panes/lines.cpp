@@ -9,6 +9,7 @@
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/model/outside.hpp"
 #include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/outline_names.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/since_change.hpp"
@@ -72,6 +73,12 @@ void draw_pieces(const Moment& s, Canvas& canvas, const RasterMap& map, const Li
   }
 }
 
+/// Does the stop that speaks mark lines itself? Then the edge at work is not marked.
+bool marks_lines(const Moment& now) {
+  const auto is_line = [](const StopLabel& label) { return label.to >= 0; };
+  return now.told() && std::any_of(now.told()->labels.begin(), now.told()->labels.end(), is_line);
+}
+
 void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& weight) {
   const MethodState& m = now.state().machine;
   const double thin = weight;
@@ -83,11 +90,12 @@ void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const 
       if (const auto e = ends_of(now, map, {0, from, to, -1, -1, LineKind::inner}))
         canvas.line(e->x0, e->y0, e->x1, e->y1, (m.lines.empty() ? 1.5 : 1.0) * thin,
                     to_pixel(m.lines.empty() ? c.text : c.rule));
-  if (!now.at_rest()) draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
+  const bool works = !now.at_rest() && !marks_lines(now);
+  if (works) draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
   for (const LineRow& row : m.lines)
     draw_pieces(now, canvas, map, row, 1.6 * thin, to_pixel(c.text), to_pixel(c.muted));
   const std::size_t at = m.line;
-  if (m.line < 0 || at >= m.lines.size() || now.at_rest()) return;
+  if (m.line < 0 || at >= m.lines.size() || !works) return;
   const LineRow& row = m.lines[at];
   const auto ends = ends_of(now, map, row.entry);
   if (!ends) return;
@@ -161,7 +169,7 @@ void draw_table(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   const LineRow* row = line_at_work(m);
-  if (ui.still || (!row && !ui.laboratory)) return;
+  if (ui.still || ((!row || marks_lines(ui.moment())) && !ui.laboratory)) return;
   if (!row) return say_empty(ui, "An edge's intervals stand here once it is at work.");
   flow(ui,
        fmt::format("Edge {}: {}\u2013{}, {}", m.line, row->entry.vertex_0, row->entry.vertex_1,
@@ -216,14 +224,53 @@ void mark_lines(Ui& ui, ImVec2 origin, const RasterMap& map) {
   }
 }
 
+/// Vertices, lines and polygons that the lesson's stop names.
+void draw_labels(Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 origin, const RasterMap& map) {
+  const Moment now = ui.moment();
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  std::vector<NamedOutline> outlines(now.scene().polygons.size());
+  for (const auto& [from, to] : edges_of(now.scene()))
+    if (const auto e = ends_of(now, map, {0, from, to, -1, -1, LineKind::inner}))
+      words.keep_line_free(moved_by(origin, e->x0, e->y0), moved_by(origin, e->x1, e->y1));
+  for (const Facet& facet : now.scene().facets) {
+    NamedOutline& one = outlines[static_cast<std::size_t>(facet.polygon)];
+    const std::string name = polygon_label(now.scene(), facet.polygon);
+    const auto named = [&](const StopLabel& label) { return label.vertex < 0 && label.name == name; };
+    if (std::any_of(stop.labels.begin(), stop.labels.end(), named)) one.name = name;
+    for (std::int32_t k = 0; k < facet.corner_count; ++k)
+      if (const auto at = on_raster(now.scene(), now.state(), now.scene().corners[facet.first_corner + k]))
+        one.outline.emplace_back(map.px(at->x), map.py(at->y));
+  }
+  name_outlines(ui, words, origin, outlines);
+  std::vector<StopLabel> labels = stop.labels;  // lines first: no name stands on one
+  std::stable_partition(labels.begin(), labels.end(), [](const StopLabel& label) { return label.to >= 0; });
+  for (const StopLabel& label : labels) {
+    if (label.vertex < 0) continue;
+    const std::int32_t end = label.to < 0 ? label.vertex : label.to;
+    const auto ends = ends_of(now, map, {0, label.vertex, end, -1, -1, LineKind::inner});
+    if (!ends) continue;
+    const ImVec2 from = moved_by(origin, ends->x0, ends->y0), to = moved_by(origin, ends->x1, ends->y1);
+    if (label.to >= 0) {
+      stroke_line(list, from, to, c.now, 3.4f * ui.thin);
+      words.keep_line_free(from, to);
+      if (!label.name.empty())
+        words.beside(label.name, c.now, ui.fonts.bold, from, to, {ends->y1 - ends->y0, ends->x0 - ends->x1});
+      continue;
+    }
+    fill_circle(list, from, std::round(0.2f * ui.em), c.now);
+    for (const auto& [x, y] : {std::pair{1, -1}, {-1, -1}, {1, 1}, {-1, 1}})
+      if (words.around(label.name, c.now, ui.fonts.bold, from, {x, y})) break;
+  }
+}
+
 /// The edge at work with its vertices, the polygon that it is tested against, and where the two cross.
-void name_line(Ui& ui, ImVec2 origin, const RasterMap& map) {
+void name_line(Ui& ui, WordPlaces& words, ImVec2 origin, const RasterMap& map) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
   const LineRow* row = line_at_work(s.state().machine);
   const auto ends = row ? ends_of(ui.moment(), map, row->entry) : std::nullopt;
   if (!ends) return;
-  WordPlaces words(ui, origin, moved_by(origin, map.box_width, map.box_height));
   const ImVec2 from = moved_by(origin, ends->x0, ends->y0), to = moved_by(origin, ends->x1, ends->y1);
   const glm::dvec2 way(ends->x1 - ends->x0, ends->y1 - ends->y0), side(way.y, -way.x);
   words.keep_line_free(from, to);
@@ -280,7 +327,10 @@ void draw_lines(Ui& ui) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + to_float(width), at.y + to_float(height)});
   mark_lines(ui, at, map);
-  if (!ui.still) name_line(ui, at, map);
+  WordPlaces words(ui, at, moved_by(at, map.box_width, map.box_height));
+  if (!ui.still && !marks_lines(ui.moment())) name_line(ui, words, at, map);
+  if (const Stop* const stop = ui.moment().told(); stop && !stop->labels.empty())
+    draw_labels(ui, words, *stop, at, map);
   if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
   begin_part(ui, "intervals");
@@ -290,7 +340,7 @@ void draw_lines(Ui& ui) {
 
 std::string note_of_lines(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
-  if (m.lines.empty() || ui.still) return "";
+  if (m.lines.empty() || ui.still || marks_lines(ui.moment())) return "";
   const std::int32_t face = face_now(m);
   return face >= 0 ? fmt::format("edge {} against {}", m.line, face_label(ui.session.scene(), face))
                    : fmt::format("edge {}", m.line);

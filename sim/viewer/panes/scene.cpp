@@ -187,7 +187,7 @@ void draw_scene(Ui& ui) {
 
 std::string note_of_scene(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
-  if (m.polygon == no_polygon) return "";
+  if (m.polygon == no_polygon || ui.session.at_rest()) return "";
   return "polygon " + polygon_label(ui.session.scene(), m.polygon);
 }
 

@@ -121,10 +121,10 @@ void RoomPen::dot(glm::dvec3 at, double radius, int shape, ImU32 color) {
     picture_.canvas.mark(spot->x, spot->y, radius * thin_, shape, to_pixel(color));
 }
 
-bool RoomPen::word(glm::dvec3 at, const std::string& text, ImU32 color) {
+bool RoomPen::word(glm::dvec3 at, const std::string& text, ImU32 color, bool first) {
   const auto spot = outside_.spot(at);
   if (!spot || !(spot->x >= 0 && spot->y >= 0 && spot->x < seen_.width && spot->y < seen_.height)) return false;
-  picture_.words.push_back({{static_cast<float>(spot->x), static_cast<float>(spot->y)}, color, text});
+  picture_.words.push_back({{static_cast<float>(spot->x), static_cast<float>(spot->y)}, color, text, first});
   return true;
 }
 
@@ -206,7 +206,7 @@ void draw_axes(RoomPen& pen, const Moment& now, int viewing, double arrived, boo
              begins = !follows_pixel && (vertices.empty() || vertices[0].stage == VertexStages::untouched) &&
                       now.state().machine.pieces.empty() && now.state().machine.rays.tree.empty();
   const auto shows = [&](const char* name, int step) {
-    return viewing > 0 ? viewing == step : (views || begins || now.told() >= 0) && now.tells(name, views || begins);
+    return viewing > 0 ? viewing == step : (views || begins || now.told()) && now.tells(name, views || begins);
   };
   const bool rho = shows("rho", 1), turned = shows("theta", 2), inclined = shows("phi", 3);
   if (!camera.polar || camera.kind != Camera::Kind::perspective || pen.room.by_lamp() ||
@@ -255,10 +255,17 @@ void draw_outline(RoomPen& pen, const Moment& now, const std::vector<std::int32_
   if (corners.size() == outline.size()) pen.around(corners, color, 2.6);
 }
 
+/// Does a lesson's stop name vertices itself? Then no other has a number.
+bool names_vertices(const Moment& now) {
+  const Stop* const told = now.told();
+  return told && std::any_of(told->labels.begin(), told->labels.end(),
+                             [](const StopLabel& label) { return label.vertex >= 0 && label.to < 0; });
+}
+
 /// A dot on a vertex, and its letter or number beside it.
 void name_vertex(RoomPen& pen, const Moment& now, std::int32_t vertex, glm::dvec3 at, ImU32 color) {
   pen.dot(at, 3, 0, color);
-  pen.word(at, vertex_label(now.scene(), vertex), color);
+  if (!names_vertices(now)) pen.word(at, vertex_label(now.scene(), vertex), color);
 }
 
 /// The test of a polygon's outcodes that the step makes or that is asked for.
@@ -430,7 +437,7 @@ void number_vertices(RoomPen& pen, const Moment& now) {
   const Event* step = now.event() ? &now.event()->event : nullptr;
   const bool moved =
       step && (holds<ViewTransform>(*step) || holds<Projection>(*step) || holds<ViewportTransform>(*step));
-  if (points.size() > most || !(now.tells("vertices", false) || (moved && now.told() >= 0))) return;
+  if (points.size() > most || !(now.tells("vertices", false) || (moved && now.told()))) return;
   for (std::size_t v = 0; v < points.size(); ++v)
     if (vertex_at_work(now.event()) != index32(v)) name_vertex(pen, now, index32(v), points[v], pen.colors.text);
 }
@@ -510,7 +517,7 @@ void draw_vertex(RoomPen& pen, const Moment& now) {
   const Theme& c = pen.colors;
   const glm::dvec3 point = pen.room.polygons().points[at];
   pen.dot(point, 5, 0, c.now);
-  pen.word(point, vertex_label(now.scene(), vertex), c.now);
+  if (!names_vertices(now)) pen.word(point, vertex_label(now.scene(), vertex), c.now);
   const Event& step = now.event()->event;
   if (holds<Projection>(step) && now.tells("window", false)) draw_half_window(pen);
   else if (holds<ViewTransform>(step) || holds<Projection>(step) || holds<ViewportTransform>(step))
@@ -535,11 +542,16 @@ void draw_facing(RoomPen& pen, const Moment& now) {
   if (!(glm::length(normal) > 0)) return;
   for (std::size_t k = 0; k < corners.size(); ++k)  // its winding
     pen.arrow(corners[k], 0.5 * (corners[k] + corners[(k + 1) % corners.size()]), pen.colors.now);
-  pen.arrow(middle, middle + glm::normalize(normal) * (0.25 * room.size()), pen.colors.text, "n");
+  double length = 0.25 * room.size();
+  if (now.told() && !now.told()->close.empty()) {  // as far as the polygon that is shown large reaches
+    length = 0;
+    for (const glm::dvec3& corner : corners) length = std::max(length, glm::length(corner - middle));
+  }
+  pen.arrow(middle, middle + glm::normalize(normal) * length, pen.colors.text, "n");
   const glm::dvec3 from =
       room.has_eye() ? room.camera().eye : corners[0] + glm::normalize(room.towards()) * room.size();
   pen.arrow(from, corners[0], pen.colors.now);
-  pen.word(0.5 * (from + corners[0]), room.has_eye() ? "p \u2212 e" : "line of sight", pen.colors.now);
+  pen.word(0.5 * (from + corners[0]), room.has_eye() ? "p \u2212 e" : "line of sight", pen.colors.now, true);
 }
 
 /// Where light is computed at vertices: the normal at each vertex of the polygon at work, and at the vertex at work the
@@ -686,18 +698,108 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
   pen.around(end, c.muted, 1, true);
 }
 
+/// What the lesson's stop names: vertices with dots, lines dashed where they are no edges, arrows, polygons.
+void draw_labels(RoomPen& pen, const Moment& now) {
+  const Scene& scene = pen.room.polygons();
+  const Theme& c = pen.colors;
+  const std::vector<EdgeEnds> edges = edges_of(scene);
+  for (const StopLabel& label : now.told()->labels) {
+    if (label.vertex < 0) {
+      const std::string& polygon = label.plane_of.empty() ? label.name : label.plane_of;
+      for (const Facet& facet : scene.facets) {
+        if (polygon_label(now.scene(), facet.polygon) != polygon) continue;
+        glm::dvec3 middle(0), normal(0);
+        const auto corner = [&](std::int32_t k) {
+          return scene.points[scene.corners[facet.first_corner + k % facet.corner_count]];
+        };
+        for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+          middle += corner(k) / static_cast<double>(facet.corner_count);
+          normal += glm::cross(corner(k) - corner(0), corner(k + 1) - corner(0));
+        }
+        if (label.plane_of.empty()) {
+          pen.word(middle, label.name, c.text, true);
+          continue;
+        }
+        const auto section = pen.room.section(normal.x, normal.y, normal.z, -glm::dot(normal, middle));
+        if (section.empty()) continue;
+        pen.veil(section, c.selected, 80);
+        pen.around(section, c.selected, 1.6);
+        pen.word(section[0], label.name, c.selected, true);
+      }
+      continue;
+    }
+    const glm::dvec3 from = scene.points[label.vertex];
+    if (label.to < 0) {
+      pen.dot(from, 4, 0, c.now);
+      pen.word(from, label.name, c.now, true);
+      continue;
+    }
+    const glm::dvec3 to = scene.points[label.to];
+    const bool edge =
+        std::find(edges.begin(), edges.end(), EdgeEnds(std::minmax(label.vertex, label.to))) != edges.end();
+    if (label.arrow) pen.arrow(from, to, c.selected);
+    else pen.line(from, to, c.now, 2.4, !edge);
+    if (!label.name.empty()) pen.word(0.5 * (from + to), label.name, label.arrow ? c.selected : c.now, true);
+  }
+}
+
+/// The window of which the stop speaks: its four sides by their numbers, its distance along the line of sight, and the
+/// angle \u03b1 from its bottom to its top; or the view volume from there to the far plane.
+void draw_told_window(RoomPen& pen, const StopWindow& w) {
+  const Theme& c = pen.colors;
+  const Room& room = pen.room;
+  const auto corners = room.rectangle_in_view(w.left, w.right, w.bottom, w.top, w.distance);
+  const auto at = [&](double x, double y, double z) { return room.rectangle_in_view(x, x, y, y, z)[0]; };
+  const glm::dvec3 eye = room.camera().eye;
+  const auto name = [&](const char* symbol, double value) { return fmt::format("{} = {}", symbol, number(value)); };
+  pen.dot(eye, 5, 0, c.text);
+  pen.word(eye, "eye", c.text, true);
+  pen.around(corners, c.now, 2.6);
+  if (w.far > 0) {
+    const double more = w.far / w.distance;
+    const auto end = room.rectangle_in_view(w.left * more, w.right * more, w.bottom * more, w.top * more, w.far);
+    for (std::size_t k = 0; k < 4; ++k) pen.line(eye, end[k], c.muted, 1.2);
+    pen.around(end, c.now, 2.6);
+    pen.line(eye, at(0, 0, w.far), c.text, 1.6, true);
+    pen.word(corners[3], name("near: f", w.distance), c.now, true);
+    pen.word(end[3], name("far: F", w.far), c.now, true);
+    return;
+  }
+  for (const glm::dvec3& corner : corners) pen.line(eye, corner, c.muted, 1.2);
+  const double x = (w.left + w.right) / 2, y = (w.bottom + w.top) / 2;
+  pen.word(at(w.left, y, w.distance), name("L", w.left), c.now, true);
+  pen.word(at(w.right, y, w.distance), name("R", w.right), c.now, true);
+  pen.word(at(x, w.bottom, w.distance), name("B", w.bottom), c.now, true);
+  pen.word(at(x, w.top, w.distance), name("T", w.top), c.now, true);
+  const glm::dvec3 middle = at(0, 0, w.distance), low = at(0, w.bottom, w.distance), high = at(0, w.top, w.distance);
+  pen.line(eye, middle, c.text, 1.6, true);
+  pen.dot(middle, 3, 0, c.text);
+  pen.word(0.5 * (eye + middle), name(w.distance == room.camera().d ? "d" : "f", w.distance), c.text, true);
+  if (!w.angle) return;
+  pen.line(eye, low, c.selected, 2), pen.line(eye, high, c.selected, 2), pen.line(low, high, c.selected, 1.2, true);
+  constexpr int parts = 24;
+  const double radius = 0.3 * w.distance, first = portable::atan2(w.bottom, w.distance),
+               whole = portable::atan2(w.top, w.distance) - first;
+  const auto arc = [&](double t) {
+    const double angle = first + t * whole;
+    return at(0, radius * portable::sin(angle), radius * portable::cos(angle));
+  };
+  for (int k = 0; k < parts; ++k) pen.line(arc(ratio(k, parts)), arc(ratio(k + 1, parts)), c.selected, 2);
+  pen.word(arc(0.75), "\u03b1", c.selected, true);
+}
+
 }  // namespace
 
-void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell,
-                   const std::vector<std::int32_t>& vertices, int viewing, double arrived) {
+void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing, double arrived) {
+  const Stop* const told = now.told();
+  if (told && told->window && pen.room.has_eye()) return draw_told_window(pen, *told->window);
   draw_edges(pen, now);
   draw_axes(pen, now, viewing, arrived, cell.has_value());
   draw_eye(pen);
   draw_lamp(pen, now);
   draw_other_eyes(pen, now);
   number_vertices(pen, now);
-  for (const std::int32_t vertex : vertices)
-    name_vertex(pen, now, vertex, pen.room.polygons().points[static_cast<std::size_t>(vertex)], pen.colors.text);
+  if (told) draw_labels(pen, now);
   if (now.at_rest()) return draw_line_of_sight(pen, now, cell), draw_light_at_vertices(pen, now);
   draw_dividing_plane(pen, now);
   draw_scan_plane(pen, now);

@@ -42,8 +42,8 @@ class RoomPen {
   }
   /// `shape` as of Canvas::mark.
   void dot(glm::dvec3 at, double radius, int shape, ImU32 color);
-  /// False, and nothing written, where the picture does not show that place.
-  bool word(glm::dvec3 at, const std::string& text, ImU32 color);
+  /// False, and nothing written, where the picture does not show that place. `first`: before the others, and in bold.
+  bool word(glm::dvec3 at, const std::string& text, ImU32 color, bool first = false);
   /// A plane that one sees through; a convex outline. `share` of 255.
   void veil(const std::vector<glm::dvec3>& corners, ImU32 color, unsigned share);
   void veil(const std::array<glm::dvec3, 4>& corners, ImU32 color, unsigned share) {
@@ -62,10 +62,8 @@ class RoomPen {
   double thin_;
 };
 
-/// Edges, axes, the eye with its window and planes, the lamp; then what is at work. `cell`: the pixel; `vertices`:
-/// those that are to be named at whatever step; `viewing`: 1 … 4 for the axes before and after T_1 … T_4, 0 for the
-/// world's.
-void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell,
-                   const std::vector<std::int32_t>& vertices, int viewing, double arrived);
+/// Edges, axes, the eye with its window and planes, the lamp, what the lesson's stop names; then what is at work.
+/// `cell`: the pixel; `viewing`: 1 … 4 for the axes before and after T_1 … T_4, 0 for the world's.
+void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing, double arrived);
 
 }  // namespace zstep::viewer

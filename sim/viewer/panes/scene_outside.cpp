@@ -181,6 +181,24 @@ TakenPlaces label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
 
 namespace {
 
+/// What the lesson's stop is about, and the eye that looks at it.
+void come_close(Room& room, const Stop& stop) {
+  std::vector<glm::dvec3> marks;
+  if (room.has_eye()) marks.push_back(room.camera().eye);
+  if (const auto& w = stop.window; w && room.has_eye()) {
+    const double more = w->far > 0 ? w->far / w->distance : 1;
+    for (const glm::dvec3& corner :
+         room.rectangle_in_view(w->left * more, w->right * more, w->bottom * more, w->top * more, w->distance * more))
+      marks.push_back(corner);
+    return room.show_only(std::move(marks));
+  }
+  if (stop.close.empty()) return;
+  for (const Facet& facet : room.polygons().facets)
+    for (std::int32_t k = 0; k < facet.corner_count && *room.polygons().polygons[facet.polygon].name == stop.close; ++k)
+      marks.push_back(room.polygons().points[room.polygons().corners[facet.first_corner + k]]);
+  room.show_only(std::move(marks));
+}
+
 void see_room(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const glm::dvec2& size) {
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
   see_polygons(Outside(room.made, look, width, height), room.made.polygons(), seen.polygons);
@@ -188,28 +206,30 @@ void see_room(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const
 }
 
 void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Kept<Room>& kept_room, const Look& look,
-                   const Moment& now, const std::optional<Cell>& cell, const std::vector<std::int32_t>& vertices,
-                   const int& viewing, const double& arrived, const Theme& c, const float& thin) {
+                   const Moment& now, const std::optional<Cell>& cell, const int& viewing, const double& arrived,
+                   const Theme& c, const float& thin) {
   const Room& room = kept_room.made;
   const Picture& seen = kept.made.polygons;
   const Outside outside(room, look, seen.width, seen.height);
   picture.words.clear();
   const std::int32_t at_work = now.at_rest() ? no_polygon : now.state().machine.polygon;
+  const bool of_window = now.told() && now.told()->window;
   const bool wires = records<LineBegin>(now.header());  // of methods that draw lines: every edge, and no polygon
   const Pixel32 paper = to_pixel(c.pane);
   std::vector<Pixel32> colors;
   for (const Polygon& polygon : room.polygons().polygons) {
     const Pixel32 own = opaque(polygon.color);
     const bool pale = at_work != no_polygon && at_work != size32(colors);
-    colors.push_back(wires ? paper : pale ? mixed(paper, own, 190) : own);
+    colors.push_back(wires ? paper : of_window ? mixed(paper, own, 60) : pale ? mixed(paper, own, 190) : own);
   }
   const bool blends = records<ColorBlend>(now.header()) || records<ColorWrite>(now.header());  // so that glass matters
   if (wires || !blends || !paint_with_glass(picture.canvas, outside, room.polygons(), colors, paper))
     paint_polygons(picture.canvas, seen, colors, paper);
   Picture nothing_hides;
-  if (wires) nothing_hides = seen, std::fill(nothing_hides.depth.begin(), nothing_hides.depth.end(), HUGE_VAL);
-  RoomPen pen(picture, wires ? nothing_hides : seen, room, outside, c, thin);
-  draw_in_space(pen, now, cell, vertices, viewing, arrived);
+  if (wires || of_window)
+    nothing_hides = seen, std::fill(nothing_hides.depth.begin(), nothing_hides.depth.end(), HUGE_VAL);
+  RoomPen pen(picture, wires || of_window ? nothing_hides : seen, room, outside, c, thin);
+  draw_in_space(pen, now, cell, viewing, arrived);
 }
 
 /// As many decimals as a hundredth of the scene has.
@@ -296,6 +316,8 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
       return draw_label(ui, {at.x + left, at.y + top}, font, color, text);
     }
   };
+  for (const ChartPicture::Word& word : picture.words)
+    if (word.first) write(word.at, ui.fonts.bold, word.color, word.text, false);
   const Scene& scene = ui.session.scene();
   const bool curves = scene.surface && records<HorizonTest>(ui.session.header());  // no polygons
   const auto write_letters = [&] {
@@ -306,9 +328,11 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
               polygon_label(scene, spot.polygon), true);
   };
   const bool axes_matter = viewing_step(ui) > 0;
-  if (!axes_matter) write_letters();
+  const Stop* const told = ui.moment().told();
+  if (!axes_matter && !(told && told->window)) write_letters();
   if (to_float(picture.canvas.width()) >= 15 * ui.em)  // else letters alone
-    for (const ChartPicture::Word& word : picture.words) write(word.at, ui.fonts.small, word.color, word.text, false);
+    for (const ChartPicture::Word& word : picture.words)
+      if (!word.first) write(word.at, ui.fonts.small, word.color, word.text, false);
   if (axes_matter) write_letters();
 }
 
@@ -343,19 +367,23 @@ bool can_pull_vertices(const Scene& scene) {
 }
 
 void draw_outside(Ui& ui, ImVec2 size) {
-  const auto make_room = [](Room& room, const Scene& scene, const bool& by_lamp, const bool& viewing) {
+  const auto make_room = [](Room& room, const Scene& scene, const bool& by_lamp, const bool& viewing,
+                            const Stop* const& about) {
     room = Room(scene, by_lamp);
     if (viewing) room.show(ends_of_viewing_axes(room, scene.camera));
+    if (about) come_close(room, *about);
   };
   const bool by_lamp = ui.session.state().machine.pass == Pass::light;
-  const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0);
+  const Stop* const told = ui.moment().told();
+  const Stop* const about = told && (told->window || !told->close.empty()) ? told : nullptr;
+  const Kept<Room>& room =
+      *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0, about);
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
   const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_room, room, ui.look, whole);
-  const ChartPicture& picture =
-      keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, ui.moment(),
-                         ui.session.cell_looked_at(ui.still), ui.session.vertices_looked_at(), viewing_step(ui),
-                         ui.axes_turn ? ui.on_way() : 1.0, ui.colors(), ui.thin)
-          ->made;
+  const ChartPicture& picture = keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look,
+                                                   ui.moment(), ui.session.cell_looked_at(ui.still), viewing_step(ui),
+                                                   ui.axes_turn ? ui.on_way() : 1.0, ui.colors(), ui.thin)
+                                    ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("outside", size);
   can_be_hit(ui, at, {at.x + size.x, at.y + size.y});

@@ -46,6 +46,7 @@ struct ChartPicture {
     ImVec2 at;
     ImU32 color;
     std::string text;
+    bool first = false;  ///< what a lesson's stop names: before all others, around its place where that is taken
   };
   Canvas canvas;
   std::vector<Word> words;

@@ -40,6 +40,22 @@ TEST_SUITE("catalog") {
     }
   }
 
+  TEST_CASE("under a parallel camera no line of a page divides by z_v or asks where the eye is") {
+    int said = 0;
+    for (const Method& method : methods()) {
+      const Page page = header_for(method, {}, Camera::Kind::orthographic).page;
+      const Page usual = header_for(method, {}).page;
+      REQUIRE(page.size() == usual.size());
+      for (std::size_t k = 0; k < page.size(); ++k) {
+        CHECK(page[k].id == usual[k].id);
+        CHECK(page[k].text.find("/z_v") == std::string::npos);
+        CHECK(page[k].text.find("p \u2212 e") == std::string::npos);
+        said += page[k].text != usual[k].text;
+      }
+    }
+    CHECK(said > 20);
+  }
+
   TEST_CASE("an unknown id is an error that lists the known ones") {
     std::string what;
     try {

@@ -184,6 +184,26 @@ TEST_CASE("slips in the stops") {
   const LessonFile beside(head + "## Here {at: start; beside: 7-made-up.md}\nText.\n");
   Lesson no_run = load_lesson(beside.path);
   CHECK_THROWS_WITH(run_lesson(no_run), doctest::Contains("7-made-up.md:1"));
+  const LessonFile labels(head +
+                          "## V_5 and V_0 {at: start; label: V_5, V_0 = 2, way = 1-2-0, V_01 = 0>1, W, plane = C}\n" +
+                          "The way and plane V_01 of W.\n");
+  const std::vector<StopLabel> read = load_lesson(labels.path).stops.at(0).labels;
+  REQUIRE(read.size() == 7);
+  CHECK((read[0].name == "V_5" && read[0].vertex == 5 && read[0].to < 0));
+  CHECK((read[1].name == "V_0" && read[1].vertex == 2));
+  CHECK((read[2].name == "way" && read[2].vertex == 1 && read[2].to == 2 && !read[2].arrow));
+  CHECK((read[3].name.empty() && read[3].vertex == 2 && read[3].to == 0));
+  CHECK((read[4].name == "V_01" && read[4].to == 1 && read[4].arrow));
+  CHECK((read[5].name == "W" && read[5].vertex < 0 && read[5].plane_of.empty()));
+  CHECK((read[6].name == "plane" && read[6].plane_of == "C"));
+  CHECK(contains(load_error(head + "## Here {at: start; label: way = 1-x}\nWay.\n"), ":7: `way = 1-x` is no label"));
+  const LessonFile unspoken(head + "## Here {at: start; label: V_1}\nText.\n");
+  Lesson of_nothing = load_lesson(unspoken.path);
+  CHECK_THROWS_WITH(run_lesson(of_nothing), doctest::Contains("`V_1` is labelled, and the stop does not speak of it"));
+  const LessonFile windowed(head + "## Here {at: start; focus: scene; window: -1 2 -3 4 5 \u03b1}\nText.\n");
+  CHECK(load_lesson(windowed.path).stops.at(0).window == StopWindow{-1, 2, -3, 4, 5, 0, true});
+  CHECK(
+      contains(load_error(head + "## Here {at: start; window: 2 1 -3 4 5}\nText.\n"), ":7: `2 1 -3 4 5` is no window"));
   const LessonFile viewing(head + "## Here {at: start; focus: scene; viewing: T_3}\nText.\n");
   CHECK(load_lesson(viewing.path).stops.at(0).focus == "scene");
   CHECK(load_lesson(viewing.path).stops.at(0).viewing_step == 3);
