@@ -181,3 +181,22 @@ TEST_CASE("a loop that waits for events draws nothing once what moves has ended"
   CHECK(app.renderer().fingerprint() == seen);
   CHECK_FALSE(app.moving());
 }
+
+TEST_CASE("a dividing plane grows out of its piece, on the plan, and ends where nothing moves") {
+  const Trace trace = test::record_run_by("bsp", "six-walls");
+  const auto made = trace.next(0, [](const RecordedEvent& e) { return holds<NodeMake>(e.event); }).value();
+  App still(trace, nullptr, {}, 1280, 720), app(trace, nullptr, {}, 1280, 720);
+  app.moves = true;
+  double time = 10;
+  for (App* one : {&app, &still}) one->set_lead("plan"), one->session().go_to(made - 1);
+  run_loop(app, time);
+  for (App* one : {&app, &still}) one->move(Unit::event, 1);
+  at_time(app, time);
+  const test::Bytes on_way = at_time(app, time += 0.1);
+  CHECK(app.moving());
+  run_loop(app, time);
+  CHECK_FALSE(app.moving());
+  const test::Bytes end = test::picture(still);
+  CHECK(app.renderer().rgb() == end);
+  CHECK(on_way != end);
+}

@@ -223,7 +223,15 @@ void draw_planes(const View& v) {
   const auto ends = v.node >= 0 ? reach_of_line(v.m, v.node, v.section, v.frame) : std::nullopt;
   const auto line = line_of(plane_of_node(v.m, v.node), v.section);
   if (!ends || !line) return;
-  const ImVec2 a = v.frame.place((*ends)[0]), b = v.frame.place((*ends)[1]);
+  ImVec2 a = v.frame.place((*ends)[0]), b = v.frame.place((*ends)[1]);
+  const auto* made = v.s.event() ? get_if<NodeMake>(&v.s.event()->event) : nullptr;
+  if (made && made->node == v.node && v.ui.arrived < 1)  // it grows out of its piece
+    if (const std::vector<glm::dvec2> own = v.outline(v.m.pieces[at(made->piece)]); !own.empty()) {
+      const ImVec2 from = v.frame.place(own.front());
+      const double share = v.ui.on_way();
+      a = moved_by(from, share * (a.x - from.x), share * (a.y - from.y));
+      b = moved_by(from, share * (b.x - from.x), share * (b.y - from.y));
+    }
   stroke_dashed(v.list, a, b, v.c.now, 2.5f * v.ui.thin);
 }
 

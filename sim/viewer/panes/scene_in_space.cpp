@@ -459,10 +459,11 @@ void draw_projection(RoomPen& pen, const Moment& now, std::int32_t vertex) {
     const glm::dvec3 wrong = place(its.view.x * camera.d / its.view.z, its.view.y * camera.d / its.view.z, camera.d);
     pen.line(place(its.view.x, its.view.y, its.view.z), wrong, c.now, 2, true, true);
     pen.dot(wrong, 4, 1, c.now);
-    return pen.word(
+    pen.word(
         wrong,
         fmt::format("({}, {})", number(its.view.x * camera.d / its.view.z), number(its.view.y * camera.d / its.view.z)),
         c.now);
+    return;
   }
   const bool projected = its.stage >= VertexStages::projected, asked = now.asked() && holds<Projection>(*now.asked());
   const double x = its.view.x, y = its.view.y, z = its.view.z, t = camera.d / z;
