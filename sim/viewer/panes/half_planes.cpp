@@ -54,8 +54,8 @@ class Painter {
     const TileTest* tile = asked ? get_if<TileTest>(&asked->event) : nullptr;
     if (!tile && triangle.tile) tile = &*triangle.tile;
     if (tile) frame(tile->first_column, tile->first_row, tile->end_column, tile->end_row, 3, to_pixel(c_.now));
-    if (triangle.weights && !triangle.sample && now_.event_told()) areas(box, *triangle.weights);
     if (const auto place = pixel_of_samples(triangle)) samples(triangle, place->first, place->second);
+    else if (triangle.weights && !triangle.sample && now_.event_told()) areas(box, *triangle.weights);
   }
 
  private:

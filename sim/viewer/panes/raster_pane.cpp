@@ -265,12 +265,18 @@ void draw_edge_on_its_way(Ui& ui, const RasterMap& map, ImVec2 origin) {
   fill_circle(list, now, std::round(ui.em * 0.27f), ui.colors().now);
 }
 
+/// Does an edge come into the table, with this step or with that which is asked about?
+bool fills_edge_table(const Session& s) {
+  const auto& asked = s.event_in_question();
+  return holds<EdgeTableInsert>((asked ? &*asked : s.event())->event);
+}
+
 /// The edges of the polygon at work: those in its table, and those that come into it next.
 std::vector<EdgeTableInsert> edges_at_work(const Session& s, std::size_t most) {
   std::vector<EdgeTableInsert> edges;
   for (const EdgeTableInsert& entry : s.state().machine.edge_table)
     if (edges.size() < most) edges.push_back(entry);
-  if (!s.event() || !holds<EdgeTableInsert>(s.event()->event)) return edges;
+  if (!fills_edge_table(s)) return edges;
   for (std::int64_t position = s.position() + 1; position <= s.size() && edges.size() < most; ++position) {
     const EdgeTableInsert* next = get_if<EdgeTableInsert>(&s.trace().event(position).event);
     if (!next) break;
@@ -289,8 +295,7 @@ void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::option
   const Theme& c = ui.colors();
   if (!s.event() || m.keeps_all || count < 3 || count > most_named || map.cell < least_cell) return;
   const auto& asked = s.event_in_question();
-  const bool is_next = asked && holds<EdgeTableInsert>(asked->event);
-  const std::optional<std::int32_t> now = edge_now(is_next ? &*asked : s.event());
+  const std::optional<std::int32_t> now = edge_now(asked && fills_edge_table(s) ? &*asked : s.event());
   const SpanBegin* span = get_if<SpanBegin>(&s.event()->event);
   const bool steps = holds<EdgeStep>(s.event()->event);
   if (!now && !span && !holds<EdgeSwap>(s.event()->event)) return;
