@@ -184,6 +184,13 @@ TEST_CASE("slips in the stops") {
   const LessonFile beside(head + "## Here {at: start; beside: 7-made-up.md}\nText.\n");
   Lesson no_run = load_lesson(beside.path);
   CHECK_THROWS_WITH(run_lesson(no_run), doctest::Contains("7-made-up.md:1"));
+  const LessonFile coarse(head + "## Here {at: start; beside: size = 4x4}\nText.\n");
+  Lesson with_coarse = load_lesson(coarse.path);
+  CHECK(run_lesson(with_coarse).scene().raster.width != 4);
+  REQUIRE(with_coarse.stops.at(0).beside_run);
+  CHECK(with_coarse.stops.at(0).beside_run->scene().raster.width == 4);
+  CHECK(contains(load_error(head + "## Here {at: start; beside: = 4x4}\nText.\n"), ":7"));
+  CHECK(contains(run_error(head + "## Here {at: start; beside: none = 4}\nText.\n"), ":7"));
   const LessonFile viewing(head + "## Here {at: start; focus: scene; viewing: T_3}\nText.\n");
   CHECK(load_lesson(viewing.path).stops.at(0).focus == "scene");
   CHECK(load_lesson(viewing.path).stops.at(0).viewing_step == 3);
