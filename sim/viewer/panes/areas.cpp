@@ -145,9 +145,15 @@ void draw_depths(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words)
   const auto told = [&](std::int32_t piece, double z) {
     return fmt::format("{} {}", piece_label(s.scene(), m, piece), number(z));
   };
+  /// To the right of a place (1) or to its left (-1), below it (1) or above.
+  const auto beside = [&](const std::string& text, ImVec2 at, float off, float right, float down) {
+    const ImVec2 size = text_size(ui, ui.fonts.bold, text);
+    words.put(text, c.now, ui.fonts.bold,
+              {{at.x + right * (off + size.x / 2 + 0.4f * ui.em), at.y + down * (off + size.y / 2 + 0.2f * ui.em)}});
+  };
   if (a.end_column - a.first_column == 1 && a.end_row - a.first_row == 1) {
     const ImVec2 at = dot(a.first_column, a.first_row);
-    if (depth) words.around(told(depth->piece, depth->z), c.now, ui.fonts.bold, at, {1, 0.8});
+    if (depth) beside(told(depth->piece, depth->z), at, static_cast<float>(map.cell / 2), 1, 1);
     return;
   }
   const bool in_front = row.decided && row.decided->what == AreaCase::front_surrounder;
@@ -162,8 +168,8 @@ void draw_depths(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words)
           text += (text.empty() ? "" : ", ") +
                   told(bin.piece, -(p->plane_a * x + p->plane_b * y + p->plane_d) / p->plane_c);
       }
-      const double inwards = x < a.end_column - 1 ? 1 : -1, down = y < a.end_row - 1 ? 1 : -1;
-      words.around(text, c.now, ui.fonts.bold, dot(x, y), {inwards, down * 0.8});
+      const float inwards = x < a.end_column - 1 ? 1 : -1, down = y < a.end_row - 1 ? 1 : -1;
+      beside(text, dot(x, y), 0, inwards, down);
     }
 }
 
@@ -299,7 +305,21 @@ void draw_areas(Ui& ui) {
   const ImVec2 corner = ImGui::GetCursorScreenPos(), at{corner.x + rulers.left, corner.y};
   const ImVec2 end{at.x + to_float(wide), at.y + to_float(high)};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at, end);
+  // Rows by number on the left of what continues outside the picture.
+  double left = map.left;
+  for (const Piece& piece : s.state().machine.pieces)
+    for (const std::int32_t vertex : piece.outline)
+      if (const auto p = on_raster(s.scene(), s.state(), vertex)) left = std::min(left, map.px(p->x));
+  RasterMap rows = map;
+  rows.left = std::max(left, map.left - 2 * map.cell) - (left < map.left ? 4 : 0);
+  if (rows.left < 0) rows.left = map.left;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRect(corner, moved_by(at, rows.left, to_float(high)), true);
+  draw_rulers(ui, rows, at, rulers);
+  list->PopClipRect();
+  list->PushClipRect(moved_by(at, 0, map.top + map.height * map.cell), moved_by(end, 0, rulers.below), true);
   draw_rulers(ui, map, at, rulers);
+  list->PopClipRect();
   WordPlaces words(ui, at, end);
   name_pieces(ui, map, at, words);
   draw_depths(ui, map, at, words);

@@ -433,8 +433,15 @@ void draw_edge_in_question(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlac
                to = on_raster(now.scene(), now.state(), its.vertex_1);
     if (from && to) {
       stroke_line(list, place(from->x, from->y), place(to->x, to->y), c.now, 3 * ui.thin);
-      words.beside(edge_label(now.scene(), its), c.now, ui.fonts.bold, place(from->x, from->y), place(to->x, to->y),
-                   {1, 0});
+      const std::string name = edge_label(now.scene(), its);
+      const ImVec2 size = text_size(ui, ui.fonts.bold, name), one = place(from->x, from->y),
+                   other = place(to->x, to->y);
+      std::vector<ImVec2> places;
+      for (const float side : {0.7f, -0.7f})
+        for (const float part : {0.5f, 0.7f, 0.85f, 0.3f})
+          places.push_back(
+              {one.x + part * (other.x - one.x) + side * (size.x + ui.em), one.y + part * (other.y - one.y)});
+      words.put(name, c.now, ui.fonts.bold, places);
     }
   }
   const auto* implied = get_if<ImpliedEdge>(step);

@@ -144,6 +144,52 @@ void name_boxes(const Ui& ui, const Plan& plan, WordPlaces& words) {
   }
 }
 
+/// Of the box that the ray is tested against, or that is asked for: its slabs along x and y, and on the ray with which
+/// t it comes into each and out of it.
+void draw_slabs(const Ui& ui, const Plan& plan, WordPlaces& words) {
+  const Session& s = ui.session;
+  const Moment now = ui.moment();
+  const MethodState& machine = s.state().machine;
+  const Event* step = now.asked() ? now.asked() : s.event() ? &s.event()->event : nullptr;
+  const auto* test = step && now.told() >= 0 ? get_if<BoxTest>(step) : nullptr;
+  if (!test || !(now.asked() || test->hit) || test->box < 0 || test->box >= std::ssize(machine.boxes) ||
+      !machine.rays.ray)
+    return;
+  const auto& tree = machine.rays.tree;
+  const auto row =
+      std::find_if(tree.begin(), tree.end(), [&](const RayRow& one) { return one.entry.ray == *machine.rays.ray; });
+  if (row == tree.end()) return;
+  const BoxMake& box = machine.boxes[static_cast<std::size_t>(test->box)].entry;
+  const RayBegin& ray = row->entry;
+  const glm::dvec3 from(ray.x_0, ray.y_0, ray.z_0), along(ray.dir_x, ray.dir_y, ray.dir_z);
+  const glm::dvec3 low(box.x_min, box.y_min, box.z_min), high(box.x_max, box.y_max, box.z_max);
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (now.asked()) {
+    stroke_lines(list, corners_of(plan, box), c.now, 2.5f * ui.thin, true);
+    words.around(fmt::format("box {}", test->box), c.now, ui.fonts.small, plan.place(low), {-1, 0.6});
+  }
+  constexpr std::array names{"x", "y"};
+  for (int axis = 0; axis < 2; ++axis) {
+    const int other = 1 - axis;
+    const double beyond = 0.25 * std::max(high[0] - low[0], high[1] - low[1]);
+    std::vector<double> times;
+    for (const double border : {low[axis], high[axis]}) {
+      glm::dvec3 a(0), b(0);
+      a[axis] = b[axis] = border, a[other] = low[other] - beyond, b[other] = high[other] + beyond;
+      stroke_dashed(list, plan.place(a), plan.place(b), c.changed, 1.5f * ui.thin);
+      const double t = along[axis] != 0 ? (border - from[axis]) / along[axis] : -1;
+      if (t > 0 && (times.empty() || std::abs(times[0] - t) > 1e-6)) times.push_back(t);
+    }
+    for (const double t : times) {
+      const ImVec2 at = plan.place(from + t * along);
+      fill_circle(list, at, std::round(0.22f * ui.em), c.changed);
+      words.around(fmt::format("{} {}", names.at(static_cast<std::size_t>(axis)), number(t, 2, true)), c.changed,
+                   ui.fonts.small, at, {1, axis == 0 ? -1 : 1});
+    }
+  }
+}
+
 /// The window on the projection plane, divided in columns of pixels; the one at work is marked.
 void draw_window(const Ui& ui, const Plan& plan, WordPlaces& words) {
   const Session& s = ui.session;
@@ -433,6 +479,7 @@ void draw_ray_plan(Ui& ui) {
   }
   if (scene.light) label(scene.light->position, "light");
   draw_law(ui, plan, words);
+  if (!ui.still) draw_slabs(ui, plan, words);
   draw_names(ui, plan, words);
   if (!ui.still) name_hits(ui, plan, words), name_boxes(ui, plan, words);
   list->PopClipRect();

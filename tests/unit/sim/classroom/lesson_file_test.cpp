@@ -204,6 +204,13 @@ TEST_CASE("slips in the stops") {
   CHECK(load_lesson(windowed.path).stops.at(0).window == StopWindow{-1, 2, -3, 4, 5, 0, true});
   CHECK(
       contains(load_error(head + "## Here {at: start; window: 2 1 -3 4 5}\nText.\n"), ":7: `2 1 -3 4 5` is no window"));
+  const LessonFile coarse(head + "## Here {at: start; beside: size = 4x4}\nText.\n");
+  Lesson with_coarse = load_lesson(coarse.path);
+  CHECK(run_lesson(with_coarse).scene().raster.width != 4);
+  REQUIRE(with_coarse.stops.at(0).beside_run);
+  CHECK(with_coarse.stops.at(0).beside_run->scene().raster.width == 4);
+  CHECK(contains(load_error(head + "## Here {at: start; beside: = 4x4}\nText.\n"), ":7"));
+  CHECK(contains(run_error(head + "## Here {at: start; beside: none = 4}\nText.\n"), ":7"));
   const LessonFile viewing(head + "## Here {at: start; focus: scene; viewing: T_3}\nText.\n");
   CHECK(load_lesson(viewing.path).stops.at(0).focus == "scene");
   CHECK(load_lesson(viewing.path).stops.at(0).viewing_step == 3);
