@@ -509,6 +509,8 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     name_outline(ui, map, origin, ends, words);
     name_outlines_to_come(ui, map, origin, words);
   }
+  if (const Stop* const told = ui.moment().told(); told && talk.polygons)
+    draw_stop_labels(ui, words, *told, origin, map);
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(words.taken));
   cover_cells_to_come(ui, id, map, origin);
   draw_marks(ui, map, origin, ends);
