@@ -224,46 +224,6 @@ void mark_lines(Ui& ui, ImVec2 origin, const RasterMap& map) {
   }
 }
 
-/// Vertices, lines and polygons that the lesson's stop names.
-void draw_labels(Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 origin, const RasterMap& map) {
-  const Moment now = ui.moment();
-  const Theme& c = ui.colors();
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  std::vector<NamedOutline> outlines(now.scene().polygons.size());
-  for (const auto& [from, to] : edges_of(now.scene()))
-    if (const auto e = ends_of(now, map, {0, from, to, -1, -1, LineKind::inner}))
-      words.keep_line_free(moved_by(origin, e->x0, e->y0), moved_by(origin, e->x1, e->y1));
-  for (const Facet& facet : now.scene().facets) {
-    NamedOutline& one = outlines[static_cast<std::size_t>(facet.polygon)];
-    const std::string name = polygon_label(now.scene(), facet.polygon);
-    const auto named = [&](const StopLabel& label) { return label.vertex < 0 && label.name == name; };
-    if (std::any_of(stop.labels.begin(), stop.labels.end(), named)) one.name = name;
-    for (std::int32_t k = 0; k < facet.corner_count; ++k)
-      if (const auto at = on_raster(now.scene(), now.state(), now.scene().corners[facet.first_corner + k]))
-        one.outline.emplace_back(map.px(at->x), map.py(at->y));
-  }
-  name_outlines(ui, words, origin, outlines);
-  std::vector<StopLabel> labels = stop.labels;  // lines first: no name stands on one
-  std::stable_partition(labels.begin(), labels.end(), [](const StopLabel& label) { return label.to >= 0; });
-  for (const StopLabel& label : labels) {
-    if (label.vertex < 0) continue;
-    const std::int32_t end = label.to < 0 ? label.vertex : label.to;
-    const auto ends = ends_of(now, map, {0, label.vertex, end, -1, -1, LineKind::inner});
-    if (!ends) continue;
-    const ImVec2 from = moved_by(origin, ends->x0, ends->y0), to = moved_by(origin, ends->x1, ends->y1);
-    if (label.to >= 0) {
-      stroke_line(list, from, to, c.now, 3.4f * ui.thin);
-      words.keep_line_free(from, to);
-      if (!label.name.empty())
-        words.beside(label.name, c.now, ui.fonts.bold, from, to, {ends->y1 - ends->y0, ends->x0 - ends->x1});
-      continue;
-    }
-    fill_circle(list, from, std::round(0.2f * ui.em), c.now);
-    for (const auto& [x, y] : {std::pair{1, -1}, {-1, -1}, {1, 1}, {-1, 1}})
-      if (words.around(label.name, c.now, ui.fonts.bold, from, {x, y})) break;
-  }
-}
-
 /// The edge at work with its vertices, the polygon that it is tested against, and where the two cross.
 void name_line(Ui& ui, WordPlaces& words, ImVec2 origin, const RasterMap& map) {
   const Session& s = ui.session;
@@ -329,8 +289,7 @@ void draw_lines(Ui& ui) {
   mark_lines(ui, at, map);
   WordPlaces words(ui, at, moved_by(at, map.box_width, map.box_height));
   if (!ui.still && !marks_lines(ui.moment())) name_line(ui, words, at, map);
-  if (const Stop* const stop = ui.moment().told(); stop && !stop->labels.empty())
-    draw_labels(ui, words, *stop, at, map);
+  if (const Stop* const stop = ui.moment().told(); stop) draw_stop_labels(ui, words, *stop, at, map);
   if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
   begin_part(ui, "intervals");

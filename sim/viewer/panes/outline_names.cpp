@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include "sim/viewer/model/outside.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -65,6 +70,49 @@ void name_outlines(const Ui& ui, WordPlaces& words, ImVec2 origin, const std::ve
     std::vector<ImVec2> middles;
     for (const Place& place : found) middles.push_back(place.middle);
     words.put(name, ui.colors().text, ui.fonts.bold, middles);
+  }
+}
+
+void draw_stop_labels(const Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 origin, const RasterMap& map) {
+  if (stop.labels.empty()) return;
+  const Moment now = ui.moment();
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto place = [&](std::int32_t vertex) -> std::optional<ImVec2> {
+    const auto at = on_raster(now.scene(), now.state(), vertex);
+    if (!at) return std::nullopt;
+    return moved_by(origin, map.px(at->x), map.py(at->y));
+  };
+  std::vector<NamedOutline> outlines(now.scene().polygons.size());
+  for (const auto& [from, to] : edges_of(now.scene()))
+    if (const auto a = place(from), b = place(to); a && b) words.keep_line_free(*a, *b);
+  for (const Facet& facet : now.scene().facets) {
+    NamedOutline& one = outlines[static_cast<std::size_t>(facet.polygon)];
+    const std::string name = polygon_label(now.scene(), facet.polygon);
+    const auto named = [&](const StopLabel& label) { return label.vertex < 0 && label.name == name; };
+    if (std::any_of(stop.labels.begin(), stop.labels.end(), named)) one.name = name;
+    for (std::int32_t k = 0; k < facet.corner_count; ++k)
+      if (const auto at = on_raster(now.scene(), now.state(), now.scene().corners[facet.first_corner + k]))
+        one.outline.emplace_back(map.px(at->x), map.py(at->y));
+  }
+  name_outlines(ui, words, origin, outlines);
+  std::vector<StopLabel> labels = stop.labels;  // lines first: no name stands on one
+  std::stable_partition(labels.begin(), labels.end(), [](const StopLabel& label) { return label.to >= 0; });
+  for (const StopLabel& label : labels) {
+    if (label.vertex < 0) continue;
+    const std::int32_t end = label.to < 0 ? label.vertex : label.to;
+    const auto at = place(label.vertex), other = place(end);
+    if (!at || !other) continue;
+    const ImVec2 from = *at, to = *other;
+    if (label.to >= 0) {
+      stroke_line(list, from, to, c.now, 3.4f * ui.thin);
+      words.keep_line_free(from, to);
+      if (!label.name.empty()) words.beside(label.name, c.now, ui.fonts.bold, from, to, {to.y - from.y, from.x - to.x});
+      continue;
+    }
+    fill_circle(list, from, std::round(0.2f * ui.em), c.now);
+    for (const auto& [x, y] : {std::pair{1, -1}, {-1, -1}, {1, 1}, {-1, 1}})
+      if (words.around(label.name, c.now, ui.fonts.bold, from, {x, y})) break;
   }
 }
 

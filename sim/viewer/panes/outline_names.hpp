@@ -18,4 +18,7 @@ struct NamedOutline {
 /// Each name inside its own outline, on no line, and within as few others as can be; none where there are too many.
 void name_outlines(const Ui& ui, WordPlaces& words, ImVec2 origin, const std::vector<NamedOutline>& all);
 
+/// Vertices, lines and polygons that the lesson's stop names, on the raster.
+void draw_stop_labels(const Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 origin, const RasterMap& map);
+
 }  // namespace zstep::viewer

@@ -610,6 +610,8 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     mark_vertex(ui, map, origin, words);
     draw_edge_in_question(ui, map, origin, words);
   }
+  if (const Stop* const told = ui.moment().told(); told && talk.polygons)
+    draw_stop_labels(ui, words, *told, origin, map);
   if (!has_numbers && talk.polygons) draw_labels(ui, map, origin, std::move(words.taken));
   cover_cells_to_come(ui, id, map, origin);
   draw_marks(ui, map, origin, ends);

@@ -725,7 +725,7 @@ void draw_labels(RoomPen& pen, const Moment& now) {
         if (section.empty()) continue;
         pen.veil(section, c.selected, 80);
         pen.around(section, c.selected, 1.6);
-        pen.word(section[0], label.name, c.selected, true);
+        pen.word(section[0], label.name, c.text, true);
       }
       continue;
     }
@@ -740,7 +740,7 @@ void draw_labels(RoomPen& pen, const Moment& now) {
         std::find(edges.begin(), edges.end(), EdgeEnds(std::minmax(label.vertex, label.to))) != edges.end();
     if (label.arrow) pen.arrow(from, to, c.selected);
     else pen.line(from, to, c.now, 2.4, !edge);
-    if (!label.name.empty()) pen.word(0.5 * (from + to), label.name, label.arrow ? c.selected : c.now, true);
+    if (!label.name.empty()) pen.word(0.5 * (from + to), label.name, label.arrow ? c.text : c.now, true);
   }
 }
 
@@ -786,7 +786,7 @@ void draw_told_window(RoomPen& pen, const StopWindow& w) {
     return at(0, radius * portable::sin(angle), radius * portable::cos(angle));
   };
   for (int k = 0; k < parts; ++k) pen.line(arc(ratio(k, parts)), arc(ratio(k + 1, parts)), c.selected, 2);
-  pen.word(arc(0.75), "\u03b1", c.selected, true);
+  pen.word(arc(0.75), "\u03b1", c.text, true);
 }
 
 }  // namespace
