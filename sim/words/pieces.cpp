@@ -25,6 +25,13 @@ std::int32_t node_of_piece(const MethodState& machine, std::int32_t piece) {
   return -1;
 }
 
+std::int32_t piece_at_node(const MethodState& machine, std::int32_t node, std::int32_t polygon) {
+  if (node >= 0 && node < std::ssize(machine.tree))
+    for (const std::int32_t piece : machine.tree[node].pieces)
+      if (piece >= 0 && piece < std::ssize(machine.pieces) && machine.pieces[piece].polygon == polygon) return piece;
+  return -1;
+}
+
 std::int32_t node_at_work(const MethodState& machine, const Event* event) {
   if (event) {
     if (const auto* skip = get_if<NodeSkip>(event)) return skip->node;
@@ -36,8 +43,7 @@ std::int32_t node_at_work(const MethodState& machine, const Event* event) {
     // A piece that is not drawn: what is beyond its node has been gone through, and nothing on this side.
     if (const auto* reject = get_if<PolygonReject>(event))
       for (std::int32_t node = machine.node; node >= 0; node = machine.tree[node].parent)
-        for (const std::int32_t piece : machine.tree[node].pieces)
-          if (machine.pieces[piece].polygon == reject->polygon) return node;
+        if (piece_at_node(machine, node, reject->polygon) >= 0) return node;
   }
   if (machine.piece >= 0) {
     const std::int32_t node = node_of_piece(machine, machine.piece);

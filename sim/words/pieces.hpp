@@ -13,6 +13,8 @@ namespace zstep {
 const PlaneEquation* plane_of_node(const MethodState& machine, std::int32_t node);
 /// The node at which a piece lies, -1 where there is none.
 std::int32_t node_of_piece(const MethodState& machine, std::int32_t piece);
+/// The first piece of a polygon at a node; -1 where there is none.
+std::int32_t piece_at_node(const MethodState& machine, std::int32_t node, std::int32_t polygon);
 /// The node that the step is about: that of the piece being drawn, else the one tested or made last.
 std::int32_t node_at_work(const MethodState& machine, const Event* event);
 

@@ -111,9 +111,7 @@ std::int32_t piece_now(const Ui& ui) {
   const Event& e = *step;
   if (holds<EyeSide>(e) || holds<NodeSkip>(e) || holds<NodeMake>(e)) return -1;
   if (const auto* reject = get_if<PolygonReject>(&e))
-    if (const std::int32_t node = node_now(ui); node >= 0)
-      for (const std::int32_t piece : s.state().machine.tree[at(node)].pieces)
-        if (s.state().machine.pieces[at(piece)].polygon == reject->polygon) return piece;
+    return piece_at_node(s.state().machine, node_now(ui), reject->polygon);
   if (const auto* side = get_if<SideTest>(&e)) return side->piece;
   if (const auto* add = get_if<NodeAdd>(&e)) return add->piece;
   if (const auto* candidate = get_if<RootCandidate>(&e)) return candidate->piece;
@@ -193,26 +191,23 @@ void draw_pieces(const View& v) {
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const Drawn& a, const Drawn& b) { return a.length > b.length + 1e-9; });
   for (const bool halo : {true, false})
-    for (const auto& [number, points, length] : pieces) {
-      if (halo && number != now) continue;
-      const auto polygon = at(v.m.pieces[at(number)].polygon);
+    for (const Drawn& one : pieces) {
+      if (halo && one.number != now) continue;
+      const Piece& piece = v.m.pieces[at(one.number)];
+      const auto polygon = at(piece.polygon);
       const Pixel32 own =
           polygon < v.s.scene().polygons.size() ? opaque(v.s.scene().polygons[polygon].color) : to_pixel(v.c.text);
-      const glm::dvec2 off =
-          few ? 2.0 * v.ui.thin * front_beside(v, v.m.pieces[at(number)]).value_or(glm::dvec2(0)) : glm::dvec2(0);
+      const glm::dvec2 off = few ? 2.0 * v.ui.thin * front_beside(v, piece).value_or(glm::dvec2(0)) : glm::dvec2(0);
+      const float width = halo ? 9.0f : draw_places[at(one.number)] >= 0 || few ? 4.0f : 1.5f;
       const auto place = [&](std::size_t k) {
-        return moved_by(v.frame.place(points[k % points.size()]), off.x, -off.y);
+        return moved_by(v.frame.place(one.points[k % one.points.size()]), off.x, -off.y);
       };
-      for (std::size_t k = 0; k < points.size(); ++k)
-        stroke_line(v.list, place(k), place(k + 1), halo ? v.c.now : to_im(own),
-                    (halo                                  ? 9.0f
-                     : draw_places[at(number)] >= 0 || few ? 4.0f
-                                                           : 1.5f) *
-                        v.ui.thin);
+      for (std::size_t k = 0; k < one.points.size(); ++k)
+        stroke_line(v.list, place(k), place(k + 1), halo ? v.c.now : to_im(own), width * v.ui.thin);
     }
   for (const bool lit : {true, false})
-    for (const auto& [number, points, length] : pieces)
-      if (lit == (number == now) && (lit || few)) name_piece(v, number, points, lit ? v.c.now : v.c.text);
+    for (const Drawn& one : pieces)
+      if (lit == (one.number == now) && (lit || few)) name_piece(v, one.number, one.points, lit ? v.c.now : v.c.text);
 }
 
 void draw_planes(const View& v) {

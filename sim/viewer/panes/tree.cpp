@@ -105,6 +105,7 @@ std::vector<bool> turned_away(const Ui& ui) {
     const bool waits = std::find(waiting.begin(), waiting.end(), index32(node)) != waiting.end();
     if (!one.eye || one.front_skipped || one.back_skipped || (waits && index32(node) != now)) continue;
     for (const std::int32_t number : one.pieces) {
+      if (at(number) >= m.pieces.size()) continue;
       const Piece& piece = m.pieces[at(number)];
       const auto corner = cutting_point(s.scene(), s.state(), piece.outline.empty() ? -1 : piece.outline[0]);
       away[at(number)] = (!waits || reject->polygon == piece.polygon) && corner &&
