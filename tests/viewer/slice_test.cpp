@@ -237,3 +237,40 @@ TEST_CASE("where z_v is interpolated as if it were linear, the slice names the t
   app.settle();
   CHECK_FALSE(says("true depth"));
 }
+
+namespace {
+
+/// Whether the window of a lesson's stop writes this; after its answer where `answered`.
+bool writes(const char* id, int stop, const std::string& text, bool answered = false) {
+  Lesson lesson = find_lesson(id);
+  const Trace trace = run_lesson(lesson);
+  App app(trace, &lesson, {}, 1280, 720);
+  app.session().to_stop(stop);
+  if (answered) app.session().show_answer();
+  app.settle();
+  const test::Letters drawn = test::letters_of(app.ui().fonts);
+  return std::any_of(drawn.words.begin(), drawn.words.end(),
+                     [&](const std::string& words) { return words.find(text) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST_CASE("in fixed point the slice has whole units, and what the depths are without rounding") {
+  for (const char* text : {"z* in units", "C exactly 65234.07", "R exactly 65233.66", "stored 65234"}) {
+    CAPTURE(text);
+    CHECK(writes("how-many-bits", 9, text));
+  }
+}
+
+TEST_CASE("beside the slice in z* one in z_v has the depth that a straight line would give") {
+  CHECK(writes("z-buffer", 16, "linear 37.21"));
+  CHECK(writes("z-buffer", 16, "B 33.39"));
+  CHECK_FALSE(writes("z-buffer", 15, "33.39"));  // asked there
+}
+
+TEST_CASE("the depth curve is marked at the stop's view depths once its question is answered") {
+  const std::string middle = "18 \u2192 0";
+  CHECK_FALSE(writes("z-buffer", 14, middle));
+  CHECK(writes("z-buffer", 14, middle, true));
+  CHECK(writes("z-buffer", 14, "near 10 \u2192 \u22121"));
+}

@@ -68,9 +68,10 @@ TEST_CASE("each method's workspace leads with what it lives by") {
         const auto is = [&](const Pane& other) { return std::string(other.id) == pane.id; };
         const auto times = std::count_if(stage.leading.begin(), stage.leading.end(), is) +
                            std::count_if(stage.small.begin(), stage.small.end(), is);
-        const bool chart = pane.id == depth_error_pane.id || pane.id == depth_units_pane.id;
-        const bool is_asked = pane.id != section_pane.id || lead == section_pane.id;
-        CHECK(times == ((chart && lead != depth_error_pane.id) || !is_asked ? 0 : 1));
+        const bool chart = pane.id == depth_error_pane.id || pane.id == depth_units_pane.id ||
+                           pane.id == depth_curve_pane.id || pane.id == slice_view_pane.id;
+        const bool is_asked = lead == pane.id || lead_together(pane, lead);
+        CHECK(times == ((chart || pane.id == section_pane.id) && !is_asked ? 0 : 1));
       }
     }
   }

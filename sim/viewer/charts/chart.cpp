@@ -375,7 +375,11 @@ void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& ar
     }
     if (!one.points.empty() && !one.name.empty()) names.push_back({up.at(one.points.back().y), color, one.name});
   }
-  std::vector<Box> taken;
+  std::vector<Box> taken;  // a mark is not to be written over, either
+  for (const LineChart::Now& now : chart.now) {
+    const float x = across.at(now.at.x), y = up.at(now.at.y), half = mark_size * area.scale;
+    taken.push_back({{x - half, y - half}, {x + half, y + half}});
+  }
   for (const LineChart::Now& now : chart.now) draw_now(paper, now, {across.at(now.at.x), up.at(now.at.y)}, plot, taken);
   draw_names(paper, std::move(names), plot.right + 14 * area.scale, plot.top, plot.bottom);
 }

@@ -324,13 +324,14 @@ void draw_depth_curve(Ui& ui) {
   };
   const auto mark = [&](const char* name, double z_v) {
     const double z = at(z_v).y;
-    return LineChart::Now{at(z_v), fmt::format("{}{} \u2192 {}", name, number(z_v), number(z, unit > 0 ? 0 : 4))};
+    return LineChart::Now{at(z_v),
+                          fmt::format("{}{} \u2192 {}", name, number(z_v), unit > 0 ? number(z, 0) : number(z))};
   };
   LineChart chart;
   chart.scale = LineChart::Scale::linear;
   const std::string z = depth_symbol(scene, conventions);
   constexpr int steps = 16;  // as four bits have numbers
-  chart.y_title = fmt::format("{}{}; thin lines: {} equal steps of it", z, unit > 0 ? " in units" : "", steps);
+  chart.y_title = fmt::format("{}{}", z, unit > 0 ? " in units" : "");
   chart.x_title = "z_v";
   chart.x_reach = {near, far}, chart.y_reach = {at(near).y, at(far).y};
   chart.now = {mark("near ", near), mark("far ", far)};
@@ -344,6 +345,7 @@ void draw_depth_curve(Ui& ui) {
     constexpr int points = 200;
     for (int k = 0; k <= points; ++k) line.points.push_back(at(near * portable::pow(far / near, 1.0 * k / points)));
     chart.lines.push_back(std::move(line));
+    chart.y_title += fmt::format("; thin lines: {} equal steps of it", steps);
     for (const double z_v : depths_to_mark(ui)) chart.now.push_back(mark("", z_v));
   } else {
     chart.led = {at(near), at(far)};

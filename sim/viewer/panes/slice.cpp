@@ -557,9 +557,9 @@ void draw_slice_of(Ui& ui, bool view) {
   std::vector<SliceMarker> markers = markers_of(ui, plot, slice, parts ? "A: " : "");
   if (parts)
     for (SliceMarker& marker : markers_of(ui, plot, lines.runs[1], "B: ")) markers.push_back(std::move(marker));
-  const Kept<Canvas>& base = *keep_canvas(ui.canvases, "slice lines", plot.width, plot.height, paint_slice, lines,
-                                          ui.session.scene(), ui.colors(), ui.thin);
-  Canvas& canvas = ui.canvases["slice"].made;
+  const Kept<Canvas>& base = *keep_canvas(ui.canvases, view ? "slice in z_v lines" : "slice lines", plot.width,
+                                          plot.height, paint_slice, lines, ui.session.scene(), ui.colors(), ui.thin);
+  Canvas& canvas = ui.canvases[view ? "slice in z_v" : "slice"].made;
   canvas = base.made;
   if (!two && plot.unit == 0) truth = view ? straight_depths(slice) : depths_on_plane(now, plot, slice);
   paint_true(canvas, plot, truth, ui.colors(), ui.thin);
