@@ -76,6 +76,7 @@ struct Stop {
   std::shared_ptr<const Trace> beside_run;  ///< it; set by resolve()
   int viewing_step = 0;                     ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
   std::optional<Trace::Pixel> pixel;        ///< that it follows: marked, with its line of sight, at whatever step
+  Marking pixels;                           ///< those of its steps in the whole run are framed meanwhile
   std::vector<std::int32_t> vertices;       ///< named in the scene meanwhile
   std::int32_t line = 0, text_line = 0;     ///< of the lesson's file
   std::int64_t position = 0;                ///< where the trace is when it speaks; set by resolve()

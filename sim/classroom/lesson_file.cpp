@@ -252,6 +252,11 @@ class Reader {
       stop.pixel = {numbers[0], numbers[1]};
       return;
     }
+    if (starts_with(text, "pixels:") && !value.empty()) {
+      stop.pixels.steps = value;
+      stop.pixels.steps_line = lines_.number();
+      return;
+    }
     if (starts_with(text, "vertices:") && !numbers.empty()) {
       stop.vertices = numbers;
       return;
@@ -266,8 +271,9 @@ class Reader {
     }
     lines_.fail(
         fmt::format("`{}` is left over in the anchor", text),
-        "after ; write `focus: edge-table` or another pane, `pixel: (12, 15)` or `vertices: 2 3` for what is to be "
-        "marked, `viewing: T_1` to T_4 for a step of viewing, or `beside: runs/first.jsonl` for another run's "
+        "after ; write `focus: edge-table` or another pane, `pixel: (12, 15)`, `pixels: compare where x == 3` or "
+        "`vertices: 2 3` for what is to be marked, `viewing: T_1` to T_4 for a step of viewing, or `beside: "
+        "runs/first.jsonl` for another run's "
         "picture");
   }
 

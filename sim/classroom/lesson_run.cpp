@@ -1,4 +1,5 @@
 // Running a lesson: its method on its scene, then its stops against the trace.
+#include <fmt/format.h>
 #include <set>
 
 #include "algorithms/catalog/catalog.hpp"
@@ -76,6 +77,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     if (stop.pixel && (stop.pixel->x >= scene.raster.width || stop.pixel->y >= scene.raster.height))
       throw InputError(place.str(), fmt::format("there is no pixel ({}, {})", stop.pixel->x, stop.pixel->y),
                        fmt::format("x is less than {}, y less than {}", scene.raster.width, scene.raster.height));
+    if (!stop.pixels.steps.empty()) resolve_marking(stop.pixels, replay, 0, file);
     for (const std::int32_t vertex : stop.vertices)
       if (vertex >= std::ssize(scene.points))
         throw InputError(place.str(), fmt::format("there is no vertex {}", vertex),

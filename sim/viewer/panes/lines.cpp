@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
 #include <tuple>
 
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/model/outside.hpp"
 #include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/outline_names.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/since_change.hpp"
@@ -216,7 +220,22 @@ void mark_lines(Ui& ui, ImVec2 origin, const RasterMap& map) {
   }
 }
 
-/// The edge at work with its vertices, the polygon that it is tested against, and where the two cross.
+/// The face that the edge at work is tested against and those that were found to hide a part of it; of a step that is
+/// about the edge itself, or about a face of its own, both that meet there.
+std::set<std::int32_t> faces_spoken_of(const Session& s, const LineRow& row) {
+  std::set<std::int32_t> faces{face_now(s.state().machine)};
+  for (const LineHide& hidden : row.hidden) faces.insert(hidden.facet);
+  const std::set<std::int32_t> own{row.entry.left_facet, row.entry.right_facet};
+  const auto* piece = s.event() ? get_if<LinePiece>(&s.event()->event) : nullptr;
+  const auto* against = s.event() ? get_if<LineAgainst>(&s.event()->event) : nullptr;
+  if ((s.event() && holds<LineBegin>(s.event()->event)) || (piece && !piece->visible && row.hidden.empty()) ||
+      (against && own.count(against->facet) > 0))
+    faces.insert(own.begin(), own.end());
+  return faces;
+}
+
+/// The edge at work with its vertices, the polygons that matter to it, and where it crosses the one that it is tested
+/// against.
 void name_line(Ui& ui, ImVec2 origin, const RasterMap& map) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
@@ -227,20 +246,23 @@ void name_line(Ui& ui, ImVec2 origin, const RasterMap& map) {
   const ImVec2 from = moved_by(origin, ends->x0, ends->y0), to = moved_by(origin, ends->x1, ends->y1);
   const glm::dvec2 way(ends->x1 - ends->x0, ends->y1 - ends->y0), side(way.y, -way.x);
   words.keep_line_free(from, to);
-  const std::int32_t facet = face_now(s.state().machine);
-  std::vector<ImVec2> corners;
-  glm::dvec2 middle(0);
-  if (facet >= 0 && facet < std::ssize(s.scene().facets)) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  std::map<std::int32_t, ImVec2> named;  // facets, by the middles of their outlines
+  for (const std::int32_t facet : faces_spoken_of(s, *row)) {
+    if (facet < 0 || facet >= std::ssize(s.scene().facets)) continue;
     const Facet& face = s.scene().facets[static_cast<std::size_t>(facet)];
+    std::vector<ImVec2> corners;
     for (std::int32_t k = 0; k < face.corner_count; ++k)
       if (const auto at = on_raster(s.scene(), s.state(), s.scene().corners[face.first_corner + k]))
         corners.push_back(moved_by(origin, map.px(at->x), map.py(at->y)));
+    ImVec2 middle(0, 0);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      words.keep_line_free(corners[k], corners[(k + 1) % corners.size()]);
+      middle.x += corners[k].x / to_float(corners.size()), middle.y += corners[k].y / to_float(corners.size());
+    }
+    stroke_lines(list, corners, c.selected, ui.thin, true);
+    if (!corners.empty()) named.emplace(facet, middle);
   }
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    words.keep_line_free(corners[k], corners[(k + 1) % corners.size()]);
-    middle += glm::dvec2(corners[k].x, corners[k].y) / static_cast<double>(corners.size());
-  }
-  ImDrawList* list = ImGui::GetWindowDrawList();
   const float radius = std::round(0.25f * ui.em);
   const auto* cross = s.event() ? get_if<LineCross>(&s.event()->event) : nullptr;
   const ImVec2 met = cross ? moved_by(origin, map.px(cross->x_at), map.py(cross->y_at)) : ImVec2();
@@ -255,10 +277,67 @@ void name_line(Ui& ui, ImVec2 origin, const RasterMap& map) {
   }
   words.beside(fmt::format("edge {}", row->entry.line), c.now, ui.fonts.bold, from, to, side);
   if (cross) words.around(fmt::format("t = {}", number(cross->t)), c.now, ui.fonts.text, met, side);
-  if (corners.empty()) return;
-  const float step = 1.4f * ui.em, x = static_cast<float>(middle.x), y = static_cast<float>(middle.y);
-  words.put(face_label(s.scene(), facet), c.text, ui.fonts.bold,
-            {{x, y}, {x, y - step}, {x, y + step}, {x - step, y}, {x + step, y}});
+  const float step = 1.4f * ui.em;
+  for (const auto& [facet, at] : named)
+    words.put(face_label(s.scene(), facet), c.text, ui.fonts.bold,
+              {at, {at.x, at.y - step}, {at.x, at.y + step}, {at.x - step, at.y}, {at.x + step, at.y}});
+  if (!s.event() || !holds<Saved>(s.event()->event)) return;
+  // The pieces that extents keep from being tested: those whose y lies apart from the edge's.
+  const auto a = on_raster(s.scene(), s.state(), row->entry.vertex_0),
+             b = on_raster(s.scene(), s.state(), row->entry.vertex_1);
+  const auto [low, high] = std::minmax(a->y, b->y);
+  std::vector<ExtentBar> bars{{fmt::format("edge {}", row->entry.line), low, high, c.now}};
+  for (const Piece& piece : s.state().machine.pieces)
+    if (piece.extent && (piece.extent->y_max < low || piece.extent->y_min > high))
+      bars.push_back({polygon_label(s.scene(), piece.polygon), piece.extent->y_min, piece.extent->y_max, c.selected});
+  constexpr std::size_t most_bars = 5;
+  if (bars.size() > 1 && bars.size() <= most_bars) draw_extents(ui, words, map, origin, true, bars);
+}
+
+/// Where edges between vertices that the lesson's stop names go through a face, joined face by face: lines that no
+/// polygon has as an edge.
+void mark_meetings(Ui& ui, ImVec2 origin, const RasterMap& map) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const std::vector<std::int32_t> vertices = s.vertices_looked_at();
+  WordPlaces words(ui, origin, moved_by(origin, map.box_width, map.box_height));
+  const auto is_named = [&](std::int32_t vertex) {
+    return std::find(vertices.begin(), vertices.end(), vertex) != vertices.end();
+  };
+  const auto at = [&](std::int32_t vertex) {
+    const auto found = on_raster(s.scene(), s.state(), vertex);
+    return found ? glm::dvec3(found->x, found->y, found->z) : glm::dvec3(0);
+  };
+  for (const Facet& face : s.scene().facets) {
+    std::vector<glm::dvec3> corners, met;
+    for (std::int32_t k = 0; k < face.corner_count; ++k)
+      corners.push_back(at(s.scene().corners[face.first_corner + k]));
+    if (vertices.empty() || corners.size() < 3) continue;
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    for (const auto& [from, to] : edges_of(s.scene())) {
+      if (!is_named(from) || !is_named(to)) continue;
+      const double d_0 = glm::dot(normal, at(from) - corners[0]), d_1 = glm::dot(normal, at(to) - corners[0]);
+      if (!(d_0 * d_1 < -1e-9 * (d_0 * d_0 + d_1 * d_1))) continue;
+      const glm::dvec3 place = at(from) + d_0 / (d_0 - d_1) * (at(to) - at(from));
+      bool inside = true;
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const glm::dvec3 side = corners[(k + 1) % corners.size()] - corners[k];
+        inside = inside && glm::dot(glm::cross(side, place - corners[k]), normal) >= 0;
+      }
+      if (inside) met.push_back(place);
+    }
+    if (met.size() != 2) continue;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImVec2 from = moved_by(origin, map.px(met[0].x), map.py(met[0].y)),
+                 to = moved_by(origin, map.px(met[1].x), map.py(met[1].y));
+    const glm::dvec2 way(to.x - from.x, to.y - from.y);
+    stroke_line(list, from, to, c.now, 3 * ui.thin);
+    words.keep_line_free(from, to);
+    for (const auto& [end, spot, out] : {std::tuple{met[0], from, -way}, {met[1], to, way}}) {
+      fill_circle(list, spot, std::round(0.25f * ui.em), c.now);
+      words.around(fmt::format("({}, {})", number(end.x), number(end.y)), c.now, ui.fonts.text, spot, out);
+    }
+  }
 }
 
 void draw_lines(Ui& ui) {
@@ -281,6 +360,7 @@ void draw_lines(Ui& ui) {
                                        {at.x + to_float(width), at.y + to_float(height)});
   mark_lines(ui, at, map);
   if (!ui.still) name_line(ui, at, map);
+  mark_meetings(ui, at, map);
   if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
   begin_part(ui, "intervals");

@@ -12,6 +12,7 @@
 #include "sim/viewer/panes/plan_frame.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/scene.hpp"
 
@@ -191,6 +192,32 @@ void draw_planes(const View& v) {
   stroke_dashed(v.list, a, b, v.c.now, 2.5f * v.ui.thin);
 }
 
+/// Which side of a plane that is found is the far one.
+void name_far_side(const View& v) {
+  const auto line = line_of(plane_of_node(v.m, v.node), v.section);
+  const bool speaks = v.s.event() && holds<PlaneEquation>(v.s.event()->event);
+  const Camera& camera = v.s.scene().camera;
+  if (!line || !speaks || v.s.at_rest() || camera.kind != Camera::Kind::perspective) return;
+  const auto ends = reach_of_line(v.m, v.node, v.section, v.frame);
+  if (!ends) return;
+  const glm::dvec2 normal(*line), way = (*ends)[1] - (*ends)[0];
+  const double eye = glm::dot(normal, v.section.flat(camera.eye)) + line->z;
+  if (eye == 0 || !(glm::length(way) > 0)) return;
+  for (const double sign : {1.0, -1.0}) {
+    const std::string name = sign > 0 ? "near side" : "far side";
+    const glm::dvec2 out = glm::normalize(normal) * (eye > 0 ? sign : -sign);
+    const ImVec2 size = text_size(v.ui, v.ui.fonts.text, name);
+    const double off = std::abs(out.x) * size.x / 2 + std::abs(out.y) * size.y / 2 + 0.5 * v.ui.em;
+    std::vector<ImVec2> middles;
+    const double length = glm::length(way), middle = glm::dot(v.frame.middle() - (*ends)[0], way) / length;
+    for (const double along : {-0.3, 0.3, -0.22, 0.22, -0.38, 0.38, 0.14, -0.14}) {
+      const double part = std::clamp(middle + along * v.frame.reach(), 0.0, length) / length;
+      middles.push_back(moved_by(v.frame.place((*ends)[0] + part * way), out.x * off, -out.y * off));
+    }
+    v.words->put(name, v.c.now, v.ui.fonts.text, middles);
+  }
+}
+
 /// + and − beside the first piece of the node at work.
 void draw_sides(const View& v) {
   const auto line = line_of(plane_of_node(v.m, v.node), v.section);
@@ -219,7 +246,7 @@ void draw_sides(const View& v) {
   }
 }
 
-/// The eye as a ring and a dot; at the border, with an arrow's length towards it, where it stands outside.
+/// The eye as a ring and a dot; where it stands outside, at the border, beside or below its place.
 void draw_the_eye(const View& v) {
   const Camera& camera = v.s.scene().camera;
   const bool screen = camera.kind == Camera::Kind::screen, far = screen || camera.kind == Camera::Kind::orthographic;
@@ -230,9 +257,10 @@ void draw_the_eye(const View& v) {
   const float margin = v.ui.em * 0.8f;
   const ImVec2 centre{v.frame.top.x + v.frame.size.x / 2, v.frame.top.y + v.frame.size.y / 2};
   const float wide = v.frame.size.x / 2 - margin, high = v.frame.size.y / 2 - margin;
-  const float beyond = std::max(std::abs(place.x - centre.x) / wide, std::abs(place.y - centre.y) / high);
-  const bool outside = beyond > 1;
-  if (outside) place = {centre.x + (place.x - centre.x) / beyond, centre.y + (place.y - centre.y) / beyond};
+  const ImVec2 seen{std::clamp(place.x, centre.x - wide, centre.x + wide),
+                    std::clamp(place.y, centre.y - high, centre.y + high)};
+  const bool outside = seen.x != place.x || seen.y != place.y;
+  place = seen;
   fill_circle(v.list, place, margin * 0.7f, v.c.pane);
   stroke_circle(v.list, place, margin * 0.7f, v.c.text, 2 * v.ui.thin);
   fill_circle(v.list, place, margin * 0.3f, v.c.text);
@@ -244,7 +272,38 @@ void draw_the_eye(const View& v) {
       for (std::size_t k = 0; k < points.size() && !piece.cut; ++k)
         v.words->keep_line_free(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]));
     }
-  v.words->around(text, v.c.text, v.ui.fonts.small, place, {1, 0});
+  const bool has_place = outside && !far && v.section.from_above();
+  if (!has_place ||
+      !v.words->around(fmt::format("eye at ({}, {}), further out", number(camera.eye.x), number(camera.eye.y)),
+                       v.c.text, v.ui.fonts.small, place, {1, 0}))
+    v.words->around(text, v.c.text, v.ui.fonts.small, place, {1, 0});
+}
+
+/// What the plane's equation gives at the vertex that is put into it, or at those of the piece that is held against it.
+void name_values(const View& v) {
+  if (!v.s.event() || v.s.at_rest()) return;
+  const Event& event = v.s.event_in_question() ? v.s.event_in_question()->event : v.s.event()->event;
+  const auto tell = [&](std::int32_t vertex, std::int32_t plane_of, bool by_name) {
+    const auto point = cutting_point(v.s.scene(), v.s.state(), vertex);
+    if (!point || plane_of < 0 || plane_of >= std::ssize(v.m.pieces) || !v.m.pieces[at(plane_of)].plane) return;
+    const PlaneEquation& plane = *v.m.pieces[at(plane_of)].plane;
+    const std::string value = number(glm::dot(normal_of(plane), *point) + plane.plane_d);
+    const ImVec2 dot = v.frame.place(v.section.flat(*point));
+    fill_circle(v.list, dot, std::round(0.25f * v.ui.em), v.c.now);
+    v.words->around(by_name ? fmt::format("vertex {}: {}", vertex_label(v.s.scene(), vertex), value) : value, v.c.now,
+                    v.ui.fonts.bold, dot, {1, 0});
+  };
+  if (const auto* one = get_if<VertexSide>(&event)) return tell(one->vertex, one->plane_of, true);
+  const auto* side = get_if<SideTest>(&event);
+  if (!side || side->piece < 0 || side->piece >= std::ssize(v.m.pieces)) return;
+  std::vector<glm::dvec2> told;  // upright walls have two vertices at one place
+  for (const std::int32_t vertex : v.m.pieces[at(side->piece)].outline) {
+    const auto point = cutting_point(v.s.scene(), v.s.state(), vertex);
+    const glm::dvec2 flat = point ? v.section.flat(*point) : glm::dvec2(0);
+    if (!point || std::find(told.begin(), told.end(), flat) != told.end()) continue;
+    told.push_back(flat);
+    tell(vertex, side->plane_of, false);
+  }
 }
 
 void draw_plan(Ui& ui) {
@@ -273,7 +332,9 @@ void draw_plan(Ui& ui) {
   draw_pieces(v);
   draw_new_vertex(v);
   draw_the_eye(v);
+  name_values(v);
   draw_sides(v);
+  name_far_side(v);
   v.list->PopClipRect();
 }
 
