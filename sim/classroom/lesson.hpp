@@ -95,6 +95,7 @@ struct Stop {
   std::string depths;                       ///< as written: z_v that are marked where depths are drawn over z_v
   std::vector<double> marked_depths;        ///< these; set by resolve()
   std::optional<Trace::Pixel> pixel;        ///< that it follows: marked, with its line of sight, at whatever step
+  Marking pixels;                           ///< those of its steps in the whole run are framed meanwhile
   std::vector<StopLabel> labels;
   std::string close;  ///< a polygon that the scene shows large, with the eye; mostly none
   std::optional<StopWindow> window;

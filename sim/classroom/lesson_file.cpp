@@ -258,6 +258,11 @@ class Reader {
       stop.pixel = {numbers[0], numbers[1]};
       return;
     }
+    if (starts_with(text, "pixels:") && !value.empty()) {
+      stop.pixels.steps = value;
+      stop.pixels.steps_line = lines_.number();
+      return;
+    }
     if (starts_with(text, "beside:") && !value.empty()) {
       stop.beside = value;
       if (stop.beside.find('=') != std::string::npos) return void(read_change(stop.beside, lines_.where(lines_.at)));
@@ -273,10 +278,10 @@ class Reader {
       return;
     }
     if (starts_with(text, "window:") && !value.empty()) return read_window(value, stop);
-    lines_.fail(
-        fmt::format("`{}` is left over in the anchor", text),
-        "after ; write `focus:`, `viewing:`, `depths:`, `pixel:`, `label:`, `close:`, `window:` or `beside:` as "
-        "docs/writing-a-lesson.md says");
+    lines_.fail(fmt::format("`{}` is left over in the anchor", text),
+                "after ; write `focus:`, `viewing:`, `depths:`, `pixel:`, `pixels:`, `label:`, `close:`, `window:` or "
+                "`beside:` as "
+                "docs/writing-a-lesson.md says");
   }
 
   /// "V_5, V_0 = 5, 4-5-6, V_01 = 0>1, U, plane = C"; of several lines after each other the first has the name.

@@ -130,6 +130,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     if (stop.pixel && (stop.pixel->x >= scene.raster.width || stop.pixel->y >= scene.raster.height))
       throw InputError(place.str(), fmt::format("there is no pixel ({}, {})", stop.pixel->x, stop.pixel->y),
                        fmt::format("x is less than {}, y less than {}", scene.raster.width, scene.raster.height));
+    if (!stop.pixels.steps.empty()) resolve_marking(stop.pixels, replay, 0, file);
     stop.names = names_in(stop.text, {file, stop.text_line});
     stop.text = filled(stop.text, stop.text_line);
     check_shown(stop, trace.scene(), place.str());

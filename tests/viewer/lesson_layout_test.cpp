@@ -219,6 +219,33 @@ TEST_CASE("another run stands beside the frame where the stop says so, and nowhe
   CHECK(beside == 8);
 }
 
+TEST_CASE("what a stop marks is seen in its picture, and not beyond the stop") {
+  int marked = 0;
+  for (Lesson& lesson : all_lessons()) {
+    if (std::none_of(lesson.stops.begin(), lesson.stops.end(), [](const Stop& stop) {
+          return stop.pixel || !stop.vertices.empty() || !stop.pixels.steps.empty();
+        }))
+      continue;
+    const Trace trace = run_lesson(lesson);
+    Lesson plain = lesson;
+    for (Stop& stop : plain.stops) stop.pixel.reset(), stop.vertices.clear(), stop.pixels.right.clear();
+    App marks(trace, &lesson, {}, 1280, 720), none(trace, &plain, {}, 1280, 720);
+    for (std::size_t k = 0; k < lesson.stops.size(); ++k) {
+      const Stop& stop = lesson.stops[k];
+      for (App* app : {&marks, &none}) app->session().to_stop(static_cast<int>(k)), app->settle();
+      CAPTURE(lesson.id);
+      CAPTURE(stop.heading);
+      const bool marks_any = stop.pixel || !stop.vertices.empty() || !stop.pixels.right.empty();
+      CHECK((marks.renderer().rgb() != none.renderer().rgb()) == marks_any);
+      marked += marks_any;
+      if (stop.pixel) CHECK(marks.session().cell_looked_at(true) == Cell{stop.pixel->x, stop.pixel->y});
+      marks.session().move(Unit::event, stop.position == trace.size() ? -1 : 1);
+      if (!marks.session().speaks()) CHECK(!marks.session().cell_looked_at(true));
+    }
+  }
+  CHECK(marked >= 15);
+}
+
 TEST_CASE("where formulas give way the one that the stop speaks of stays") {
   Lesson lesson = find_lesson("back-faces");
   const Trace trace = run_lesson(lesson);

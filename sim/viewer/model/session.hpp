@@ -74,6 +74,10 @@ class Session {
   /// The pixel that the reader looks at: the one that the lesson's stop names, that of the step in question, or else
   /// the current one; in a picture at which nothing is at work any more, only the first.
   std::optional<Cell> cell_looked_at(bool still = false) const;
+  /// Pixels that the lesson's stop speaks of, as y times the width + x.
+  std::vector<std::int32_t> pixels_spoken_of() const {
+    return stop_here() ? stop_here()->pixels.right : std::vector<std::int32_t>();
+  }
 
   // --- Lesson
   int stop() const { return stop_; }  ///< index of the stop that speaks, −1 before the first

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
 #include <tuple>
 
 #include "sim/viewer/draw/canvas.hpp"
@@ -224,7 +227,22 @@ void mark_lines(Ui& ui, ImVec2 origin, const RasterMap& map) {
   }
 }
 
-/// The edge at work with its vertices, the polygon that it is tested against, and where the two cross.
+/// The face that the edge at work is tested against and those that were found to hide a part of it; of a step that is
+/// about the edge itself, or about a face of its own, both that meet there.
+std::set<std::int32_t> faces_spoken_of(const Session& s, const LineRow& row) {
+  std::set<std::int32_t> faces{face_now(s.state().machine)};
+  for (const LineHide& hidden : row.hidden) faces.insert(hidden.facet);
+  const std::set<std::int32_t> own{row.entry.left_facet, row.entry.right_facet};
+  const auto* piece = s.event() ? get_if<LinePiece>(&s.event()->event) : nullptr;
+  const auto* against = s.event() ? get_if<LineAgainst>(&s.event()->event) : nullptr;
+  if ((s.event() && holds<LineBegin>(s.event()->event)) || (piece && !piece->visible && row.hidden.empty()) ||
+      (against && own.count(against->facet) > 0))
+    faces.insert(own.begin(), own.end());
+  return faces;
+}
+
+/// The edge at work with its vertices, the polygons that matter to it, and where it crosses the one that it is tested
+/// against.
 void name_line(Ui& ui, WordPlaces& words, ImVec2 origin, const RasterMap& map) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
@@ -234,20 +252,23 @@ void name_line(Ui& ui, WordPlaces& words, ImVec2 origin, const RasterMap& map) {
   const ImVec2 from = moved_by(origin, ends->x0, ends->y0), to = moved_by(origin, ends->x1, ends->y1);
   const glm::dvec2 way(ends->x1 - ends->x0, ends->y1 - ends->y0), side(way.y, -way.x);
   words.keep_line_free(from, to);
-  const std::int32_t facet = face_now(s.state().machine);
-  std::vector<ImVec2> corners;
-  glm::dvec2 middle(0);
-  if (facet >= 0 && facet < std::ssize(s.scene().facets)) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  std::map<std::int32_t, ImVec2> named;  // facets, by the middles of their outlines
+  for (const std::int32_t facet : faces_spoken_of(s, *row)) {
+    if (facet < 0 || facet >= std::ssize(s.scene().facets)) continue;
     const Facet& face = s.scene().facets[static_cast<std::size_t>(facet)];
+    std::vector<ImVec2> corners;
     for (std::int32_t k = 0; k < face.corner_count; ++k)
       if (const auto at = on_raster(s.scene(), s.state(), s.scene().corners[face.first_corner + k]))
         corners.push_back(moved_by(origin, map.px(at->x), map.py(at->y)));
+    ImVec2 middle(0, 0);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      words.keep_line_free(corners[k], corners[(k + 1) % corners.size()]);
+      middle.x += corners[k].x / to_float(corners.size()), middle.y += corners[k].y / to_float(corners.size());
+    }
+    stroke_lines(list, corners, c.selected, ui.thin, true);
+    if (!corners.empty()) named.emplace(facet, middle);
   }
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    words.keep_line_free(corners[k], corners[(k + 1) % corners.size()]);
-    middle += glm::dvec2(corners[k].x, corners[k].y) / static_cast<double>(corners.size());
-  }
-  ImDrawList* list = ImGui::GetWindowDrawList();
   const float radius = std::round(0.25f * ui.em);
   const auto* cross = s.event() ? get_if<LineCross>(&s.event()->event) : nullptr;
   const ImVec2 met = cross ? moved_by(origin, map.px(cross->x_at), map.py(cross->y_at)) : ImVec2();
@@ -262,10 +283,69 @@ void name_line(Ui& ui, WordPlaces& words, ImVec2 origin, const RasterMap& map) {
   }
   words.beside(fmt::format("edge {}", row->entry.line), c.now, ui.fonts.bold, from, to, side);
   if (cross) words.around(fmt::format("t = {}", number(cross->t)), c.now, ui.fonts.text, met, side);
-  if (corners.empty()) return;
-  const float step = 1.4f * ui.em, x = static_cast<float>(middle.x), y = static_cast<float>(middle.y);
-  words.put(face_label(s.scene(), facet), c.text, ui.fonts.bold,
-            {{x, y}, {x, y - step}, {x, y + step}, {x - step, y}, {x + step, y}});
+  const float step = 1.4f * ui.em;
+  for (const auto& [facet, at] : named)
+    words.put(face_label(s.scene(), facet), c.text, ui.fonts.bold,
+              {at, {at.x, at.y - step}, {at.x, at.y + step}, {at.x - step, at.y}, {at.x + step, at.y}});
+  if (!s.event() || !holds<Saved>(s.event()->event)) return;
+  // The pieces that extents keep from being tested: those whose y lies apart from the edge's.
+  const auto a = on_raster(s.scene(), s.state(), row->entry.vertex_0),
+             b = on_raster(s.scene(), s.state(), row->entry.vertex_1);
+  const auto [low, high] = std::minmax(a->y, b->y);
+  std::vector<ExtentBar> bars{{fmt::format("edge {}", row->entry.line), low, high, c.now}};
+  for (const Piece& piece : s.state().machine.pieces)
+    if (piece.extent && (piece.extent->y_max < low || piece.extent->y_min > high))
+      bars.push_back({polygon_label(s.scene(), piece.polygon), piece.extent->y_min, piece.extent->y_max, c.selected});
+  constexpr std::size_t most_bars = 5;
+  if (bars.size() > 1 && bars.size() <= most_bars) draw_extents(ui, words, map, origin, true, bars);
+}
+
+/// Where the edges of a polygon that the lesson's stop names go through another one that it names, joined: a line that
+/// no polygon has as an edge.
+void mark_meetings(Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 origin, const RasterMap& map) {
+  const Session& s = ui.session;
+  std::vector<std::vector<glm::dvec3>> faces;
+  for (const Facet& facet : s.scene().facets) {
+    const std::string name = polygon_label(s.scene(), facet.polygon);
+    if (std::none_of(stop.labels.begin(), stop.labels.end(), [&](const StopLabel& one) { return one.name == name; }))
+      continue;
+    faces.emplace_back();
+    for (std::int32_t k = 0; k < facet.corner_count; ++k)
+      if (const auto at = on_raster(s.scene(), s.state(), s.scene().corners[facet.first_corner + k]))
+        faces.back().emplace_back(at->x, at->y, at->z);
+  }
+  for (const std::vector<glm::dvec3>& face : faces) {
+    if (face.size() < 3) continue;
+    const auto side_of = [](const std::vector<glm::dvec3>& outline, std::size_t k) {
+      return std::pair(outline[k], outline[(k + 1) % outline.size()]);
+    };
+    const glm::dvec3 normal = glm::cross(face[1] - face[0], face[2] - face[0]);
+    for (const std::vector<glm::dvec3>& other : faces) {
+      std::vector<glm::dvec3> met;
+      for (std::size_t e = 0; e < other.size() && &other != &face; ++e) {
+        const auto [from, to] = side_of(other, e);
+        const double d_0 = glm::dot(normal, from - face[0]), d_1 = glm::dot(normal, to - face[0]);
+        if (!(d_0 * d_1 < -1e-9 * (d_0 * d_0 + d_1 * d_1))) continue;
+        const glm::dvec3 place = from + d_0 / (d_0 - d_1) * (to - from);
+        bool inside = true;
+        for (std::size_t k = 0; k < face.size(); ++k) {
+          const auto [a, b] = side_of(face, k);
+          inside = inside && glm::dot(glm::cross(b - a, place - a), normal) >= 0;
+        }
+        if (inside) met.push_back(place);
+      }
+      if (met.size() != 2) continue;
+      const ImVec2 from = moved_by(origin, map.px(met[0].x), map.py(met[0].y)),
+                   to = moved_by(origin, map.px(met[1].x), map.py(met[1].y));
+      const glm::dvec2 way(to.x - from.x, to.y - from.y);
+      stroke_line(ImGui::GetWindowDrawList(), from, to, ui.colors().now, 3 * ui.thin);
+      words.keep_line_free(from, to);
+      for (const auto& [end, spot, out] : {std::tuple{met[0], from, -way}, {met[1], to, way}}) {
+        fill_circle(ImGui::GetWindowDrawList(), spot, std::round(0.25f * ui.em), ui.colors().now);
+        words.around(fmt::format("({}, {})", number(end.x), number(end.y)), ui.colors().now, ui.fonts.text, spot, out);
+      }
+    }
+  }
 }
 
 void draw_lines(Ui& ui) {
@@ -289,7 +369,10 @@ void draw_lines(Ui& ui) {
   mark_lines(ui, at, map);
   WordPlaces words(ui, at, moved_by(at, map.box_width, map.box_height));
   if (!ui.still && !marks_lines(ui.moment())) name_line(ui, words, at, map);
-  if (const Stop* const stop = ui.moment().told(); stop) draw_stop_labels(ui, words, *stop, at, map);
+  if (const Stop* const stop = ui.moment().told(); stop) {
+    mark_meetings(ui, words, *stop, at, map);
+    draw_stop_labels(ui, words, *stop, at, map);
+  }
   if (beside) ImGui::SetCursorScreenPos({at.x + to_float(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + to_float(height)});
   begin_part(ui, "intervals");

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
+#include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/model/outside.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -113,6 +116,30 @@ void draw_stop_labels(const Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 
     fill_circle(list, from, std::round(0.2f * ui.em), c.now);
     for (const auto& [x, y] : {std::pair{1, -1}, {-1, -1}, {1, 1}, {-1, 1}})
       if (words.around(label.name, c.now, ui.fonts.bold, from, {x, y})) break;
+  }
+}
+
+void draw_extents(const Ui& ui, WordPlaces& words, const RasterMap& map, ImVec2 origin, bool of_y,
+                  const std::vector<ExtentBar>& bars) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const double right = map.left + map.width * map.cell, bottom = map.top + map.height * map.cell;
+  double away = 0.6 * ui.em;  // from the border
+  for (const ExtentBar& bar : bars) {
+    const auto place = [&](double at, bool across) {
+      return of_y ? moved_by(origin, across ? right : map.left + away, map.py(at))
+                  : moved_by(origin, map.px(at), across ? map.top : bottom - away);
+    };
+    const ImVec2 low = place(bar.low, false), high = place(bar.high, false);
+    stroke_line(list, low, high, bar.color, 4 * ui.thin);
+    words.keep_line_free(low, high);
+    const glm::dvec2 way(high.x - low.x, high.y - low.y), tick = of_y ? glm::dvec2(5, 0) : glm::dvec2(0, 5);
+    for (const auto& [value, at, out] : {std::tuple{bar.low, low, -way}, {bar.high, high, way}}) {
+      stroke_line(list, at, place(value, true), (bar.color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110), ui.thin);
+      stroke_line(list, moved_by(at, -tick.x, -tick.y), moved_by(at, tick.x, tick.y), bar.color, 2 * ui.thin);
+      words.around(number(value), bar.color, ui.fonts.small, at, out);
+    }
+    words.beside(bar.name, bar.color, ui.fonts.bold, low, high, of_y ? glm::dvec2(1, 0) : glm::dvec2(0, -1));
+    away += 1.6 * ui.em;
   }
 }
 

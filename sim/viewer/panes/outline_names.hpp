@@ -1,4 +1,4 @@
-// Names of polygons inside their outlines.
+// Names of polygons inside their outlines, and their extents along the raster.
 #pragma once
 
 #include <string>
@@ -20,5 +20,15 @@ void name_outlines(const Ui& ui, WordPlaces& words, ImVec2 origin, const std::ve
 
 /// Vertices, lines and polygons that the lesson's stop names, on the raster.
 void draw_stop_labels(const Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 origin, const RasterMap& map);
+
+struct ExtentBar {
+  std::string name;
+  double low, high;  ///< of the raster's x or y
+  ImU32 color;
+};
+/// Along the raster's lower border for x, along its left one for y, an interval each with the numbers of its ends, and
+/// from these thin lines across the raster.
+void draw_extents(const Ui& ui, WordPlaces& words, const RasterMap& map, ImVec2 origin, bool of_y,
+                  const std::vector<ExtentBar>& bars);
 
 }  // namespace zstep::viewer

@@ -230,6 +230,32 @@ void draw_planes(const View& v) {
   stroke_dashed(v.list, a, b, v.c.now, 2.5f * v.ui.thin);
 }
 
+/// Which side of a plane that is found is the far one.
+void name_far_side(const View& v) {
+  const auto line = line_of(plane_of_node(v.m, v.node), v.section);
+  const bool speaks = v.s.event() && holds<PlaneEquation>(v.s.event()->event);
+  const Camera& camera = v.s.scene().camera;
+  if (!line || !speaks || v.s.at_rest() || camera.kind != Camera::Kind::perspective) return;
+  const auto ends = reach_of_line(v.m, v.node, v.section, v.frame);
+  if (!ends) return;
+  const glm::dvec2 normal(*line), way = (*ends)[1] - (*ends)[0];
+  const double eye = glm::dot(normal, v.section.flat(camera.eye)) + line->z;
+  if (eye == 0 || !(glm::length(way) > 0)) return;
+  for (const double sign : {1.0, -1.0}) {
+    const std::string name = sign > 0 ? "near side" : "far side";
+    const glm::dvec2 out = glm::normalize(normal) * (eye > 0 ? sign : -sign);
+    const ImVec2 size = text_size(v.ui, v.ui.fonts.text, name);
+    const double off = std::abs(out.x) * size.x / 2 + std::abs(out.y) * size.y / 2 + 0.5 * v.ui.em;
+    std::vector<ImVec2> middles;
+    const double length = glm::length(way), middle = glm::dot(v.frame.middle() - (*ends)[0], way) / length;
+    for (const double along : {-0.3, 0.3, -0.22, 0.22, -0.38, 0.38, 0.14, -0.14}) {
+      const double part = std::clamp(middle + along * v.frame.reach(), 0.0, length) / length;
+      middles.push_back(moved_by(v.frame.place((*ends)[0] + part * way), out.x * off, -out.y * off));
+    }
+    v.words->put(name, v.c.now, v.ui.fonts.text, middles);
+  }
+}
+
 /// + and − beside the first piece of the node at work.
 void draw_sides(const View& v) {
   const auto line = line_of(plane_of_node(v.m, v.node), v.section);
@@ -270,39 +296,45 @@ std::optional<glm::dvec2> eye_in_plan(const View& v, const Camera& camera) {
   return far ? v.frame.middle() + towards * v.frame.reach() : towards;
 }
 
-/// An eye as a ring, that of the run with a dot in it; at the border, with an arrow's length towards it, where it
-/// stands outside.
 struct EyeMark {
   ImVec2 place;
-  std::string name;
+  std::vector<std::string> names;  ///< the first that has room
   bool its_own;
 };
-EyeMark draw_an_eye(const View& v, glm::dvec2 eye, std::string name, bool its_own) {
+
+/// An eye as a ring, that of the run with a dot in it; where it stands outside, at the border, beside or below its
+/// place.
+EyeMark draw_an_eye(const View& v, const Camera& camera, glm::dvec2 eye, const std::string& name, bool its_own) {
   ImVec2 place = v.frame.place(eye);
   const float margin = v.ui.em * 0.8f;
   const ImVec2 centre{v.frame.top.x + v.frame.size.x / 2, v.frame.top.y + v.frame.size.y / 2};
   const float wide = v.frame.size.x / 2 - margin, high = v.frame.size.y / 2 - margin;
-  const float beyond = std::max(std::abs(place.x - centre.x) / wide, std::abs(place.y - centre.y) / high);
-  if (beyond > 1) {
-    place = {centre.x + (place.x - centre.x) / beyond, centre.y + (place.y - centre.y) / beyond};
-    name += ", further out";
+  const ImVec2 seen{std::clamp(place.x, centre.x - wide, centre.x + wide),
+                    std::clamp(place.y, centre.y - high, centre.y + high)};
+  std::vector<std::string> names{name};
+  if (seen.x != place.x || seen.y != place.y) {
+    names = {name + ", further out"};
+    if (camera.kind == Camera::Kind::perspective && v.section.from_above())
+      names.insert(names.begin(),
+                   fmt::format("{} at ({}, {}), further out", name, number(camera.eye.x), number(camera.eye.y)));
   }
+  place = seen;
   const ImU32 color = its_own ? v.c.text : v.c.muted;
   fill_circle(v.list, place, margin * 0.7f, v.c.pane);
   stroke_circle(v.list, place, margin * 0.7f, color, 2 * v.ui.thin);
   if (its_own) fill_circle(v.list, place, margin * 0.3f, color);
   v.words->taken.take({place.x - margin, place.y - margin}, {2 * margin, 2 * margin});
-  return {place, std::move(name), its_own};
+  return {place, std::move(names), its_own};
 }
 
 std::vector<EyeMark> draw_eyes(const View& v) {
   std::vector<EyeMark> marks;
   const std::vector<const Camera*> others = v.ui.moment().other_eyes();
   if (const auto eye = eye_in_plan(v, v.s.scene().camera))
-    marks.push_back(draw_an_eye(v, *eye, others.empty() ? "eye" : "eye 1", true));
+    marks.push_back(draw_an_eye(v, v.s.scene().camera, *eye, others.empty() ? "eye" : "eye 1", true));
   for (std::size_t k = 0; k < others.size(); ++k)
     if (const auto other = eye_in_plan(v, *others[k]))
-      marks.push_back(draw_an_eye(v, *other, fmt::format("eye {}", k + 2), false));
+      marks.push_back(draw_an_eye(v, *others[k], *other, fmt::format("eye {}", k + 2), false));
   return marks;
 }
 
@@ -315,7 +347,8 @@ void name_eyes(const View& v, const std::vector<EyeMark>& marks) {
         v.words->keep_line_free(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]));
     }
   for (const EyeMark& mark : marks)
-    v.words->around(mark.name, mark.its_own ? v.c.text : v.c.muted, v.ui.fonts.small, mark.place, {1, 0});
+    for (const std::string& name : mark.names)
+      if (v.words->around(name, mark.its_own ? v.c.text : v.c.muted, v.ui.fonts.small, mark.place, {1, 0})) break;
 }
 
 /// Where a side of a plane is not reached: all that the eye can see, and how near its corners come to the plane.
@@ -341,6 +374,33 @@ void draw_what_is_seen(const View& v) {
   }
   v.words->beside("view volume", v.c.muted, v.ui.fonts.small, place(near[0]), place(near[0] + 0.3 * (end[0] - near[0])),
                   {-1, 0});
+}
+
+/// What the plane's equation gives at the vertex that is put into it, or at those of the piece that is held against it.
+void name_values(const View& v) {
+  if (!v.s.event() || v.s.at_rest()) return;
+  const Event& event = v.s.event_in_question() ? v.s.event_in_question()->event : v.s.event()->event;
+  const auto tell = [&](std::int32_t vertex, std::int32_t plane_of, bool by_name) {
+    const auto point = cutting_point(v.s.scene(), v.s.state(), vertex);
+    if (!point || plane_of < 0 || plane_of >= std::ssize(v.m.pieces) || !v.m.pieces[at(plane_of)].plane) return;
+    const PlaneEquation& plane = *v.m.pieces[at(plane_of)].plane;
+    const std::string value = number(glm::dot(normal_of(plane), *point) + plane.plane_d);
+    const ImVec2 dot = v.frame.place(v.section.flat(*point));
+    fill_circle(v.list, dot, std::round(0.25f * v.ui.em), v.c.now);
+    v.words->around(by_name ? fmt::format("vertex {}: {}", vertex_label(v.s.scene(), vertex), value) : value, v.c.now,
+                    v.ui.fonts.bold, dot, {1, 0});
+  };
+  if (const auto* one = get_if<VertexSide>(&event)) return tell(one->vertex, one->plane_of, true);
+  const auto* side = get_if<SideTest>(&event);
+  if (!side || side->piece < 0 || side->piece >= std::ssize(v.m.pieces)) return;
+  std::vector<glm::dvec2> told;  // upright walls have two vertices at one place
+  for (const std::int32_t vertex : v.m.pieces[at(side->piece)].outline) {
+    const auto point = cutting_point(v.s.scene(), v.s.state(), vertex);
+    const glm::dvec2 flat = point ? v.section.flat(*point) : glm::dvec2(0);
+    if (!point || std::find(told.begin(), told.end(), flat) != told.end()) continue;
+    told.push_back(flat);
+    tell(vertex, side->plane_of, false);
+  }
 }
 
 void draw_plan(Ui& ui) {
@@ -372,7 +432,9 @@ void draw_plan(Ui& ui) {
   draw_new_vertex(v);
   name_eyes(v, eyes);
   draw_what_is_seen(v);
+  name_values(v);
   draw_sides(v);
+  name_far_side(v);
   v.list->PopClipRect();
 }
 

@@ -518,6 +518,9 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional
     frame_cell(ui, map, origin, *s.selected, small + 1, 2, c.selected);
     frame_cell(ui, map, origin, *s.selected, small + 4, 1, c.selected);
   }
+  const std::int32_t width = s.scene().raster.width;
+  for (const std::int32_t pixel : s.pixels_spoken_of())
+    frame_cell(ui, map, origin, {pixel % width, pixel / width}, small, 3, c.now);
   if (const auto now = s.cell_looked_at(ui.still)) {
     frame_cell(ui, map, origin, *now, small + 2, 3, c.now);
     frame_cell(ui, map, origin, *now, small - 1, 1, ui.colors().pane);

@@ -79,7 +79,7 @@ class Plan {
   void show_rays(const Scene& scene) {
     const Camera& camera = scene.camera;
     if (camera.kind != Camera::Kind::perspective) return;
-    const glm::dvec2 least = low_, most = high_, more = 0.25 * (high_ - low_);
+    const glm::dvec2 least = low_, most = high_, more = 0.05 * (high_ - low_);
     double deepest = 0;
     for (const glm::dvec3& point : scene.points)
       deepest = std::max(deepest, (glm::dmat3(camera.view) * (point - camera.eye)).z);
@@ -386,21 +386,27 @@ void draw_arrow(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 color, float thi
   }
 }
 
-/// Where a ray is mirrored or transmitted: the normal N and the directions D and R or T, with their angles to it.
+/// Where a ray is mirrored or transmitted: the normal N and the directions D and R or T, with their angles to it; where
+/// one meets what may do so, the hit X with D and N.
 void draw_law(const Ui& ui, const Plan& plan, WordPlaces& words) {
   const Session& s = ui.session;
   const RayBegin* ray = s.event() ? get_if<RayBegin>(&s.event()->event) : nullptr;
-  if (!ray || (ray->role != RayRole::reflected && ray->role != RayRole::transmitted)) return;
-  const auto& tree = s.state().machine.rays.tree;
-  const auto parent =
-      std::find_if(tree.begin(), tree.end(), [&](const RayRow& row) { return row.entry.ray == ray->parent; });
-  if (parent == tree.end()) return;
-  const glm::dvec3 hit(ray->x_0, ray->y_0, ray->z_0), goes(ray->dir_x, ray->dir_y, ray->dir_z),
-      came(parent->entry.dir_x, parent->entry.dir_y, parent->entry.dir_z);
+  const RayWork& work = s.state().machine.rays;
+  const RayHit* met = s.event() ? get_if<RayHit>(&s.event()->event) : nullptr;
+  if (met && (!met->nearest || !records<ColorWrite>(s.header()))) met = nullptr;
+  if (!met && (!ray || (ray->role != RayRole::reflected && ray->role != RayRole::transmitted))) return;
+  const auto arrives = std::find_if(work.tree.begin(), work.tree.end(), [&](const RayRow& row) {
+    return row.entry.ray == (ray ? ray->parent : work.ray.value_or(-1));
+  });
+  if (arrives == work.tree.end()) return;
+  const glm::dvec3 came(arrives->entry.dir_x, arrives->entry.dir_y, arrives->entry.dir_z);
+  const glm::dvec3 hit =
+      ray ? glm::dvec3(ray->x_0, ray->y_0, ray->z_0) : glm::dvec3(met->x_hit, met->y_hit, met->z_hit);
+  const glm::dvec3 goes = ray ? glm::dvec3(ray->dir_x, ray->dir_y, ray->dir_z) : -came;
   if (!(glm::length(goes) > 0) || !(glm::length(came) > 0)) return;
   const auto normal = normal_at(s.scene(), hit, came);
   if (!normal) return;
-  const bool mirrored = ray->role == RayRole::reflected;
+  const bool mirrored = !ray || ray->role == RayRole::reflected;
   const glm::dvec3 out = glm::normalize(goes), back = -glm::normalize(came), side = mirrored ? *normal : -*normal;
   const ImVec2 foot = plan.place(hit);
   const Theme& c = ui.colors();
@@ -415,9 +421,12 @@ void draw_law(const Ui& ui, const Plan& plan, WordPlaces& words) {
   if (!mirrored) stroke_dashed(list, foot, tip_of(side, 3.5), c.muted, 1.5f * ui.thin);
   draw_arrow(list, foot, tip_of(*normal, 3.5), c.text, ui.thin);
   draw_arrow(list, tip_of(back, 5), foot, c.text, ui.thin);
-  draw_arrow(list, foot, tip_of(out, 3), c.now, ui.thin);
   name("N", tip_of(*normal, 3.5), c.text);
   name("D", tip_of(back, 5), c.text);
+  words.keep_line_free(foot, tip_of(*normal, 3.5));
+  words.keep_line_free(foot, tip_of(back, 5));
+  if (!ray) return name("X", tip_of(-*normal, 0.4), c.now);
+  draw_arrow(list, foot, tip_of(out, 3), c.now, ui.thin);
   name(mirrored ? "R" : "T", tip_of(out, 3), c.now);
   int which = 0;
   for (const auto& [from, to] : {std::pair{*normal, back}, {side, out}}) {

@@ -157,7 +157,23 @@ void draw_through_the_eye(Ui& ui, int width, int height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(shown.made), at,
                                        {at.x + to_float(width), at.y + to_float(height)});
-  name_polygons(ui, map, at, label_pair(ui, map, at));
+  TakenPlaces taken = label_pair(ui, map, at);
+  if (const auto* test = s.event() ? get_if<ExtentTest>(&s.event()->event) : nullptr; test && test->axis != Axis::z) {
+    const Theme& c = ui.colors();
+    WordPlaces words(ui, at, moved_by(at, width, height), std::move(taken));
+    for (const auto& [number, color] : {std::pair{test->piece, c.now}, {test->other, c.selected}}) {
+      const auto& pieces = s.state().machine.pieces;
+      if (number < 0 || number >= std::ssize(pieces) || !pieces[static_cast<std::size_t>(number)].extent) continue;
+      const Extent& box = *pieces[static_cast<std::size_t>(number)].extent;
+      const ImVec2 a = moved_by(at, map.px(box.x_min), map.py(box.y_min)),
+                   b = moved_by(at, map.px(box.x_max), map.py(box.y_max));
+      frame_box(ui, {std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}, color, 1);
+    }
+    draw_extents(ui, words, map, at, test->axis == Axis::y,
+                 {{"P", test->low, test->high, c.now}, {"Q", test->other_low, test->other_high, c.selected}});
+    taken = std::move(words.taken);
+  }
+  name_polygons(ui, map, at, std::move(taken));
 }
 
 void draw_scene(Ui& ui) {

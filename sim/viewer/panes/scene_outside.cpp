@@ -152,24 +152,28 @@ TakenPlaces label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   if (!m.pair || m.list.empty()) return taken;
+  WordPlaces words(ui, origin, moved_by(origin, map.box_width, map.box_height));
+  const auto outline_of = [&](const Piece& piece) {
+    std::vector<ImVec2> outline;
+    for (const std::int32_t vertex : piece.outline)
+      if (const auto corner = on_raster(s.scene(), s.state(), vertex))
+        outline.push_back(moved_by(origin, map.px(corner->x), map.py(corner->y)));
+    return outline;
+  };
+  for (const Piece& piece : m.pieces) {
+    const std::vector<ImVec2> outline = outline_of(piece);
+    for (std::size_t k = 0; k < outline.size(); ++k)
+      words.keep_line_free(outline[k], outline[(k + 1) % outline.size()]);
+  }
   for (const auto& [number, letter] : {std::pair{m.pair->other, "Q"}, {m.pair->piece, "P"}}) {
     if (number < 0 || number >= std::ssize(m.pieces)) continue;
-    double left = map.box_width, right = 0, top = map.box_height;
-    for (const std::int32_t vertex : m.pieces[number].outline) {
-      const auto corner = on_raster(s.scene(), s.state(), vertex);
-      if (!corner) continue;
-      left = std::min(left, map.px(corner->x));
-      right = std::max(right, map.px(corner->x));
-      top = std::min(top, map.py(corner->y));
-    }
-    const ImVec2 size = text_size(ui, ui.fonts.bold, letter);
-    const float beside = *letter == 'P' ? static_cast<float>(left) - size.x - 6 : static_cast<float>(right) + 6;
-    const ImVec2 at{origin.x + std::clamp(beside, 2.0f, to_float(map.box_width) - size.x - 2),
-                    origin.y + std::max(0.0f, static_cast<float>(top))};
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}, c.pane);
-    draw_text(ui, at, ui.fonts.bold, c.text, letter);
-    taken.take({at.x - 2, at.y}, {size.x + 4, size.y});
+    const std::vector<ImVec2> outline = outline_of(m.pieces[number]);
+    glm::dvec2 middle(0);
+    for (const ImVec2 corner : outline) middle += glm::dvec2(corner.x, corner.y) / static_cast<double>(outline.size());
+    for (const ImVec2 corner : outline)
+      if (words.around(letter, c.text, ui.fonts.bold, corner, {corner.x - middle.x, corner.y - middle.y})) break;
   }
+  taken = std::move(words.taken);
   const auto* overlap = s.event() ? get_if<OverlapTest>(&s.event()->event) : nullptr;
   if (!overlap || !overlap->overlap) return taken;
   const ImVec2 at = moved_by(origin, map.px(overlap->x_at), map.py(overlap->y_at));

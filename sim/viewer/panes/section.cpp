@@ -122,11 +122,25 @@ void draw_piece(View& v, std::int32_t which, const std::vector<Corner>& corners,
     numbered.push_back(corner.at);
     const ImVec2 at = v.frame.place(corner.at);
     const float side = corner.at.x < middle.x ? -1.0f : 1.0f;
-    v.words.put(number(corner.value, 2, true), v.c.text, v.ui.fonts.mono,
-                {{at.x + side * 2.2f * em, at.y},
-                 {at.x, at.y - 1.1f * em},
-                 {at.x, at.y + 1.1f * em},
-                 {at.x - side * 2.2f * em, at.y}});
+    const std::string value = number(corner.value);
+    const float off = side * (0.7f * em + text_size(v.ui, v.ui.fonts.mono, value).x / 2);
+    v.words.put(value, v.c.text, v.ui.fonts.mono,
+                {{at.x + off, at.y}, {at.x, at.y - 1.1f * em}, {at.x, at.y + 1.1f * em}, {at.x - off, at.y}});
+  }
+  const StepInfo* step = v.s.event() ? find_step(v.s.header().page, v.s.event()->step) : nullptr;
+  const bool splits = step && (!holds<SideTest>(v.s.event()->event) || step->name == "split");
+  numbered.clear();
+  for (std::size_t k = 0; k < corners.size() && tested && splits; ++k) {  // where it is cut
+    const Corner &a = corners[k], &b = corners[(k + 1) % corners.size()];
+    if (!(a.value * b.value < 0)) continue;
+    const glm::dvec2 crossing = a.at + a.value / (a.value - b.value) * (b.at - a.at);
+    const auto same = [&](glm::dvec2 p) { return glm::length(p - crossing) * v.frame.scale < 1; };
+    if (std::any_of(numbered.begin(), numbered.end(), same)) continue;
+    numbered.push_back(crossing);
+    const ImVec2 zero = v.frame.place(crossing);
+    fill_circle(v.list, zero, 0.3f * em, v.c.pane);
+    stroke_circle(v.list, zero, 0.3f * em, v.c.now, 2 * v.ui.thin);
+    v.words.put("0", v.c.now, v.ui.fonts.mono, {{zero.x + 1.2f * em, zero.y}, {zero.x - 1.2f * em, zero.y}});
   }
   const ImVec2 centre = v.frame.place(middle);
   const float down = middle.y < outwards.y ? 1.0f : -1.0f;

@@ -173,6 +173,11 @@ std::vector<SliceMarker> markers_of(Ui& ui, const SlicePlot& plot, const Slice& 
     if (compare->written) {
       markers.push_back({plot.x(compare->x), plot.y(compare->z), diamond, true,
                          fmt::format("{}{} {}", run, name(compare->polygon, "new"), number(plot.shown(compare->z)))});
+      // Painted over without a compare.
+      if (!compare->nearer && compare->stored_polygon != no_polygon && std::isfinite(compare->stored))
+        markers.push_back(
+            {plot.x(compare->x), plot.y_stored(compare->stored, slice.empty), square, false,
+             fmt::format("{}{} {}", run, name(compare->stored_polygon, ""), number(plot.shown(compare->stored)))});
       return markers;
     }
     markers.push_back({plot.x(compare->x), plot.y(compare->z), diamond, compare->nearer,
