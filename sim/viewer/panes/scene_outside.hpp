@@ -23,8 +23,8 @@ bool pick_parts(Ui& ui, const Room& room, const Picture& seen, ImVec2 size, ImVe
 std::int32_t piece_shown(const Moment& now);
 /// Over the wireframe.
 void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin);
-/// P and Q, each with its letter at a vertex of its own; and where their projections were found to overlap. The places that
-/// these take.
+/// P and Q, each with its letter at a vertex of its own; and where their projections were found to overlap. The places
+/// that these take.
 TakenPlaces label_pair(Ui& ui, const RasterMap& map, ImVec2 origin);
 
 /// Whether the scene is seen so: as the reader chose; else unless pieces are compared on the raster, as in depth sort,
