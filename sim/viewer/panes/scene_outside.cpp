@@ -160,8 +160,9 @@ TakenPlaces label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
         outline.push_back(moved_by(origin, map.px(corner->x), map.py(corner->y)));
     return outline;
   };
-  for (const Piece& piece : m.pieces) {
-    const std::vector<ImVec2> outline = outline_of(piece);
+  for (const std::int32_t number : {m.pair->other, m.pair->piece}) {
+    const auto outline =
+        number >= 0 && number < std::ssize(m.pieces) ? outline_of(m.pieces[number]) : std::vector<ImVec2>();
     for (std::size_t k = 0; k < outline.size(); ++k)
       words.keep_line_free(outline[k], outline[(k + 1) % outline.size()]);
   }
