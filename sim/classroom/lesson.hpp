@@ -61,6 +61,16 @@ struct SpeakerNotes {
   std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
 };
 
+/// A run whose picture, at its end, a stop shows too: one that was recorded, or one of another scene or changed.
+struct RunBeside {
+  std::string file;  ///< from the lesson's folder: a recording (.jsonl) or a scene; empty: the lesson's own scene
+  std::vector<std::string> changes{};  ///< "depth = pseudodepth", as far as it is not a recording
+  std::shared_ptr<const Trace> run{};  ///< set by resolve()
+
+  /// What it is called, in a few words: its changes, else its file.
+  std::string name() const;
+};
+
 /// One stop of the narration.
 struct Stop {
   std::string heading;
@@ -69,15 +79,14 @@ struct Stop {
   std::optional<Task> task;
   std::optional<Marking> marking;  ///< at most one of the three
   std::optional<SpeakerNotes> notes;
-  std::vector<std::string> names;           ///< that stand alone in braces of its text, fields of its step among them
-  std::string anchor;                       ///< as written in the file: step name and condition
-  std::string focus;                        ///< the pane that leads meanwhile, as the viewer calls it; mostly none
-  std::string beside;                       ///< path from the lesson's folder: a run whose final picture is shown, too
-  std::shared_ptr<const Trace> beside_run;  ///< it; set by resolve()
-  int viewing_step = 0;                     ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
-  std::int32_t line = 0, text_line = 0;     ///< of the lesson's file
-  std::int64_t position = 0;                ///< where the trace is when it speaks; set by resolve()
-  std::int64_t event = 0;                   ///< of the step that it is about, before which it may speak; 0: of none
+  std::vector<std::string> names;        ///< that stand alone in braces of its text, fields of its step among them
+  std::string anchor;                    ///< as written in the file: step name and condition
+  std::string focus;                     ///< the pane that leads meanwhile, as the viewer calls it; mostly none
+  std::vector<RunBeside> beside;         ///< one, shown beside the frame, or two, shown instead of it
+  int viewing_step = 0;                  ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
+  std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
+  std::int64_t position = 0;             ///< where the trace is when it speaks; set by resolve()
+  std::int64_t event = 0;                ///< of the step that it is about, before which it may speak; 0: of none
 };
 
 /// What a lesson may change about its scene's conventions. Unset: as the scene has them.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "algorithms/catalog/changes.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
 #include "sim/classroom/anchor.hpp"
 #include "sim/classroom/evaluate.hpp"
@@ -218,6 +219,28 @@ class Reader {
   }
 
  private:
+  /// "runs/first.jsonl", "bias = 0, pcf = 1" or "scenes/foot.toml, bias = 0".
+  RunBeside read_beside(std::string_view text) const {
+    RunBeside beside;
+    while (!text.empty()) {
+      const std::size_t comma = std::min(text.find(','), text.size());
+      const std::string part(trim(text.substr(0, comma)));
+      text.remove_prefix(std::min(comma + 1, text.size()));
+      if (part.find('=') != std::string::npos) {
+        read_change(part, lines_.where(lines_.at) + ":");
+        beside.changes.push_back(part);
+        continue;
+      }
+      std::error_code unreadable;
+      if (!beside.file.empty() || !std::filesystem::is_regular_file(lesson_.path.parent_path() / part, unreadable))
+        lines_.fail(
+            fmt::format("there is no run `{}`", part),
+            "give a change as `beside: bias = 0`, or the path of a scene or of a .jsonl from the lesson's folder");
+      beside.file = part;
+    }
+    return beside;
+  }
+
   /// What a stop shows, as "focus: edge-table", "viewing: T_2" or "beside: runs/first.jsonl".
   void read_shown(std::string_view text, Stop& stop) const {
     const std::string_view value = trim(text.substr(std::min(text.size(), text.find(':') + 1)));
@@ -232,11 +255,8 @@ class Reader {
       return;
     }
     if (starts_with(text, "beside:") && !value.empty()) {
-      stop.beside = value;
-      std::error_code unreadable;
-      if (!std::filesystem::is_regular_file(lesson_.path.parent_path() / stop.beside, unreadable))
-        lines_.fail(fmt::format("there is no run `{}`", stop.beside),
-                    "give the path of its .jsonl from the lesson's folder, `beside: runs/first.jsonl`");
+      if (stop.beside.size() == 2) lines_.fail("a third run beside", "show two at most");
+      stop.beside.push_back(read_beside(value));
       return;
     }
     lines_.fail(fmt::format("`{}` is left over in the anchor", text),

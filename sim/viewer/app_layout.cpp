@@ -12,6 +12,7 @@
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/panes/workspace.hpp"
+#include "sim/viewer/stage.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -310,18 +311,40 @@ void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
     draw_pane(panes[k], at, {size.x, heights[k - 1]});
 }
 
-/// The run whose picture a stop of the lesson shows beside its own, at its end; nullptr where it shows none.
-Ui* App::run_beside() {
+/// The runs whose pictures the stop of the lesson shows, one beside its own, or two instead of it: their frames at
+/// their ends, their slices at this moment.
+std::vector<Ui*> App::runs_beside() {
   const Lesson* lesson = session_.lesson();
-  const Trace* run = lesson && session_.stop() >= 0 ? lesson->stops[session_.stop()].beside_run.get() : nullptr;
-  if (!run) beside_.reset();
-  else if (!beside_ || &beside_->session.trace() != run) {
-    beside_ = std::make_unique<Beside>(*run, renderer_);
-    beside_->session.go_to(run->size());
-    beside_->ui.asks = false, beside_->ui.still = true;
+  static const std::vector<RunBeside> none;
+  const std::vector<RunBeside>& shown = lesson && session_.stop() >= 0 ? lesson->stops[session_.stop()].beside : none;
+  beside_.resize(shown.size());
+  std::vector<Ui*> looks;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    std::unique_ptr<Beside>& one = beside_[k];
+    if (!one || &one->session.trace() != shown[k].run.get()) one = std::make_unique<Beside>(*shown[k].run, renderer_);
+    const std::int64_t at = lead() == slice_pane.id ? session_.position() : -1;
+    if (one->at != at || one->session.position() == 0)
+      one->session.go_to(at < 0 ? shown[k].run->size() : moment_in(*shown[k].run, moment_of(session_)).step);
+    one->at = at;
+    one->ui.asks = false, one->ui.still = at < 0;
+    looks.push_back(&one->ui);
+    share_look(one->ui);
   }
-  if (beside_) share_look(beside_->ui);
-  return beside_ ? &beside_->ui : nullptr;
+  return looks;
+}
+
+void App::draw_runs_beside(ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 second) {
+  const std::vector<Ui*> others = runs_beside();
+  const std::vector<RunBeside>& runs = session_.lesson()->stops[session_.stop()].beside;
+  const bool slices = lead() == slice_pane.id;
+  const Pane& pane = slices ? slice_pane : frame_pane;
+  const auto draw = [&](std::size_t k, ImVec2 place, ImVec2 size) {
+    const char* what = slices ? "ANOTHER RUN, HERE" : "ANOTHER RUN, AT ITS END";
+    draw_beside(*others[k], pane, fmt::format("{}: {}", what, runs[k].name()), place, size);
+  };
+  if (others.size() == 1) draw_on_stage(pane, at, first, true);
+  else draw(0, at, first);
+  draw(others.size() - 1, second_at, second);
 }
 
 /// A lesson, and whatever is shown to a class: one large picture, or two that belong together, and beside it what the
@@ -331,7 +354,7 @@ Ui* App::run_beside() {
 void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   constexpr float low_row = 11;  // in em
   std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
-  Ui* const other = run_beside();
+  const bool other = !runs_beside().empty();
   if (other) leading = {frame_pane, frame_pane};
   else if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   float& share = settings_.layout.lesson;
@@ -352,10 +375,7 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   }
   if (other) {
     const float first = std::round((stage.x - gap) * settings_.layout.frame);
-    const std::string title =
-        fmt::format("ANOTHER RUN, AT ITS END: {}", session_.lesson()->stops[session_.stop()].beside);
-    draw_on_stage(frame_pane, at, {first, stage.y}, true);
-    draw_beside(*other, frame_pane, title, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
+    draw_runs_beside(at, {first, stage.y}, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
     stage_at_ = {at, stage}, leading_ = {frame_pane};
   } else {
     draw_leading(leading, at, stage);
@@ -602,6 +622,14 @@ std::optional<std::size_t> App::draw_names(const std::vector<Pane>& panes, std::
 
 /// What leads, under its name.
 void App::draw_small_stage(ImVec2 at, ImVec2 names, ImVec2 size) {
+  // Two pictures have the room of one and of the names, where each is still large enough to be read.
+  const ImVec2 both{size.x, size.y + names.y}, half{std::floor(both.x / 2), std::floor(both.y / 2)};
+  const bool wide = both.x >= both.y;
+  const ImVec2 each{wide ? half.x : both.x, wide ? both.y : half.y};
+  if (drawer_ == Drawer::none && !runs_beside().empty() && std::min(each.x, each.y) >= 9 * ui_.em) {
+    stage_at_ = {at, both};
+    return draw_runs_beside(at, each, {wide ? at.x + half.x : at.x, wide ? at.y : at.y + half.y}, each);
+  }
   const std::vector<Pane> panes = stage_panes(session_.header());
   // What is asked is asked of pixels.
   const std::string leads = !lead().empty()           ? lead()
