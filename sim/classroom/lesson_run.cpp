@@ -50,7 +50,7 @@ Trace run_beside(const Lesson& lesson, const RunBeside& beside, const Trace& own
   Conventions conventions = own.header().conventions;
   if (!beside.file.empty()) {
     SceneFile other = load_scene(scene_path(lesson, beside.file));
-    conventions = with_options(other.conventions, lesson.conventions);
+    conventions = other.conventions;
     prepare_for_shade(other, conventions);
     scene = look_at_scene(std::move(other.scene), {});
   }

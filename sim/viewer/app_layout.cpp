@@ -339,8 +339,10 @@ void App::draw_runs_beside(ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 sec
   const bool slices = lead() == slice_pane.id;
   const Pane& pane = slices ? slice_pane : frame_pane;
   const auto draw = [&](std::size_t k, ImVec2 place, ImVec2 size) {
-    const char* what = slices ? "ANOTHER RUN, HERE" : "ANOTHER RUN, AT ITS END";
-    draw_beside(*others[k], pane, fmt::format("{}: {}", what, runs[k].name()), place, size);
+    const float room = std::floor(size.x) - std::ceil(1.1f * ui_.em);
+    std::string title = fmt::format("ANOTHER RUN, {}: {}", slices ? "HERE" : "AT ITS END", runs[k].name());
+    if (text_size(ui_, ui_.fonts.small, title).x > room) title = fitted(ui_, ui_.fonts.small, runs[k].name(), room);
+    draw_beside(*others[k], pane, title, place, size);
   };
   if (others.size() == 1) draw_on_stage(pane, at, first, true);
   else draw(0, at, first);
