@@ -395,8 +395,8 @@ std::string attribute_text(formulas::Shade shade, Conventions::Attribute attribu
   const std::span names(of.names.data(), static_cast<std::size_t>(of.count));
   const std::string all = fmt::format("{}", fmt::join(names, ", "));
   if (attribute == Conventions::Attribute::linear) return all + ", interpolated as z is";
-  return of.count == 1 ? "a = (a/z)/(1/z), each interpolated as z is"
-                       : fmt::format("a = (a/z)/(1/z) for a = {}, each interpolated as z is", all);
+  return of.count == 1 ? "a = (a/z_v)/(1/z_v), each interpolated as z is"
+                       : fmt::format("a = (a/z_v)/(1/z_v) for a = {}, each interpolated as z is", all);
 }
 
 }  // namespace

@@ -61,7 +61,16 @@ struct SpeakerNotes {
   std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
 };
 
-/// One stop of the narration.
+/// A run whose picture, at its end, a stop shows too: one that was recorded, or one of another scene or changed.
+struct RunBeside {
+  std::string file;  ///< from the lesson's folder: a recording (.jsonl) or a scene; empty: the lesson's own scene
+  std::vector<std::string> changes{};  ///< "depth = pseudodepth", as far as it is not a recording
+  std::shared_ptr<const Trace> run{};  ///< set by resolve()
+
+  /// What it is called, in a few words: its changes, else its file.
+  std::string name() const;
+};
+
 /// What a stop's words name and its pictures name, too: "V_5", "V_0 = 5" where the words have another name for it,
 /// "V_4-V_5" (a line), "V_01 = V_0>V_1" (an arrow with its name), a polygon, "U", or a polygon's plane, "plane = C".
 struct StopLabel {
@@ -79,6 +88,7 @@ struct StopWindow {
   bool operator==(const StopWindow&) const = default;
 };
 
+/// One stop of the narration.
 struct Stop {
   std::string heading;
   std::string text;                  ///< Markdown; its {…} are filled with the trace's numbers when resolved
@@ -86,16 +96,15 @@ struct Stop {
   std::optional<Task> task;
   std::optional<Marking> marking;  ///< at most one of the three
   std::optional<SpeakerNotes> notes;
-  std::vector<std::string> names;           ///< that stand alone in braces of its text, fields of its step among them
-  std::string anchor;                       ///< as written in the file: step name and condition
-  std::string focus;                        ///< the pane that leads meanwhile, as the viewer calls it; mostly none
-  std::string beside;                       ///< path from the lesson's folder: a run whose final picture is shown, too
-  std::shared_ptr<const Trace> beside_run;  ///< it; set by resolve()
-  int viewing_step = 0;                     ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
-  std::string depths;                       ///< as written: z_v that are marked where depths are drawn over z_v
-  std::vector<double> marked_depths;        ///< these; set by resolve()
-  std::optional<Trace::Pixel> pixel;        ///< that it follows: marked, with its line of sight, at whatever step
-  Marking pixels;                           ///< those of its steps in the whole run are framed meanwhile
+  std::vector<std::string> names;     ///< that stand alone in braces of its text, fields of its step among them
+  std::string anchor;                 ///< as written in the file: step name and condition
+  std::string focus;                  ///< the pane that leads meanwhile, as the viewer calls it; mostly none
+  std::vector<RunBeside> beside;      ///< one, shown beside the lesson's own, or two, shown instead of it
+  int viewing_step = 0;               ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
+  std::string depths;                 ///< as written: z_v that are marked where depths are drawn over z_v
+  std::vector<double> marked_depths;  ///< these; set by resolve()
+  std::optional<Trace::Pixel> pixel;  ///< that it follows: marked, with its line of sight, at whatever step
+  Marking pixels;                     ///< those of its steps in the whole run are framed meanwhile
   std::vector<StopLabel> labels;
   std::string close;  ///< a polygon that the scene shows large, with the eye; mostly none
   std::optional<StopWindow> window;

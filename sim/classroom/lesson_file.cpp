@@ -236,6 +236,28 @@ class Reader {
     return numbers;
   }
 
+  /// "runs/first.jsonl", "bias = 0, pcf = 1" or "scenes/foot.toml, bias = 0".
+  RunBeside read_beside(std::string_view text) const {
+    RunBeside beside;
+    while (!text.empty()) {
+      const std::size_t comma = std::min(text.find(','), text.size());
+      const std::string part(trim(text.substr(0, comma)));
+      text.remove_prefix(std::min(comma + 1, text.size()));
+      if (part.find('=') != std::string::npos) {
+        read_change(part, lines_.where(lines_.at) + ":");
+        beside.changes.push_back(part);
+        continue;
+      }
+      std::error_code unreadable;
+      if (!beside.file.empty() || !std::filesystem::is_regular_file(lesson_.path.parent_path() / part, unreadable))
+        lines_.fail(
+            fmt::format("there is no run `{}`", part),
+            "give a change as `beside: bias = 0`, or the path of a scene or of a .jsonl from the lesson's folder");
+      beside.file = part;
+    }
+    return beside;
+  }
+
   /// What a stop shows, as "focus: edge-table", "pixel: (12, 15)", "viewing: T_2" or "beside: runs/first.jsonl".
   void read_shown(std::string_view text, Stop& stop) const {
     const std::string_view value = trim(text.substr(std::min(text.size(), text.find(':') + 1)));
@@ -264,12 +286,8 @@ class Reader {
       return;
     }
     if (starts_with(text, "beside:") && !value.empty()) {
-      stop.beside = value;
-      if (stop.beside.find('=') != std::string::npos) return void(read_change(stop.beside, lines_.where(lines_.at)));
-      std::error_code unreadable;
-      if (!std::filesystem::is_regular_file(lesson_.path.parent_path() / stop.beside, unreadable))
-        lines_.fail(fmt::format("there is no run `{}`", stop.beside),
-                    "give the path of its .jsonl from the lesson's folder, `beside: runs/first.jsonl`");
+      if (stop.beside.size() == 2) lines_.fail("a third run beside", "show two at most");
+      stop.beside.push_back(read_beside(value));
       return;
     }
     if (starts_with(text, "label:") && !value.empty()) return read_labels(value, stop);
@@ -280,8 +298,7 @@ class Reader {
     if (starts_with(text, "window:") && !value.empty()) return read_window(value, stop);
     lines_.fail(fmt::format("`{}` is left over in the anchor", text),
                 "after ; write `focus:`, `viewing:`, `depths:`, `pixel:`, `pixels:`, `label:`, `close:`, `window:` or "
-                "`beside:` as "
-                "docs/writing-a-lesson.md says");
+                "`beside:` as docs/writing-a-lesson.md says");
   }
 
   /// "V_5, V_0 = 5, 4-5-6, V_01 = 0>1, U, plane = C"; of several lines after each other the first has the name.

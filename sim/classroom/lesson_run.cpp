@@ -22,10 +22,10 @@ using namespace classroom;
 namespace {
 
 /// A scene with a file's ending lies beside the lesson; a bare word is a built-in scene.
-std::string scene_path(const Lesson& lesson) {
+std::string scene_path(const Lesson& lesson, const std::string& scene) {
   static const std::set<std::string> endings{".toml", ".obj", ".off", ".ply", ".stl"};
-  const std::filesystem::path path(lesson.scene);
-  if (endings.count(path.extension().string()) == 0 || path.is_absolute()) return lesson.scene;
+  const std::filesystem::path path(scene);
+  if (endings.count(path.extension().string()) == 0 || path.is_absolute()) return scene;
   return (lesson.path.parent_path() / path).string();
 }
 
@@ -43,14 +43,22 @@ Trace recorded(const Method& run, const Scene& scene, const Conventions& convent
   return Trace::from_bytes(record.take_bytes(), name);
 }
 
-/// The run of a trace with the change made that the stop shows beside it.
-Trace changed_run(const Lesson& lesson, const Trace& trace, const Stop& stop) {
-  const std::string who = Place{lesson.path.string(), stop.line}.str();
-  Scene scene = trace.scene();
-  Conventions conventions = trace.header().conventions;
+/// `own`: the run of the lesson itself.
+Trace run_beside(const Lesson& lesson, const RunBeside& beside, const Trace& own, const std::string& where) {
+  const std::filesystem::path file = lesson.path.parent_path() / beside.file;
+  if (file.extension() == ".jsonl") return open_jsonl(file);
   const Method& run = method(lesson.method);
-  make_change(run, read_change(stop.beside, who), scene, conventions, who);
-  return recorded(run, scene, conventions, stop.beside);
+  Scene scene = own.scene();
+  Conventions conventions = own.header().conventions;
+  if (!beside.file.empty()) {
+    SceneFile other = load_scene(scene_path(lesson, beside.file));
+    conventions = other.conventions;
+    prepare_for_shade(other, conventions);
+    scene = look_at_scene(std::move(other.scene), {});
+  }
+  for (const std::string& change : beside.changes) make_change(run, read_change(change), scene, conventions, where);
+  check_run(run, scene, conventions, where);
+  return recorded(run, scene, conventions, beside.name());
 }
 
 /// What a stop has named or shown large is there, and its words name what its pictures name.
@@ -81,6 +89,12 @@ void check_shown(const Stop& stop, const Scene& scene, const std::string& place)
 }
 
 }  // namespace
+
+std::string RunBeside::name() const {
+  std::string all;
+  for (const std::string& change : changes) all += (all.empty() ? "" : ", ") + change;
+  return all.empty() ? file : all;
+}
 
 TaskState state_of(const Task& task, const Trace& trace) {
   Replay replay(trace);
@@ -113,13 +127,12 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
       return fill(text, {file, line}, replay, event ? &*event : nullptr, spot.position);
     };
     stop.heading = filled(stop.heading, stop.line);
-    if (!stop.beside.empty() && !stop.beside_run) {
-      const std::filesystem::path run = lesson.path.parent_path() / stop.beside;
+    for (RunBeside& beside : stop.beside) {
       for (const Stop& other : lesson.stops)
-        if (other.beside == stop.beside && other.beside_run) stop.beside_run = other.beside_run;
-      if (!stop.beside_run)
-        stop.beside_run = std::make_shared<const Trace>(
-            stop.beside.find('=') != std::string::npos ? changed_run(lesson, trace, stop) : open_jsonl(run));
+        for (const RunBeside& made : other.beside)
+          if (made.run && made.file == beside.file && made.changes == beside.changes) beside.run = made.run;
+      if (!beside.run)
+        beside.run = std::make_shared<const Trace>(run_beside(lesson, beside, trace, Place{file, stop.line}.str()));
     }
     stop.marked_depths.clear();
     if (!stop.depths.empty())
@@ -159,7 +172,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
 
 Trace run_lesson(Lesson& lesson) {
   const Method& run = method(lesson.method);
-  SceneFile file = load_scene(scene_path(lesson));
+  SceneFile file = load_scene(scene_path(lesson, lesson.scene));
   const Conventions conventions = with_options(file.conventions, lesson.conventions);
   prepare_for_shade(file, conventions);
   const Scene scene = look_at_scene(std::move(file.scene), lesson.view);

@@ -396,7 +396,8 @@ class App {
   void draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size);
   void draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size);
   void draw_lesson_layout(ImVec2 at, ImVec2 size);
-  Ui* run_beside();
+  std::vector<Ui*> runs_beside();
+  void draw_runs_beside(const Pane& pane, ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 second);
   void draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size);
   std::vector<Pane> words_of_step();
   float frame_height(float width) const;
@@ -523,10 +524,12 @@ class App {
     Beside(const Trace& trace, Renderer& renderer) : session(trace, nullptr), ui(session, renderer) {}
     Session session;
     Ui ui;
+    std::int64_t of =
+        -3;  ///< the step of the first run at whose moment it stands; −1: at its beginning, −2: at its end
   };
-  std::unique_ptr<Beside> beside_;  ///< another run, at its end, while a stop of the lesson shows it
-  std::string saved_scene_;         ///< what was said of it; until the next change
-  Race::RunBy run_by_;              ///< none: nothing can be run from here
+  std::vector<std::unique_ptr<Beside>> beside_;  ///< other runs, while a stop of the lesson shows their pictures
+  std::string saved_scene_;                      ///< what was said of it; until the next change
+  Race::RunBy run_by_;                           ///< none: nothing can be run from here
   struct RaceView {
     RaceView(const Trace& shown, Race::RunBy run_by) : race(shown, std::move(run_by)) {}
     Race race;

@@ -12,6 +12,7 @@
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/panes/workspace.hpp"
+#include "sim/viewer/stage.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -310,21 +311,51 @@ void App::draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
     draw_pane(panes[k], at, {size.x, heights[k - 1]});
 }
 
-/// The run whose picture a stop of the lesson shows beside its own, at its end; nullptr where it shows none.
-Ui* App::run_beside() {
+namespace {
+
+/// A run of another scene, whose picture is not held against the lesson's own.
+bool stands_alone(const std::vector<RunBeside>& runs, std::string_view lead) {
+  return runs.size() == 1 && !runs[0].file.empty() && !lead.empty();
+}
+
+}  // namespace
+
+/// The runs whose pictures the stop of the lesson shows, one beside its own, or two instead of it: slices at this
+/// moment, scenes before anything is at work, all else at the end.
+std::vector<Ui*> App::runs_beside() {
   const Lesson* lesson = session_.lesson();
-  const Trace* run = lesson && session_.stop() >= 0 ? lesson->stops[session_.stop()].beside_run.get() : nullptr;
-  if (!run) beside_.reset();
-  else if (!beside_ || &beside_->session.trace() != run) {
-    beside_ = std::make_unique<Beside>(*run, renderer_);
-    beside_->ui.asks = false, beside_->ui.still = true;
+  static const std::vector<RunBeside> none;
+  const std::vector<RunBeside>& shown = lesson && session_.stop() >= 0 ? lesson->stops[session_.stop()].beside : none;
+  const bool here = lead() == slice_pane.id, before = lead() == scene_pane.id;
+  beside_.resize(shown.size());
+  std::vector<Ui*> looks;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    std::unique_ptr<Beside>& one = beside_[k];
+    if (!one || &one->session.trace() != shown[k].run.get()) one = std::make_unique<Beside>(*shown[k].run, renderer_);
+    const std::int64_t of = here ? session_.position() : before ? -1 : -2;
+    if (std::exchange(one->of, of) != of)
+      one->session.go_to(here ? moment_in(*shown[k].run, moment_of(session_)).step : before ? 0 : shown[k].run->size());
+    one->ui.asks = false, one->ui.still = !here, one->ui.laboratory = !stands_alone(shown, lead());
+    looks.push_back(&one->ui);
+    share_look(one->ui);
   }
-  // Its scene is looked at before anything is at work.
-  if (!beside_) return nullptr;
-  beside_->session.go_to(lead() == scene_pane.id ? 0 : run->size());
-  beside_->ui.laboratory = lead().empty();
-  share_look(beside_->ui);
-  return &beside_->ui;
+  return looks;
+}
+
+void App::draw_runs_beside(const Pane& pane, ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 second) {
+  const std::vector<Ui*> others = runs_beside();
+  const std::vector<RunBeside>& runs = session_.lesson()->stops[session_.stop()].beside;
+  const std::string when = pane.id == slice_pane.id ? ", HERE" : pane.id == scene_pane.id ? "" : ", AT ITS END";
+  const auto draw = [&](std::size_t k, ImVec2 place, ImVec2 size) {
+    const float room = std::floor(size.x) - std::ceil(1.1f * ui_.em);
+    std::string title = fmt::format("ANOTHER RUN{}: {}", when, runs[k].name());
+    if (text_size(ui_, ui_.fonts.small, title).x > room) title = fitted(ui_, ui_.fonts.small, runs[k].name(), room);
+    draw_beside(*others[k], pane, title, place, size);
+  };
+  if (stands_alone(runs, lead())) return draw(0, at, {second_at.x + second.x - at.x, second.y});
+  if (others.size() == 1) draw_on_stage(pane, at, first, true);
+  else draw(0, at, first);
+  draw(others.size() - 1, second_at, second);
 }
 
 /// A lesson, and whatever is shown to a class: one large picture, or two that belong together, and beside it what the
@@ -334,11 +365,11 @@ Ui* App::run_beside() {
 void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   constexpr float low_row = 11;  // in em
   std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
-  Ui* const other = run_beside();
-  // With a focus the other run's picture alone, else its frame beside this one's.
-  const bool alone = other && !lead().empty();
-  if (alone) leading = {lesson_pictures(other->session.header(), lead())[0]};
-  else if (other) leading = {frame_pane, frame_pane};
+  const std::vector<Ui*> others = runs_beside();
+  const bool other = !others.empty();
+  const bool alone = other && stands_alone(session_.lesson()->stops[session_.stop()].beside, lead());
+  if (alone) leading = {lesson_pictures(others[0]->session.header(), lead())[0]};
+  else if (other) leading = std::vector<Pane>(2, lead().empty() ? frame_pane : leading[0]);
   else if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   float& share = settings_.layout.lesson;
   share = std::clamp(share, 0.15f, 0.45f);
@@ -356,17 +387,11 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
         std::max(frame_height((stage.x - gap) / 2) - std::round(0.8f * ui_.em), std::ceil(least * window / stage.x));
     if (size.y - needed >= 7.5f * ui_.em) stage.y = needed;
   }
-  if (alone) {
-    draw_beside(*other, leading[0], "ANOTHER RUN: " + session_.lesson()->stops[session_.stop()].beside, at, stage);
-    stage_at_ = {at, stage}, leading_ = leading;
-    said.clear();  // of this run's step
-  } else if (other) {
+  if (other) {
     const float first = std::round((stage.x - gap) * settings_.layout.frame);
-    const std::string title =
-        fmt::format("ANOTHER RUN, AT ITS END: {}", session_.lesson()->stops[session_.stop()].beside);
-    draw_on_stage(leading[0], at, {first, stage.y}, true);
-    draw_beside(*other, leading[1], title, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
+    draw_runs_beside(leading[0], at, {first, stage.y}, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
     stage_at_ = {at, stage}, leading_ = {leading[0]};
+    if (alone) said.clear();  // of this run's step
   } else {
     draw_leading(leading, at, stage);
   }
@@ -612,6 +637,14 @@ std::optional<std::size_t> App::draw_names(const std::vector<Pane>& panes, std::
 
 /// What leads, under its name.
 void App::draw_small_stage(ImVec2 at, ImVec2 names, ImVec2 size) {
+  // Two pictures have the room of one and of the names, where each is still large enough to be read.
+  const ImVec2 both{size.x, size.y + names.y}, half{std::floor(both.x / 2), std::floor(both.y / 2)};
+  const bool wide = both.x >= both.y;
+  const ImVec2 each{wide ? half.x : both.x, wide ? both.y : half.y};
+  if (drawer_ == Drawer::none && !runs_beside().empty() && std::min(each.x, each.y) >= 9 * ui_.em) {
+    stage_at_ = {at, both};
+    return draw_runs_beside(at, each, {wide ? at.x + half.x : at.x, wide ? at.y : at.y + half.y}, each);
+  }
   const std::vector<Pane> panes = stage_panes(session_.header());
   // What is asked is asked of pixels.
   const std::string leads = !lead().empty()           ? lead()

@@ -6,9 +6,13 @@
 #include <fmt/ranges.h>
 
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/model/slice.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/stage.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/judged.hpp"
 #include "sim/words/spoken.hpp"
+#include "traces/replay/replay.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::viewer {
@@ -69,6 +73,44 @@ void tell_lesson(Text& text, const Session& s) {
   text.markdown(stop.question->text);
   int number = 0;
   for (const Answer& answer : stop.question->answers) text.line(fmt::format("Answer {}: {}", ++number, answer.text));
+}
+
+/// What is compared in another run's slice, or what its frame shows at its end, scan line by scan line: the polygons
+/// from left to right.
+void tell_runs_beside(Text& text, const Session& s) {
+  if (!s.lesson() || s.stop() < 0) return;
+  for (const RunBeside& beside : s.lesson()->stops[s.stop()].beside) {
+    if (s.lesson()->stops[s.stop()].focus == slice_pane.id) {
+      Session there(*beside.run, nullptr);
+      there.go_to(moment_in(*beside.run, moment_of(s)).step);
+      const Moment now(there);
+      SliceLines lines;
+      text.title(fmt::format("Slice of another run, here: {}", beside.name()));
+      if (const auto line = slice_line(now, s.selected)) text.line(slice_sentence(now, slice_of(now, lines, *line)));
+      continue;
+    }
+    text.title(fmt::format("Picture of another run, at its end: {}", beside.name()));
+    Replay replay(*beside.run);
+    replay.go_to(beside.run->size());
+    const Picture& picture = replay.state().picture;
+    const Scene& scene = beside.run->scene();
+    for (std::int32_t y = 0; y < picture.height; ++y) {
+      std::string row;
+      const auto shown = [&](std::int32_t x) {
+        const std::size_t at = picture.at(x, y);
+        if (picture.polygon[at] < 0) return std::string();
+        const bool own = !picture.ink.empty() && picture.ink[at] != no_ink;
+        return polygon_label(scene, picture.polygon[at]) + (own ? " darker" : "");
+      };
+      for (std::int32_t x = 0, end = 0; x < picture.width; x = end) {
+        for (end = x + 1; end < picture.width && shown(end) == shown(x);) ++end;
+        if (const std::string what = shown(x); !what.empty())
+          row += fmt::format("{}{} {}", row.empty() ? "" : ", ", what,
+                             end - x == 1 ? fmt::format("at x = {}", x) : fmt::format("from x = {} to {}", x, end - 1));
+      }
+      if (!row.empty()) text.line(fmt::format("Scan line {}: {}.", y, row));
+    }
+  }
 }
 
 /// "edge AB, x 3, z 4.25, leaves 5, right".
@@ -143,6 +185,7 @@ std::string describe_step(App& app) {
   Text text;
   tell_step(text, app);
   tell_lesson(text, app.session());
+  tell_runs_beside(text, app.session());
   return text.take();
 }
 
@@ -150,6 +193,7 @@ std::string describe(App& app) {
   Text text;
   tell_step(text, app);
   tell_lesson(text, app.session());
+  tell_runs_beside(text, app.session());
   tell_tables(text, app);
   return text.take();
 }

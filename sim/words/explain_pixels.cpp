@@ -302,8 +302,8 @@ void tell(Telling& t, const AttributeInterpolate& e) {
   const bool known = shading.is_known() && t.machine.component < shading.components();
   const std::string_view name =
       known && shading.components() > 1 ? shading.name(t.machine.component) : std::string_view("a");
-  t.say(divides ? fmt::format("At pixel ({}, {}) {} = {}: a/z and 1/z are linear on the picture, a itself is not.", e.x,
-                              e.y, name, number(e.attribute))
+  t.say(divides ? fmt::format("At pixel ({}, {}) {} = {}: a/z_v and 1/z_v are linear on the picture, a itself is not.",
+                              e.x, e.y, name, number(e.attribute))
                 : fmt::format("At pixel ({}, {}) {} = {}, interpolated as it stands.", e.x, e.y, name,
                               number(e.attribute)));
   t.derive_from(e, [](MethodState& machine) {
@@ -315,11 +315,11 @@ void tell(Telling& t, const AttributeInterpolate& e) {
     t.value("a", e.attribute);
     return;
   }
-  t.follows("a/z", "over_z", e.over_z);
-  t.follows("1/z", "one_over_z", e.one_over_z);
+  t.follows("a/z_v", "over_z", e.over_z);
+  t.follows("1/z_v", "one_over_z", e.one_over_z);
   t.follows("a", "attribute", e.attribute);
-  t.value("a/z", e.over_z);
-  t.value("1/z", e.one_over_z);
+  t.value("a/z_v", e.over_z);
+  t.value("1/z_v", e.one_over_z);
   t.value("a", e.attribute);
 }
 
@@ -328,6 +328,20 @@ void tell(Telling& t, const AttributeInterpolate& e) {
 void tell(Telling& t, const PassBegin& e) {
   t.say(e.pass == Pass::light ? "First the scene is drawn as the light sees it: its depth buffer is the shadow buffer."
                               : "Now the scene is drawn as the eye sees it; the shadow buffer is kept.");
+}
+
+/// The compare in z_v as the light sees it, in which the bias is measured; nothing where the trace does not say the
+/// bias.
+void tell_as_distances(Telling& t, const ShadowCompare& point, double stored, bool lit) {
+  const formulas::ShadowOptions options = formulas::shadow_options(t.conventions);
+  if (!t.at.lamp || !options.declared || !std::isfinite(stored)) return;
+  const double z_v = view_depth(*t.at.lamp, t.conventions, point.z_light),
+               shadow = view_depth(*t.at.lamp, t.conventions, stored);
+  const auto& found = t.after.machine.shadow_bias;
+  const bool sloped = found && found->x == point.x && found->y == point.y;
+  const double bias = sloped ? found->bias : formulas::light_bias(z_v, options.bias, 0.0, 0.0);
+  t.formula(fmt::format("z_v = {} {} z_v(shadow) + bias = {} + {} = {}", number(z_v), lit ? "\u2264" : ">",
+                        number(shadow), number(bias), number(shadow + bias)));
 }
 
 void tell(Telling& t, const ShadowCompare& e) {
@@ -360,6 +374,7 @@ void tell(Telling& t, const ShadowCompare& e) {
   t.formula(fmt::format("shadow[{}, {}] = {};  {} {} it {}", number(column), number(row), shadow, z,
                         e.lit ? "is not behind" : "is behind",
                         e.lit ? "by more than the bias" : "by more than the bias: dark"));
+  tell_as_distances(t, e, stored, e.lit);
   t.value("shadow[x',y']", stored);
 }
 
@@ -399,6 +414,7 @@ void tell(Telling& t, const ShadowNeighbour& e) {
   const auto [z, shadow] = tell_apart(t.machine.shadow->z_light, state.light.depth[cell]);
   t.formula(fmt::format("shadow[{}, {}] = {};  {} {} it by more than the bias{}", e.x_shadow, e.y_shadow, shadow, z,
                         e.lit ? "is not behind" : "is behind", e.lit ? "" : ": dark"));
+  tell_as_distances(t, *t.machine.shadow, state.light.depth[cell], e.lit);
 }
 
 void tell(Telling& t, const LightShare& e) {

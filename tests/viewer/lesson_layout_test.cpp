@@ -15,6 +15,7 @@
 
 #include "sim/classroom/lesson.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/description.hpp"
 #include "sim/viewer/panes/workspace.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"
@@ -201,22 +202,37 @@ TEST_CASE("of formulas that are too long for their place the last are shown, and
   }
 }
 
-TEST_CASE("another run stands beside the frame where the stop says so, and nowhere else") {
-  Lesson lesson = find_lesson("find-the-bug");
-  const Trace trace = run_lesson(lesson);
-  App app(trace, &lesson, {}, 1280, 720);
+TEST_CASE("law: other runs have their pictures where the stop says so, in any window, and are described") {
+  constexpr struct { int width, height; } windows[] = {{1280, 720}, {1024, 768}, {390, 844}, {844, 390}};
   int beside = 0;
-  for (const Stop& stop : lesson.stops) {
-    app.session().to_stop(static_cast<int>(&stop - lesson.stops.data()));
-    app.settle();
-    const test::Letters drawn = test::letters_of(app.ui().fonts);
-    const bool shown = std::any_of(drawn.words.begin(), drawn.words.end(), [](const std::string& word) {
-      return word.find("ANOTHER RUN") != std::string::npos;
-    });
-    CHECK(shown == !stop.beside.empty());
-    beside += shown;
+  for (Lesson& lesson : all_lessons()) {
+    const auto shows = [](const Stop& stop) { return !stop.beside.empty(); };
+    if (std::none_of(lesson.stops.begin(), lesson.stops.end(), shows)) continue;
+    const Trace trace = run_lesson(lesson);
+    CAPTURE(lesson.id);
+    for (const auto& window : windows) {
+      CAPTURE(window.width);
+      App app(trace, &lesson, {}, window.width, window.height);
+      for (const Stop& stop : lesson.stops) {
+        app.session().to_stop(static_cast<int>(&stop - lesson.stops.data()));
+        app.settle();
+        CAPTURE(stop.heading);
+        const test::Letters drawn = test::letters_of(app.ui().fonts);
+        const auto words_with = [&](const std::string& part) {
+          return std::count_if(drawn.words.begin(), drawn.words.end(),
+                               [&](const std::string& word) { return word.find(part) != std::string::npos; });
+        };
+        if (window.width == 1280) CHECK(words_with("ANOTHER RUN, ") == std::ssize(stop.beside));
+        for (const RunBeside& run : stop.beside) CHECK(words_with(run.name().substr(0, 10)) > 0);
+        const std::string said = describe_step(app);
+        for (const RunBeside& run : stop.beside)
+          CHECK(said.find("of another run, " + std::string(stop.focus.empty() ? "at its end: " : "here: ") +
+                          run.name()) != std::string::npos);
+        beside += static_cast<int>(stop.beside.size());
+      }
+    }
   }
-  CHECK(beside == 8);
+  CHECK(beside >= 8 * 4);
 }
 
 TEST_CASE("what a stop marks is seen in its picture, and not beyond the stop") {

@@ -28,12 +28,12 @@ TEST_CASE("law: the run beside a lesson's with another eye has the same tree, an
     if (lesson.method != "bsp") continue;
     const Trace trace = run_lesson(lesson);
     for (const Stop& stop : lesson.stops) {
-      if (!stop.beside_run) continue;
+      if (stop.beside.empty()) continue;
       ++seen;
-      Replay one(trace), other(*stop.beside_run);
-      one.go_to(trace.size()), other.go_to(stop.beside_run->size());
+      Replay one(trace), other(*stop.beside[0].run);
+      one.go_to(trace.size()), other.go_to(stop.beside[0].run->size());
       const MethodState &a = one.state().machine, &b = other.state().machine;
-      CHECK(trace.scene().camera.eye != stop.beside_run->scene().camera.eye);
+      CHECK(trace.scene().camera.eye != stop.beside[0].run->scene().camera.eye);
       REQUIRE(a.tree.size() == b.tree.size());
       for (std::size_t node = 0; node < a.tree.size(); ++node) {
         CHECK(a.tree[node].parent == b.tree[node].parent);
@@ -55,8 +55,8 @@ TEST_CASE("the plan names both eyes, and both trees tell their order") {
     CHECK_MESSAGE(times_written(app, "eye 1") == 1, lesson.stops[stop].heading);
     CHECK_MESSAGE(times_written(app, "eye 2") == 1, lesson.stops[stop].heading);
   }
-  const auto beside = std::find_if(lesson.stops.begin(), lesson.stops.end(),
-                                   [](const Stop& stop) { return stop.beside_run != nullptr; });
+  const auto beside =
+      std::find_if(lesson.stops.begin(), lesson.stops.end(), [](const Stop& stop) { return !stop.beside.empty(); });
   REQUIRE(beside != lesson.stops.end());
   app.session().to_stop(static_cast<int>(beside - lesson.stops.begin()));
   CHECK(times_written(app, "#1") == 2);

@@ -116,6 +116,37 @@ TEST_CASE("the slice says which of two depths is nearer, as the step found it") 
   CHECK(sentence_at(session, lines, *written).empty());
 }
 
+TEST_CASE("the slice of an attribute has what the run found, and what it would be if it were linear on the picture") {
+  Lesson lesson = find_lesson("perspective-correct");
+  const Trace trace = run_lesson(lesson);
+  const auto with_linear =
+      std::find_if(lesson.stops.begin(), lesson.stops.end(), [](const Stop& stop) { return !stop.beside.empty(); });
+  REQUIRE(with_linear != lesson.stops.end());
+  int seen = 0, apart = 0;
+  for (const Trace* run : {&trace, with_linear->beside[0].run.get()}) {
+    const bool linear = run != &trace;
+    Session session(*run, nullptr);
+    for (std::int64_t at = 1; at <= run->size(); at += 7) {
+      const Event event = run->event(at).event;
+      const auto* found = get_if<AttributeInterpolate>(&event);
+      session.go_to(at);
+      const auto slice = attribute_slice(Moment(session));
+      CHECK(slice.has_value() == (found != nullptr));
+      if (!slice || !found) continue;
+      CHECK(slice->upright);  // floor and card have one a along a scan line
+      CHECK(slice->at.y == found->x);
+      const auto there = std::find_if(slice->correct.begin(), slice->correct.end(),
+                                      [&](const SliceSample& one) { return one.x == found->y; });
+      REQUIRE(there != slice->correct.end());
+      CHECK(found->attribute == doctest::Approx(linear ? slice->compare->stored : there->z));
+      apart += std::abs(slice->compare->stored - there->z) > 0.1 ? 1 : 0;
+      ++seen;
+    }
+  }
+  CHECK(seen > 200);
+  CHECK(apart > 100);
+}
+
 TEST_CASE("where flags tell which polygons are there, the slice has their planes and the nearest of them") {
   const Trace trace = golden("scan-line");
   Session session(trace, nullptr);

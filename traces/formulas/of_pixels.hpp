@@ -349,9 +349,9 @@ void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
   if (!at.header.declares(Convention::depth) || at.header.conventions.attribute == Conventions::Attribute::none) return;
   const bool divides = at.header.conventions.attribute == Conventions::Attribute::perspective;
   const Place event{};
-  const auto above = out.number(divides ? "a/z" : "a", e.over_z, event["over_z"]);
+  const auto above = out.number(divides ? "a/z_v" : "a", e.over_z, event["over_z"]);
   out.gives(&AttributeInterpolate::attribute,
-            divides ? above / out.number("1/z", e.one_over_z, event["one_over_z"]) : above);
+            divides ? above / out.number("1/z_v", e.one_over_z, event["one_over_z"]) : above);
   if (const BarycentricWeights* weights = detail::weights_at(at, e.x, e.y))
     return detail::derive_attribute_by_weights(e, *weights, divides, at, out);
   const auto span = at.span_of(e);

@@ -40,12 +40,13 @@ class Moment {
   std::vector<const Camera*> other_eyes() const {
     std::vector<const Camera*> eyes;
     if (!session_.lesson() || scene().camera.kind != Camera::Kind::perspective) return eyes;
-    for (const Stop& stop : session_.lesson()->stops) {
-      if (!stop.beside_run || stop.beside_run->scene().camera.kind != Camera::Kind::perspective) continue;
-      const Camera& camera = stop.beside_run->scene().camera;
-      const auto there = [&](const Camera* one) { return glm::length(one->eye - camera.eye) < 1e-9; };
-      if (!there(&scene().camera) && std::none_of(eyes.begin(), eyes.end(), there)) eyes.push_back(&camera);
-    }
+    for (const Stop& stop : session_.lesson()->stops)
+      for (const RunBeside& beside : stop.beside) {
+        const Camera& camera = beside.run->scene().camera;
+        if (!beside.file.empty() || camera.kind != Camera::Kind::perspective) continue;
+        const auto there = [&](const Camera* one) { return glm::length(one->eye - camera.eye) < 1e-9; };
+        if (!there(&scene().camera) && std::none_of(eyes.begin(), eyes.end(), there)) eyes.push_back(&camera);
+      }
     return eyes;
   }
 

@@ -11,8 +11,10 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/file/visit.hpp"
+#include "traces/formulas/attributes.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/formulas/shading.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -263,6 +265,69 @@ Slice slice_of(const Moment& now, SliceLines& lines, const SliceAt& at) {
   }
   find_axes(slice, line, picture);
   return slice;
+}
+
+std::optional<Slice> attribute_slice(const Moment& now) {
+  const auto* step = now.event() ? get_if<AttributeInterpolate>(&now.event()->event) : nullptr;
+  const Scene& scene = now.scene();
+  const State& state = now.state();
+  const MethodState& machine = state.machine;
+  if (!step || now.picture_position() != now.position() || scene.camera.kind == Camera::Kind::screen)
+    return std::nullopt;
+  const formulas::Shading shading = formulas::shading_of(scene, now.header().conventions);
+  if (!shading.is_known()) return std::nullopt;
+  const auto stages = [&](std::int32_t vertex) {
+    const auto at = static_cast<std::size_t>(vertex);
+    return vertex >= 0 && at < state.vertices.size() ? state.vertices[at] : VertexStages();
+  };
+  struct Corner {
+    double place, a;
+    formulas::OverDepth<double> over;
+  };
+  for (const bool upright : {false, true}) {
+    // Where the outline meets the line, and what the attribute is there.
+    std::vector<Corner> ends;
+    const auto corner = [&](std::int32_t vertex) {
+      const VertexStages& at = stages(vertex);
+      const double a = formulas::attribute_of(scene, shading, machine.component, machine.facet, vertex, at.view,
+                                              [&](std::int32_t point) { return stages(point).view; });
+      const bool divided = scene.camera.kind == Camera::Kind::perspective;
+      return Corner{upright ? at.raster.y : at.raster.x, a, formulas::over_depth(a, divided ? at.view.z : 1.0)};
+    };
+    const std::vector<std::int32_t>& outline = machine.outline;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const std::int32_t one = outline[k], other = outline[(k + 1) % outline.size()];
+      if (!on_raster(scene, state, one) || !on_raster(scene, state, other)) return std::nullopt;
+      const auto across = [&](std::int32_t vertex) {
+        return upright ? stages(vertex).raster.x - step->x : stages(vertex).raster.y - step->y;
+      };
+      const double from = across(one), to = across(other);
+      if (from == to || from * to > 0) continue;
+      const Corner p = corner(one), q = corner(other);
+      ends.push_back({formulas::on_line(p.place, q.place, 0.0, from, to), formulas::on_line(p.a, q.a, 0.0, from, to),
+                      formulas::on_line(p.over, q.over, 0.0, from, to)});
+    }
+    if (ends.size() < 2) continue;
+    std::sort(ends.begin(), ends.end(), [](const Corner& p, const Corner& q) { return p.place < q.place; });
+    const Corner &first = ends.front(), &last = ends.back();
+    if (!(first.place < last.place) || std::abs(first.a - last.a) <= 1e-9 * std::max(1.0, std::abs(first.a))) continue;
+    Slice slice;
+    slice.at = {machine.pass, upright ? step->x : step->y};
+    slice.upright = upright, slice.attribute = shading.attribute ? std::string(shading.name(machine.component)) : "a";
+    slice.work_from = now.position();
+    slice.spans.push_back({now.position(), machine.polygon, first.place, first.a, last.place, last.a});
+    for (double at = std::ceil(first.place); at <= last.place; ++at) {
+      const auto over = formulas::on_line(first.over, last.over, at, first.place, last.place);
+      slice.correct.push_back({now.position(), machine.polygon, at, over.over_z / over.one_over_z});
+    }
+    const double at = upright ? step->y : step->x;
+    const double linear = formulas::on_line(first.a, last.a, at, first.place, last.place);
+    slice.compare = {machine.polygon, at, step->attribute, linear, no_polygon, std::nullopt, false};
+    slice.low = std::min(first.a, last.a), slice.high = std::max(first.a, last.a);
+    slice.x_first = first.place - 1, slice.x_last = last.place + 1;
+    return slice;
+  }
+  return std::nullopt;
 }
 
 std::string slice_sentence(const Moment& now, const Slice& slice) {

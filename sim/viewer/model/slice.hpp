@@ -74,11 +74,20 @@ struct Slice {
   /// Depths of polygons at one place, of which the nearest wins, and the polygon that does, once it is found.
   std::vector<SliceSample> rivals;
   std::optional<std::int32_t> winner;
+
+  /// Where it is an attribute, and not a depth: its name, and what it is, pixel by pixel; the one span is what it would
+  /// be if it were linear on the picture.
+  std::string attribute;
+  std::vector<SliceSample> correct;
+  bool upright = false;  ///< along the column at.y, over y
 };
 
 /// The scan line of the pixel that is pointed at or selected, else of the step at work; none where there is none.
 std::optional<SliceAt> slice_line(const Moment& now, std::optional<Cell> chosen);
 Slice slice_of(const Moment& now, SliceLines& lines, const SliceAt& at);
+/// Of the attribute that the step at work found at its pixel: along the scan line of its polygon, or along the column
+/// where it is the same all along the scan line. Nothing at other steps, nor where it is the same along both.
+std::optional<Slice> attribute_slice(const Moment& now);
 
 /// "At x = 5, 0.42 < 0.5: A is nearer than B."; empty where the step holds no depths against each other there.
 std::string slice_sentence(const Moment& now, const Slice& slice);

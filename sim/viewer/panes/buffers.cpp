@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "sim/viewer/draw/canvas.hpp"
@@ -145,12 +147,14 @@ DepthRange range_of(const Ui& ui, const Moment& now) {
   return fits ? fitted_range(now.picture(), now.header()) : ui.depth_range;
 }
 
-void color_depths(Cells& cells, const Moment& now, const DepthRange& range, const DepthScale& scale) {
-  const Picture& picture = now.picture();
+void color_depths_of(Cells& cells, const Picture& picture, const DepthRange& range, const DepthScale& scale) {
   cells.decimals = picture.depth.size() <= 16384 ? decimals_in(picture) : 2;
   cells.colors.resize(picture.depth.size());
   for (std::size_t i = 0; i < cells.colors.size(); ++i)
     cells.colors[i] = std::isfinite(picture.depth[i]) ? scale.at(range.share(picture.depth[i])) : hatched_cell;
+}
+void color_depths(Cells& cells, const Moment& now, const DepthRange& range, const DepthScale& scale) {
+  color_depths_of(cells, now.picture(), range, scale);
 }
 
 void draw_depth(Ui& ui) {
@@ -466,14 +470,12 @@ const Pane depth_error_pane{"depth_error",
 namespace {
 
 /// The range of the light's depths at this step: near is bright, as in the depth buffer.
-void paint_shadow_buffer(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c,
-                         const DepthScale& scale) {
-  const Picture& light = now.state().light;
-  const DepthRange range = fitted_range(light, now.header());
-  std::vector<Pixel32> cells(light.depth.size());
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    cells[i] = std::isfinite(light.depth[i]) ? scale.at(range.share(light.depth[i])) : hatched_cell;
-  paint_raster(canvas, map, cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
+void color_light(Cells& cells, const Moment& now, const DepthScale& scale) {
+  color_depths_of(cells, now.state().light, fitted_range(now.state().light, now.header()), scale);
+}
+void paint_shadow_buffer(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const Theme& c) {
+  paint_raster(canvas, map, cells.made.colors,
+               {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
 }
 
 /// A pixel of the shadow buffer that a point was held against.
@@ -516,7 +518,7 @@ std::string verdict(const HeldAgainst& at, const State& state) {
   const double stored =
       state.light.depth[state.light.at(static_cast<std::int32_t>(at.column), static_cast<std::int32_t>(at.row))];
   const auto [z, shadow] = tell_apart(state.machine.shadow->z_light, stored);
-  return fmt::format("cell ({}, {}): point {}, stored {}: {}", at.column, at.row, z, shadow, at.lit ? "lit" : "dark");
+  return fmt::format("pixel ({}, {}): stored {}, point {}: {}", at.column, at.row, shadow, z, at.lit ? "lit" : "dark");
 }
 
 /// The pixels of the shadow buffer that count for the point at work, and which of them the step is about.
@@ -534,19 +536,29 @@ void draw_shadow_buffer(Ui& ui) {
   if (state.machine.pass == Pass::light)
     return say_empty(ui, "The light's picture is being made; it stands where the eye's will.");
   if (state.light.depth.empty()) return say_empty(ui, "Empty: the light has not looked yet.");
-  const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float caption = 2.4f * ui.line();
-  const int width = static_cast<int>(room.x), height = static_cast<int>(room.y - caption);
+  const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+  const float caption = (room.x > 30 * ui.em ? 1.4f : 2.4f) * ui.line();
+  const Rulers rulers = room_for_rulers(ui, ui.session.scene().raster);
+  const int width = static_cast<int>(room.x - rulers.left), height = static_cast<int>(room.y - caption - rulers.below);
   if (width < 16 || height < 16) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(Raster{state.light.width, state.light.height, false}, {}, width, height);
-  const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "shadow", width, height, paint_shadow_buffer, map, ui.moment(),
-                                            ui.colors(), ui.depth_scale);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Kept<Cells>& cells = *keep(ui.cells, "shadow", color_light, ui.moment(), ui.depth_scale);
+  const Kept<Canvas>& canvas =
+      *keep_canvas(ui.canvases, "shadow", width, height, paint_shadow_buffer, map, cells, ui.colors());
+  const ImVec2 at{corner.x + rulers.left, corner.y};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + to_float(width), at.y + to_float(height)});
-  ImGui::Dummy({room.x, to_float(height)});
+  draw_numbers(ui, map, at, cells.made,
+               [&](std::size_t pixel, int shown) { return number(state.light.depth[pixel], shown); });
+  const bool still = std::exchange(ui.still, true);  // the scan line at work is the eye's
+  draw_rulers(ui, map, at, rulers);
+  ui.still = still;
+  ImGui::Dummy({room.x, to_float(height) + rulers.below});
+  // Of the point that is looked at, not of the one before it.
+  const auto cell = ui.session.cell_looked_at();
   const bool to_come = ui.moment().event() && holds<ShadowBias>(ui.moment().event()->event);
-  if (!state.machine.shadow || to_come) return;
+  const auto& held = state.machine.shadow;
+  if (!held || to_come || ui.still || !cell || held->x != cell->x || held->y != cell->y) return;
   mark_held(ui, map, at);
   const auto& share = state.machine.light_share;
   const bool shared = share && share->x == state.machine.shadow->x && share->y == state.machine.shadow->y;

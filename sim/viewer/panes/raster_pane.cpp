@@ -421,7 +421,7 @@ void draw_edge_in_question(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlac
   const Moment now = ui.moment();
   const MethodState& m = now.state().machine;
   const Event* step = now.asked() ? now.asked() : now.event() ? &now.event()->event : nullptr;
-  if (!step || now.told() < 0) return;
+  if (!step || !now.told()) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const auto place = [&](double x, double y) { return moved_by(origin, map.px(x), map.py(y)); };
   const auto* moved = get_if<EdgeStep>(step);

@@ -151,7 +151,7 @@ void draw_slabs(const Ui& ui, const Plan& plan, WordPlaces& words) {
   const Moment now = ui.moment();
   const MethodState& machine = s.state().machine;
   const Event* step = now.asked() ? now.asked() : s.event() ? &s.event()->event : nullptr;
-  const auto* test = step && now.told() >= 0 ? get_if<BoxTest>(step) : nullptr;
+  const auto* test = step && now.told() ? get_if<BoxTest>(step) : nullptr;
   if (!test || !(now.asked() || test->hit) || test->box < 0 || test->box >= std::ssize(machine.boxes) ||
       !machine.rays.ray)
     return;

@@ -168,6 +168,21 @@ std::vector<SliceMarker> markers_of(Ui& ui, const SlicePlot& plot, const Slice& 
     markers.push_back({plot.x(rival.x), plot.y(rival.z), diamond,
                        slice.winner ? std::optional(rival.polygon == *slice.winner) : std::nullopt,
                        fmt::format("{}{} {}", run, name(rival.polygon, ""), number(plot.shown(rival.z)))});
+  if (!slice.attribute.empty() && slice.compare) {
+    const Slice::Compare& found = *slice.compare;
+    markers.push_back(
+        {plot.x(found.x), plot.y(found.z), diamond, true, fmt::format("{} = {}", slice.attribute, number(found.z))});
+    // What the run did not take.
+    double correct = found.z;
+    for (const SliceSample& one : slice.correct)
+      if (one.x == found.x) correct = one.z;
+    const bool is_linear = std::abs(found.z - found.stored) < std::abs(found.z - correct);
+    const double other = is_linear ? correct : found.stored;
+    if (std::abs(plot.y(other) - plot.y(found.z)) > 4)
+      markers.push_back({plot.x(found.x), plot.y(other), square, false,
+                         fmt::format("{} {}", is_linear ? "correct" : "linear", number(other))});
+    return markers;
+  }
   if (const auto& compare = slice.compare) {
     const auto [z, stored] = tell_apart(plot.shown(compare->z), plot.shown(compare->stored));
     if (compare->written) {
@@ -206,7 +221,8 @@ struct Room {
 };
 
 /// What the depths are called, and which way is far, where the trace says so.
-std::string upwards(const Ui& ui, const SlicePlot& plot) {
+std::string upwards(const Ui& ui, const Slice& slice, const SlicePlot& plot) {
+  if (!slice.attribute.empty()) return slice.attribute;
   const Header& header = ui.session.header();
   const std::string z = plot.view ? "z_v" : depth_symbol(ui.session.scene(), header.conventions);
   if (plot.unit > 0) return z + " in units \u2191";
@@ -236,12 +252,12 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
     const double shown = std::abs(z) < step * 1e-6 ? 0 : z;
     beside(plot.y(plot.unit > 0 ? plot.least + shown * plot.unit : shown), number(shown, decimals));
   }
-  beside(plot.band, number(slice.empty));
+  if (slice.attribute.empty()) beside(plot.band, number(slice.empty));
   // Columns.
   const float below = origin.y + to_float(plot.height) + 2;
   const double widest = 8.0 + text_size(ui, font, fmt::format("{:.0f}", plot.x_last)).x;
   const double columns = std::max(1.0, nice_step(widest / plot.column(), 1));
-  const std::string title = "x";
+  const std::string title = slice.upright ? "y" : "x";
   const float title_left = right - text_size(ui, font, title).x;
   for (double x = std::ceil(plot.x_first / columns) * columns; x <= plot.x_last; x += columns) {
     const std::string text = fmt::format("{:.0f}", x + 0.0);
@@ -251,9 +267,9 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
   }
   draw_text(ui, {title_left, below}, font, c.text, title);
   // Which way is which, where the trace says so.
-  const bool named = header.declares(Convention::nearer);
+  const bool named = header.declares(Convention::nearer) && slice.attribute.empty();
   const char* down = header.comparison.nearer == Comparison::Nearer::greater ? "farther" : "nearer";
-  draw_label(ui, {origin.x - room.margin, origin.y - room.line}, font, c.text, upwards(ui, plot));
+  draw_label(ui, {origin.x - room.margin, origin.y - room.line}, font, c.text, upwards(ui, slice, plot));
   if (named) draw_text(ui, {origin.x - room.margin, below}, font, c.text, std::string("\u2193 ") + down);
 }
 
@@ -330,7 +346,7 @@ void paint_true(Canvas& canvas, const SlicePlot& plot, const std::vector<SliceSa
 }
 
 /// What line, dot and steps mean.
-void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true, bool units, bool view) {
+void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true, bool of_attribute, bool units, bool view) {
   const Theme& c = ui.colors();
   const ImFont* font = ui.fonts.mono;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -347,6 +363,7 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true, bool uni
   if (with_true) entries[1] = {4, "true depth"};
   if (view) entries[1] = {4, "if z_v were linear"};
   if (units) entries = {{5, "without rounding"}, {0, "rounded"}, {2, stored}};
+  if (of_attribute) entries = {{0, "linear on the picture"}, {4, "perspective-correct"}};
   const float sign = 1.6f * ui.em, gap = ui.em, middle = at.y + font->FontSize * 0.55f;
   float needed = -gap;
   for (const Entry& entry : entries) needed += sign + text_size(ui, font, entry.text).x + gap + 4;
@@ -515,12 +532,13 @@ void draw_slice_of(Ui& ui, bool view) {
   const auto at = line_of(ui, now);
   if (!at) return say_empty(ui, "Empty: no scan line is at work. Point at a pixel of the frame to see its depths.");
   SlicePicture lines;
-  lines.runs.push_back(slice_of(now, ui.slices, *at));
+  const std::optional<Slice> attribute = view ? std::nullopt : attribute_slice(now);
+  lines.runs.push_back(attribute ? *attribute : slice_of(now, ui.slices, *at));
   if (view)
     lines.runs[0] =
         in_view_depth(lines.runs[0], now.scene().camera, now.header().conventions, ui.session.question_open());
   const Slice slice = lines.runs[0];
-  if (ui.other && !view) lines.runs.push_back(slice_of(ui.other->moment(), ui.other->slices, *at));
+  if (ui.other && !view && !attribute) lines.runs.push_back(slice_of(ui.other->moment(), ui.other->slices, *at));
   SlicePlot& plot = lines.plot;
   plot.view = view;
   plot.x_first = slice.x_first, plot.x_last = slice.x_last, plot.low = slice.low, plot.high = slice.high;
@@ -531,7 +549,7 @@ void draw_slice_of(Ui& ui, bool view) {
   see_columns(ui, plot);
   const bool two = lines.runs.size() > 1;
   std::vector<SliceSample> truth;
-  if (!two && !view) truth = unrounded_depths(ui, now, slice);
+  if (!two && !view && !attribute) truth = unrounded_depths(ui, now, slice);
   if (!truth.empty()) see_units(plot, lines.runs[0], now.scene(), now.header().conventions, truth);
 
   const ImFont* font = ui.fonts.mono;
@@ -566,10 +584,11 @@ void draw_slice_of(Ui& ui, bool view) {
                                           plot.height, paint_slice, lines, ui.session.scene(), ui.colors(), ui.thin);
   Canvas& canvas = ui.canvases[view ? "slice in z_v" : "slice"].made;
   canvas = base.made;
-  if (!two && plot.unit == 0) truth = view ? straight_depths(slice) : depths_on_plane(now, plot, slice);
+  if (attribute) truth = slice.correct;
+  else if (!two && plot.unit == 0) truth = view ? straight_depths(slice) : depths_on_plane(now, plot, slice);
   paint_true(canvas, plot, truth, ui.colors(), ui.thin);
   for (const SliceSample& depth : truth)
-    if (slice.compare && slice.compare->x == depth.x && depth.z >= plot.low && depth.z <= plot.high &&
+    if (slice.compare && !attribute && slice.compare->x == depth.x && depth.z >= plot.low && depth.z <= plot.high &&
         std::none_of(slice.samples.begin(), slice.samples.end(), [&](const SliceSample& found) {
           return found.x == depth.x && found.polygon == depth.polygon && std::abs(found.z - depth.z) < 1e-6 * plot.unit;
         }))
@@ -599,11 +618,12 @@ void draw_slice_of(Ui& ui, bool view) {
       key_from += wide + ui.em;
     }
   }
-  const float sentence_at = corner.x + label_size(ui, font, upwards(ui, plot)).x + 1.5f * ui.em;
+  const float sentence_at = corner.x + label_size(ui, font, upwards(ui, slice, plot)).x + 1.5f * ui.em;
   if (sentence_at + text_size(ui, ui.fonts.bold, sentence).x < corner.x + avail.x)
     draw_text(ui, {sentence_at, corner.y - 1}, ui.fonts.bold, ui.colors().text, sentence);
   if (keyed)
-    draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two, !truth.empty(), plot.unit > 0, plot.view);
+    draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two, !truth.empty(), attribute.has_value(),
+             plot.unit > 0, plot.view);
   point(ui, plot, origin, slice);
 }
 
@@ -613,6 +633,8 @@ void draw_slice_in_view(Ui& ui) { draw_slice_of(ui, true); }
 std::string note_of_slice(Ui& ui) {
   const auto at = line_of(ui, ui.moment());
   if (!at) return "";
+  if (const auto attribute = attribute_slice(ui.moment()))
+    return fmt::format("{} = {}", attribute->upright ? "column x" : "scan line y", attribute->at.y);
   const char* of_light = at->pass == Pass::light ? ", what the light sees" : "";
   const char* why = ui.pointed ? ", pointed at" : ui.session.selected ? ", of the selected pixel" : "";
   const char* lacks = ui.slices.complete(ui.session.trace()) ? "" : "; a long run: only the span at work is drawn";
@@ -731,8 +753,8 @@ void name_ends(Ui& ui, Labels& labels, const SlicePlot& plot, ImVec2 origin, con
       for (const float from : {outside, inside}) places.push_back({from, foot - up * size.y});
     labels.put(text, ui.colors().text, places, font, true);
   };
-  put("x_L", span->x_left, true);
-  put("x_R", span->x_right, false);
+  put(slice.upright ? "y" : "x_L", span->x_left, true);
+  put(slice.upright ? "y" : "x_R", span->x_right, false);
 }
 
 /// Beside each marker, right of it or left; the upper one's a little higher, the lower one's lower.
@@ -762,6 +784,9 @@ void write_names(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Slice& slic
   for (const SliceSpan& span : slice.spans)
     labels.avoid({origin.x + plot.x(span.x_left), origin.y + plot.y(span.z_left)},
                  {origin.x + plot.x(span.x_right), origin.y + plot.y(span.z_right)});
+  for (std::size_t k = 1; k < slice.correct.size(); ++k)
+    labels.avoid({origin.x + plot.x(slice.correct[k - 1].x), origin.y + plot.y(slice.correct[k - 1].z)},
+                 {origin.x + plot.x(slice.correct[k].x), origin.y + plot.y(slice.correct[k].z)});
   name_markers(ui, labels, origin, markers);
   name_spans(ui, labels, plot, origin, slice);
   if (plot.unit == 0 && !plot.view) name_ends(ui, labels, plot, origin, slice);

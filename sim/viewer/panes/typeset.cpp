@@ -312,6 +312,13 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, con
     std::vector<FormulaBox> pieces = pieces_of(ui, sides[side]);
     if (left + widest_of(pieces) > width) left = std::min(left, ui.em);
     for (FormulaBox& piece : pieces) narrow_box(ui, piece, width - left);
+    // A fraction of fractions has its own bar in the line, so that no more than two numbers stand over each other.
+    const Notation& whole_side =
+        notation[side].parts.size() == 1 && notation[side].kind == Kind::row ? notation[side].parts[0] : notation[side];
+    if (whole_side.kind == Kind::fraction && whole_side.parts[0].kind == Kind::fraction &&
+        whole_side.parts[1].kind == Kind::fraction && is_too_tall(ui, sides[side]))
+      pieces = pieces_of(
+          ui, box_of(ui, {Kind::row, {}, {}, {whole_side.parts[0], {Kind::text, " / "}, whole_side.parts[1]}}));
     const bool tall =
         std::any_of(pieces.begin(), pieces.end(), [&](const FormulaBox& box) { return is_too_tall(ui, box); });
     if (tall || left + widest_of(pieces) > width) {

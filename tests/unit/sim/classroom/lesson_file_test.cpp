@@ -223,8 +223,8 @@ TEST_CASE("slips in the stops") {
   const LessonFile coarse(head + "## Here {at: start; beside: size = 4x4}\nText.\n");
   Lesson with_coarse = load_lesson(coarse.path);
   CHECK(run_lesson(with_coarse).scene().raster.width != 4);
-  REQUIRE(with_coarse.stops.at(0).beside_run);
-  CHECK(with_coarse.stops.at(0).beside_run->scene().raster.width == 4);
+  REQUIRE(with_coarse.stops.at(0).beside.size() == 1);
+  CHECK(with_coarse.stops.at(0).beside[0].run->scene().raster.width == 4);
   CHECK(contains(load_error(head + "## Here {at: start; beside: = 4x4}\nText.\n"), ":7"));
   CHECK(contains(run_error(head + "## Here {at: start; beside: none = 4}\nText.\n"), ":7"));
   const LessonFile viewing(head + "## Here {at: start; focus: scene; viewing: T_3}\nText.\n");
