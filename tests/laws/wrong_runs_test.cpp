@@ -41,7 +41,7 @@ TEST_CASE("the runs that stand beside lessons end with the pictures of which the
   };
   const auto named = [](const std::map<std::string, int>& count) {
     std::string names;
-    for (const auto& [name, pixels] : count) names += name;
+    for (const auto& [name, how_many] : count) names += name;
     return names;
   };
   CHECK(named(of("one-cube")) == "A");
