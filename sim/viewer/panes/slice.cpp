@@ -772,6 +772,7 @@ void name_markers(Ui& ui, Labels& labels, ImVec2 origin, std::vector<SliceMarker
     for (const float down : {k == 0 ? -0.75f : 0.75f, 0.0f, k == 0 ? -1.5f : 1.5f, k == 0 ? 0.75f : -0.75f})
       for (const bool right : {true, false})
         places.push_back({right ? x + reach + 3 : x - reach - 3 - size.x, y + down * size.y});
+    for (const float down : {1.2f, -1.2f, 2.3f, -2.3f}) places.push_back({x - size.x / 2, y + down * size.y});
     labels.put(marker.text, ui.colors().text, places, font);
   }
 }
