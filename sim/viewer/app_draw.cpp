@@ -77,7 +77,8 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
     parts.push_back("polygon " + polygon_label(session_.scene(), state.machine.polygon));
   if (works && state.machine.horizon.curve)
     parts.push_back(fmt::format("curve {}", state.machine.horizon.curve->curve));
-  if (works && state.machine.horizon.test && session_.event_told()) parts.push_back(fmt::format("column {}", state.machine.horizon.test->x));
+  if (works && state.machine.horizon.test && session_.event_told())
+    parts.push_back(fmt::format("column {}", state.machine.horizon.test->x));
   if (works && state.machine.scan_line) parts.push_back(fmt::format("scan line {}", *state.machine.scan_line));
   if (const auto cell = works ? session_.cell_looked_at() : std::nullopt)
     parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));

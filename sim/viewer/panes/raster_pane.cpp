@@ -346,7 +346,7 @@ void mark_changed(Ui& ui, const RasterMap& map, ImVec2 origin, const std::option
   const Session& s = ui.session;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const auto& changed = s.looking_back ? s.changed() : s.changed_here();
-  if (map.cell >= 6) {
+  if (map.cell >= 6 && (s.event_told() || s.looking_back)) {
     // A filled corner in each changed cell.
     const float size = std::max(4.0f, std::round(static_cast<float>(map.cell) * 0.3f));
     for (const Cell cell : changed) {
@@ -510,7 +510,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional
   const Theme& c = ui.colors();
   const Session& s = ui.session;
   draw_pixel_marks(ui, map, origin);
-  if (!ui.still && (s.event_told() || s.looking_back)) mark_changed(ui, map, origin, ends);
+  if (!ui.still) mark_changed(ui, map, origin, ends);
   draw_picked(ui, map, origin);
   const float small = map.cell < 8 ? 3.0f : 0.0f;
   if (ui.pointed) frame_cell(ui, map, origin, *ui.pointed, small, 1, c.text);
