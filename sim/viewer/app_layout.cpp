@@ -365,10 +365,10 @@ void App::draw_runs_beside(const Pane& pane, ImVec2 at, ImVec2 first, ImVec2 sec
 void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   constexpr float low_row = 11;  // in em
   std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
-  const std::vector<Ui*> others = runs_beside();
-  const bool other = !others.empty();
+  const std::vector<Ui*> runs = runs_beside();
+  const bool other = !runs.empty();
   const bool alone = other && stands_alone(session_.lesson()->stops[session_.stop()].beside, lead());
-  if (alone) leading = {lesson_pictures(others[0]->session.header(), lead())[0]};
+  if (alone) leading = {lesson_pictures(runs[0]->session.header(), lead())[0]};
   else if (other) leading = std::vector<Pane>(2, lead().empty() ? frame_pane : leading[0]);
   else if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   float& share = settings_.layout.lesson;

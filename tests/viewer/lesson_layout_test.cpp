@@ -222,11 +222,11 @@ TEST_CASE("law: other runs have their pictures where the stop says so, in any wi
           return std::count_if(drawn.words.begin(), drawn.words.end(),
                                [&](const std::string& word) { return word.find(part) != std::string::npos; });
         };
-        if (window.width == 1280) CHECK(words_with("ANOTHER RUN, ") == std::ssize(stop.beside));
+        if (window.width == 1280) CHECK(words_with("ANOTHER RUN") == std::ssize(stop.beside));
         for (const RunBeside& run : stop.beside) CHECK(words_with(run.name().substr(0, 10)) > 0);
         const std::string said = describe_step(app);
         for (const RunBeside& run : stop.beside)
-          CHECK(said.find("of another run, " + std::string(stop.focus.empty() ? "at its end: " : "here: ") +
+          CHECK(said.find("of another run, " + std::string(stop.focus == "slice" ? "here: " : "at its end: ") +
                           run.name()) != std::string::npos);
         beside += static_cast<int>(stop.beside.size());
       }
@@ -238,20 +238,19 @@ TEST_CASE("law: other runs have their pictures where the stop says so, in any wi
 TEST_CASE("what a stop marks is seen in its picture, and not beyond the stop") {
   int marked = 0;
   for (Lesson& lesson : all_lessons()) {
-    if (std::none_of(lesson.stops.begin(), lesson.stops.end(), [](const Stop& stop) {
-          return stop.pixel || !stop.vertices.empty() || !stop.pixels.steps.empty();
-        }))
+    if (std::none_of(lesson.stops.begin(), lesson.stops.end(),
+                     [](const Stop& stop) { return stop.pixel || !stop.labels.empty() || !stop.pixels.steps.empty(); }))
       continue;
     const Trace trace = run_lesson(lesson);
     Lesson plain = lesson;
-    for (Stop& stop : plain.stops) stop.pixel.reset(), stop.vertices.clear(), stop.pixels.right.clear();
+    for (Stop& stop : plain.stops) stop.pixel.reset(), stop.labels.clear(), stop.pixels.right.clear();
     App marks(trace, &lesson, {}, 1280, 720), none(trace, &plain, {}, 1280, 720);
     for (std::size_t k = 0; k < lesson.stops.size(); ++k) {
       const Stop& stop = lesson.stops[k];
       for (App* app : {&marks, &none}) app->session().to_stop(static_cast<int>(k)), app->settle();
       CAPTURE(lesson.id);
       CAPTURE(stop.heading);
-      const bool marks_any = stop.pixel || !stop.vertices.empty() || !stop.pixels.right.empty();
+      const bool marks_any = stop.pixel || !stop.labels.empty() || !stop.pixels.right.empty();
       CHECK((marks.renderer().rgb() != none.renderer().rgb()) == marks_any);
       marked += marks_any;
       if (stop.pixel) CHECK(marks.session().cell_looked_at(true) == Cell{stop.pixel->x, stop.pixel->y});

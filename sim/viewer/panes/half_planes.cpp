@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/words/explain.hpp"
 #include "traces/formulas/half_space.hpp"
 #include "traces/formulas/samples.hpp"
 

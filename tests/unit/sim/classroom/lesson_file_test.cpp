@@ -175,20 +175,17 @@ TEST_CASE("slips in the stops") {
   const LessonFile focused(head + "## Here {at: start; focus: edge-table}\nText.\n");
   CHECK(load_lesson(focused.path).stops.at(0).focus == "edge_table");
   CHECK(contains(load_error(head + "## Here {at: start; look: scene}\nText.\n"),
-                 ":7: `look: scene` is left over in the anchor; after ; write `focus: edge-table` or another "
-                 "pane, `pixel: (12, 15)`, `pixels: "));
-  const LessonFile marked(head +
-                          "## Here {at: start; pixel: (2, 1); vertices: 0 2; pixels: compare where nearer}\nText.\n");
+                 ":7: `look: scene` is left over in the anchor; after ; write `focus:`, `viewing:`, "));
+  const LessonFile marked(head + "## Here {at: start; pixel: (2, 1); pixels: compare where nearer}\nText.\n");
   Lesson marks = load_lesson(marked.path);
   REQUIRE(marks.stops.at(0).pixel);
   CHECK(marks.stops[0].pixel->x == 2);
   CHECK(marks.stops[0].pixel->y == 1);
-  CHECK(marks.stops[0].vertices == std::vector<std::int32_t>{0, 2});
   const Trace its_run = run_lesson(marks);
   CHECK(!marks.stops[0].pixels.right.empty());  // of steps that are still to come
-  for (const char* wrong : {"pixel: (2)", "pixel: (2, -1)", "pixel: 2 x", "vertices: all", "vertices:"})
+  for (const char* wrong : {"pixel: (2)", "pixel: (2, -1)", "pixel: 2 x", "label: 1-x", "label:"})
     CHECK(contains(load_error(head + "## Here {at: start; " + wrong + "}\nText.\n"), ":7: `"));
-  for (const char* wrong : {"pixel: (9999, 0)", "vertices: 0 9999", "pixels: compare where x < 0", "pixels: fly"}) {
+  for (const char* wrong : {"pixel: (9999, 0)", "label: V_9999", "pixels: compare where x < 0", "pixels: fly"}) {
     const LessonFile refused(head + "## Here {at: start; " + wrong + "}\nText.\n");
     Lesson lesson = load_lesson(refused.path);
     CHECK_THROWS_WITH(run_lesson(lesson), doctest::Contains("7-made-up.md:7"));
