@@ -250,9 +250,8 @@ class Reader {
       }
       std::error_code unreadable;
       if (!beside.file.empty() || !std::filesystem::is_regular_file(lesson_.path.parent_path() / part, unreadable))
-        lines_.fail(
-            fmt::format("there is no run `{}`", part),
-            "give a change as `beside: bias = 0`, or the path of a scene or of a .jsonl from the lesson's folder");
+        lines_.fail(fmt::format("there is no run `{}`", part),
+                    "give the path of its .jsonl from the lesson's folder, that of a scene, or a change as `bias = 0`");
       beside.file = part;
     }
     return beside;

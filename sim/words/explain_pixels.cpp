@@ -340,8 +340,8 @@ void tell_as_distances(Telling& t, const ShadowCompare& point, double stored, bo
   const auto& found = t.after.machine.shadow_bias;
   const bool sloped = found && found->x == point.x && found->y == point.y;
   const double bias = sloped ? found->bias : formulas::light_bias(z_v, options.bias, 0.0, 0.0);
-  t.formula(fmt::format("z_v = {} {} z_v(shadow) + bias = {} + {} = {}", number(z_v), lit ? "\u2264" : ">",
-                        number(shadow), number(bias), number(shadow + bias)));
+  t.formula(fmt::format("z_v \u2264 stored z_v + bias, {} + {}: {} \u2264 {}  is {}", number(shadow), number(bias),
+                        number(z_v), number(shadow + bias), lit ? "true" : "false"));
 }
 
 void tell(Telling& t, const ShadowCompare& e) {

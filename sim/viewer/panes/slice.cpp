@@ -555,7 +555,7 @@ void draw_slice_of(Ui& ui, bool view) {
   const ImFont* font = ui.fonts.mono;
   const ImVec2 corner = ImGui::GetCursorScreenPos(), avail = ImGui::GetContentRegionAvail();
   const float line = std::round(font->FontSize * 1.25f);
-  float numbers = text_size(ui, font, "\u2193 farther").x;
+  float numbers = attribute ? 0 : text_size(ui, font, "\u2193 farther").x;
   for (const double z : {plot.low, plot.high})
     numbers = std::max(numbers, text_size(ui, font, number(plot.shown(z), plot.unit > 0 ? 0 : 4)).x + 10);
   const Room room{numbers + 4, line};
