@@ -244,9 +244,9 @@ class Reader {
       return;
     }
     lines_.fail(fmt::format("`{}` is left over in the anchor", text),
-                "after ; write `focus: edge-table` or another pane, `viewing: T_1` to T_4 for a step of viewing, "
-                "`depths: near, 18` for view depths of the depth curve, or `beside: runs/first.jsonl` for another "
-                "run's picture");
+                "after ; write `focus: edge-table` or another pane, `viewing: T_1` to T_4 for a step of viewing, or "
+                "`beside: runs/first.jsonl` for another run's picture, or `depths: near, 18` for view depths of the "
+                "depth curve");
   }
 
   void begin_stop() {
