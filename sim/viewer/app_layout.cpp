@@ -148,9 +148,9 @@ void App::draw_leading(const std::vector<Pane>& leading, ImVec2 at, ImVec2 size)
   stage_at_ = {at, size}, leading_ = leading;
   if (leading.size() == 1) return draw_on_stage(leading[0], at, size, true);
   // A chart that has nothing to show leaves its room to the other, but for its title.
-  const auto empty = std::find_if(leading.begin(), leading.end(), [&](const Pane& pane) {
-    return pane.wide && pane.with && pane.waits && pane.waits(ui_);
-  });
+  const bool charts = std::all_of(leading.begin(), leading.end(), [](const Pane& pane) { return pane.wide; });
+  const auto empty = std::find_if(leading.begin(), leading.end(),
+                                  [&](const Pane& pane) { return charts && pane.waits && pane.waits(ui_); });
   if (empty != leading.end() && leading.size() == 2) {
     const Pane& other = leading[empty == leading.begin() ? 1 : 0];
     const float head = std::round(ui_.em * 1.5f), upper = size.y - head - gap;

@@ -136,7 +136,7 @@ TEST_CASE("a click on a small pane's title makes it lead, a second one puts it b
     test::press(app, SDLK_TAB);
     way += app.lead() + " ";
   }
-  CHECK(way == "frame depth edge_table scene slice depth_error  ");
+  CHECK(way == "frame depth edge_table scene slice slice_view depth_error depth_curve  ");
   CHECK(test::picture(app) == before);
 }
 
