@@ -596,7 +596,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     words.allowed = [&](ImVec2 low, ImVec2 high) {  // not on what stands in pixels
       const auto is_drawn = [&](float x, float y) {
         const auto cell = map.cell_at(x - origin.x, y - origin.y);
-        return cell && s.picture().polygon[s.picture().at(cell->x, cell->y)] != no_polygon;
+        return cell && width_in_cell(cell->x, cell->y) > 0;
       };
       return !is_drawn(low.x, low.y) && !is_drawn(high.x, low.y) && !is_drawn(low.x, high.y) &&
              !is_drawn(high.x, high.y);
