@@ -6,9 +6,7 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
-#include <vector>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -288,40 +286,4 @@ TEST_CASE("a stop that is come to through all before it is the picture that open
     const bool same = test::picture(app) == test::picture(opened);
     CHECK(same);
   }
-}
-
-TEST_CASE("law: what a stop labels, and the sides of its window, are written in its picture") {
-  int labelled = 0;
-  for (Lesson& lesson : all_lessons()) {
-    const Trace trace = run_lesson(lesson);
-    App app(trace, &lesson, {}, 1280, 720);
-    for (std::size_t k = 0; k < lesson.stops.size(); ++k) {
-      const Stop& stop = lesson.stops[k];
-      std::vector<std::string> names;
-      for (const StopLabel& label : stop.labels)
-        if (!label.name.empty()) names.push_back(label.name);
-      if (stop.window && stop.window->far > 0) names.insert(names.end(), {"near:f", "far:F"});
-      else if (stop.window) names.insert(names.end(), {"L=", "R=", "B=", "T="});
-      if (names.empty()) continue;
-      CAPTURE(lesson.id);
-      CAPTURE(k + 1);
-      app.session().to_stop(static_cast<int>(k));
-      app.settle();
-      const test::Letters drawn = test::letters_of(app.ui().fonts);
-      const float right = app.stage_place().at.x + app.stage_place().size.x;
-      std::set<std::size_t> seen;
-      std::string written = " ";
-      for (const test::Letter& letter : drawn.all)
-        if (letter.first.x < right && seen.insert(letter.word).second)
-          written += without_blanks(drawn.words[letter.word]) + " ";
-      for (std::string name : names) {
-        std::erase(name, '_');
-        CAPTURE(name);
-        CAPTURE(written);
-        CHECK(written.find(" " + without_blanks(name)) != std::string::npos);
-        ++labelled;
-      }
-    }
-  }
-  CHECK(labelled > 60);
 }
