@@ -397,7 +397,7 @@ class App {
   void draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size);
   void draw_lesson_layout(ImVec2 at, ImVec2 size);
   std::vector<Ui*> runs_beside();
-  void draw_runs_beside(const Pane& pane, ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 second);
+  void draw_runs_beside(ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 second);
   void draw_words(std::vector<Pane> panes, ImVec2 at, ImVec2 size);
   std::vector<Pane> words_of_step();
   float frame_height(float width) const;

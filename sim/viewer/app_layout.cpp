@@ -342,9 +342,13 @@ std::vector<Ui*> App::runs_beside() {
   return looks;
 }
 
-void App::draw_runs_beside(const Pane& pane, ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 second) {
+void App::draw_runs_beside(ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 second) {
   const std::vector<Ui*> others = runs_beside();
   const std::vector<RunBeside>& runs = session_.lesson()->stops[session_.stop()].beside;
+  const bool alone = stands_alone(runs, lead());
+  const Pane pane =
+      lead().empty() ? frame_pane : lesson_pictures((alone ? others[0]->session : session_).header(), lead())[0];
+  leading_ = {pane};
   const std::string when = pane.id == slice_pane.id ? ", HERE" : pane.id == scene_pane.id ? "" : ", AT ITS END";
   const auto draw = [&](std::size_t k, ImVec2 place, ImVec2 size) {
     const float room = std::floor(size.x) - std::ceil(1.1f * ui_.em);
@@ -352,7 +356,7 @@ void App::draw_runs_beside(const Pane& pane, ImVec2 at, ImVec2 first, ImVec2 sec
     if (text_size(ui_, ui_.fonts.small, title).x > room) title = fitted(ui_, ui_.fonts.small, runs[k].name(), room);
     draw_beside(*others[k], pane, title, place, size);
   };
-  if (stands_alone(runs, lead())) return draw(0, at, {second_at.x + second.x - at.x, second.y});
+  if (alone) return draw(0, at, {second_at.x + second.x - at.x, second.y});
   if (others.size() == 1) draw_on_stage(pane, at, first, true);
   else draw(0, at, first);
   draw(others.size() - 1, second_at, second);
@@ -365,11 +369,9 @@ void App::draw_runs_beside(const Pane& pane, ImVec2 at, ImVec2 first, ImVec2 sec
 void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   constexpr float low_row = 11;  // in em
   std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
-  const std::vector<Ui*> runs = runs_beside();
-  const bool other = !runs.empty();
+  const bool other = !runs_beside().empty();
   const bool alone = other && stands_alone(session_.lesson()->stops[session_.stop()].beside, lead());
-  if (alone) leading = {lesson_pictures(runs[0]->session.header(), lead())[0]};
-  else if (other) leading = std::vector<Pane>(2, lead().empty() ? frame_pane : leading[0]);
+  if (other) leading = std::vector<Pane>(alone ? 1 : 2, lead().empty() ? frame_pane : leading[0]);
   else if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   float& share = settings_.layout.lesson;
   share = std::clamp(share, 0.15f, 0.45f);
@@ -389,8 +391,8 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   }
   if (other) {
     const float first = std::round((stage.x - gap) * settings_.layout.frame);
-    draw_runs_beside(leading[0], at, {first, stage.y}, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
-    stage_at_ = {at, stage}, leading_ = {leading[0]};
+    draw_runs_beside(at, {first, stage.y}, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
+    stage_at_ = {at, stage};
     if (alone) said.clear();  // of this run's step
   } else {
     draw_leading(leading, at, stage);
