@@ -470,7 +470,7 @@ void draw_edge_in_question(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlac
   if (!(first <= last) || !std::isfinite(first)) return;
   stroke_line(list, at(first), at(last), c.pane, 5 * ui.thin);
   stroke_line(list, at(first), at(last), c.now, 3 * ui.thin);
-  for (double y = first; y <= last; ++y) fill_circle(list, at(y), std::round(0.28f * ui.em), c.now);
+  for (double y = first; y <= last; ++y) stroke_circle(list, at(y), std::round(0.5f * ui.em), c.now, 2 * ui.thin);
 }
 
 /// The vertex that comes to the raster; where that is asked, from which y_p to which the window reaches.
