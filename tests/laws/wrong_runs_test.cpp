@@ -80,16 +80,3 @@ TEST_CASE("the first of them stores no depth, and check notices it after each pi
   CHECK(stores == 0);
   CHECK(pixels - 1 == 48);
 }
-
-TEST_CASE("glass in the order of the file, which a lesson shows beside its own picture, is what that order gives") {
-  Lesson lesson = find_lesson("transparency");
-  lesson.stops.clear();
-  lesson.conventions.options["order"] = "file";
-  const Trace made = run_lesson(lesson),
-              shown = open_jsonl(test::in_checkout("lessons/runs/glass-in-file-order.jsonl"));
-  Replay one(made), other(shown);
-  one.go_to(made.size()), other.go_to(shown.size());
-  CHECK(one.state().picture.ink == other.state().picture.ink);
-  CHECK(one.state().picture.polygon == other.state().picture.polygon);
-  CHECK(one.state().picture.depth == other.state().picture.depth);
-}
