@@ -1,4 +1,4 @@
-
+// What the scene shows in space: edges, axes, the eye with its window and planes, and what the step at work is about.
 #include "sim/viewer/panes/scene_in_space.hpp"
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "algorithms/fast/z_buffer.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
@@ -22,135 +21,6 @@
 #include "traces/scene.hpp"
 
 namespace zstep::viewer {
-
-Picture polygons_seen(const Outside& outside, const Scene& polygons) {
-  Picture seen;
-  see_polygons(outside, polygons, seen);
-  return seen;
-}
-
-void see_polygons(const Outside& outside, const Scene& polygons, Picture& seen) {
-  Conventions plain;
-  plain.cull = false;
-  z_buffer::run_fast(outside.seen(polygons), plain, seen);
-}
-
-void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel32>& colors, Pixel32 paper) {
-  if (canvas.width() != seen.width || canvas.height() != seen.height) canvas.resize(seen.width, seen.height);
-  for (int y = 0; y < seen.height; ++y) {
-    Pixel32* const row = canvas.row(y);
-    const std::int32_t* const polygons = seen.polygon.data() + seen.at(0, y);
-    for (int x = 0; x < seen.width; ++x) row[x] = polygons[x] == no_polygon ? paper : colors[polygons[x]];
-  }
-}
-
-bool paint_with_glass(Canvas& canvas, const Outside& outside, const Scene& polygons, const std::vector<Pixel32>& colors,
-                      Pixel32 paper) {
-  constexpr std::ptrdiff_t most_glass = 16;
-  const auto is_glass = [&](const Facet& facet) { return polygons.polygons[facet.polygon].material->opacity < 1; };
-  const auto count = std::count_if(polygons.facets.begin(), polygons.facets.end(), is_glass);
-  if (count == 0 || count > most_glass) return false;
-  Scene part = polygons;
-  std::erase_if(part.facets, is_glass);
-  const Picture behind = polygons_seen(outside, part);
-  paint_polygons(canvas, behind, colors, paper);
-  std::vector<std::pair<double, Picture>> panes;  // by their mean depths
-  for (const Facet& facet : polygons.facets) {
-    if (!is_glass(facet)) continue;
-    part.facets = {facet};
-    Picture seen = polygons_seen(outside, part);
-    double sum = 0, pixels = 0;
-    for (std::size_t at = 0; at < seen.polygon.size(); ++at)
-      if (seen.polygon[at] != no_polygon) sum += seen.depth[at], ++pixels;
-    if (pixels > 0) panes.emplace_back(sum / pixels, std::move(seen));
-  }
-  std::stable_sort(panes.begin(), panes.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  for (const auto& [depth, seen] : panes)
-    for (int y = 0; y < seen.height; ++y)
-      for (int x = 0; x < seen.width; ++x) {
-        const std::size_t at = seen.at(x, y);
-        const std::int32_t polygon = seen.polygon[at];
-        if (polygon == no_polygon || seen.depth[at] > behind.depth[at] + as_near) continue;
-        const double share = 255 * std::clamp(polygons.polygons[polygon].material->opacity, 0.0, 1.0);
-        canvas.row(y)[x] = mixed(canvas.row(y)[x], colors[polygon], static_cast<unsigned>(share));
-      }
-  return true;
-}
-
-void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness, bool dashed, bool through) {
-  const auto ends = outside_.line(from, to);
-  if (!ends) return;
-  const Outside::Spot a = (*ends)[0], b = (*ends)[1];
-  const double length = portable::length(b.x - a.x, b.y - a.y);
-  if (!std::isfinite(length)) return;
-  const int parts = static_cast<int>(std::clamp(length / 3, 1.0, 2000.0));
-  const auto at = [&](int k) {
-    const double t = ratio(k, parts);
-    return Outside::Spot{a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.depth + (b.depth - a.depth) * t};
-  };
-  for (int first = 0; first < parts;) {
-    const bool behind = hidden(at(first), at(first + 1));
-    int last = first + 1;
-    while (last < parts && hidden(at(last), at(last + 1)) == behind && !(dashed && (last - first) >= 2)) ++last;
-    const Outside::Spot from_here = at(first), to_here = at(last);
-    picture_.canvas.line(from_here.x, from_here.y, to_here.x, to_here.y, thickness * thin_, to_pixel(color),
-                         behind ? (through ? 170 : 70) : 255);
-    first = last + (dashed ? 2 : 0);
-  }
-}
-
-void RoomPen::arrow(glm::dvec3 from, glm::dvec3 to, ImU32 color, const std::string& name) {
-  line(from, to, color, 2.4);
-  const auto foot = outside_.spot(from), tip = outside_.spot(to);
-  const glm::dvec2 way = foot && tip ? glm::dvec2(tip->x - foot->x, tip->y - foot->y) : glm::dvec2(0);
-  if (!(glm::length(way) > 1)) return;
-  const glm::dvec2 back = glm::normalize(way) * (9 * thin_), across = 0.45 * glm::dvec2(-back.y, back.x);
-  for (const double side : {1.0, -1.0})
-    picture_.canvas.line(tip->x, tip->y, tip->x - back.x + side * across.x, tip->y - back.y + side * across.y,
-                         2.4 * thin_, to_pixel(color));
-  if (!name.empty()) word(to + 0.06 * (to - from), name, color);
-}
-
-void RoomPen::around(const std::vector<glm::dvec3>& corners, ImU32 color, double thickness, bool dashed) {
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    line(corners[k], corners[(k + 1) % corners.size()], color, thickness, dashed);
-}
-
-void RoomPen::dot(glm::dvec3 at, double radius, int shape, ImU32 color) {
-  if (const auto spot = outside_.spot(at))
-    picture_.canvas.mark(spot->x, spot->y, radius * thin_, shape, to_pixel(color));
-}
-
-bool RoomPen::word(glm::dvec3 at, const std::string& text, ImU32 color, bool first) {
-  const auto spot = outside_.spot(at);
-  if (!spot || !(spot->x >= 0 && spot->y >= 0 && spot->x < seen_.width && spot->y < seen_.height)) return false;
-  picture_.words.push_back({{static_cast<float>(spot->x), static_cast<float>(spot->y)}, color, text, first});
-  return true;
-}
-
-void RoomPen::veil(const std::vector<glm::dvec3>& corners, ImU32 color, unsigned share) {
-  if (corners.size() < 3) return;
-  Scene plane;
-  plane.points = corners;
-  plane.polygons.resize(1);
-  plane.facets.push_back({0, 0, size32(corners)});
-  for (std::size_t k = 0; k < corners.size(); ++k) plane.corners.push_back(index32(k));
-  const Picture veil = polygons_seen(outside_, plane);
-  for (int y = 0; y < veil.height; ++y)
-    for (int x = 0; x < veil.width; ++x) {
-      const std::size_t at = veil.at(x, y);
-      if (veil.polygon[at] == no_polygon) continue;
-      Pixel32& pixel = picture_.canvas.row(y)[x];
-      pixel = mixed(pixel, to_pixel(color), veil.depth[at] <= seen_.depth[at] + as_near ? share : share / 5);
-    }
-}
-
-bool RoomPen::hidden(const Outside::Spot& a, const Outside::Spot& b) const {
-  const double x = (a.x + b.x) / 2, y = (a.y + b.y) / 2, depth = (a.depth + b.depth) / 2;
-  if (!(x >= 0 && y >= 0 && x < seen_.width && y < seen_.height)) return false;
-  return depth > seen_.depth[seen_.at(static_cast<int>(x), static_cast<int>(y))] + as_near;
-}
-
 namespace {
 
 void draw_edges(RoomPen& pen, const Moment& now) {
@@ -697,96 +567,6 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
   const auto end = seen.window(light->far);
   for (const glm::dvec3& corner : end) pen.line(light->position, corner, c.muted, 1);
   pen.around(end, c.muted, 1, true);
-}
-
-/// What the lesson's stop names: vertices with dots, lines dashed where they are no edges, arrows, polygons.
-void draw_labels(RoomPen& pen, const Moment& now) {
-  const Scene& scene = pen.room.polygons();
-  const Theme& c = pen.colors;
-  const std::vector<EdgeEnds> edges = edges_of(scene);
-  for (const StopLabel& label : now.told()->labels) {
-    if (label.vertex < 0) {
-      const std::string& polygon = label.plane_of.empty() ? label.name : label.plane_of;
-      for (const Facet& facet : scene.facets) {
-        if (polygon_label(now.scene(), facet.polygon) != polygon) continue;
-        glm::dvec3 middle(0), normal(0);
-        const auto corner = [&](std::int32_t k) {
-          return scene.points[scene.corners[facet.first_corner + k % facet.corner_count]];
-        };
-        for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-          middle += corner(k) / static_cast<double>(facet.corner_count);
-          normal += glm::cross(corner(k) - corner(0), corner(k + 1) - corner(0));
-        }
-        if (label.plane_of.empty()) {
-          pen.word(middle, label.name, c.text, true);
-          continue;
-        }
-        const auto section = pen.room.section(normal.x, normal.y, normal.z, -glm::dot(normal, middle));
-        if (section.empty()) continue;
-        pen.veil(section, c.selected, 80);
-        pen.around(section, c.selected, 1.6);
-        pen.word(section[0], label.name, c.text, true);
-      }
-      continue;
-    }
-    const glm::dvec3 from = scene.points[label.vertex];
-    if (label.to < 0) {
-      pen.dot(from, 4, 0, c.now);
-      pen.word(from, label.name, c.now, true);
-      continue;
-    }
-    const glm::dvec3 to = scene.points[label.to];
-    const bool edge =
-        std::find(edges.begin(), edges.end(), EdgeEnds(std::minmax(label.vertex, label.to))) != edges.end();
-    if (label.arrow) pen.arrow(from, to, c.selected);
-    else pen.line(from, to, c.now, 2.4, !edge);
-    if (!label.name.empty()) pen.word(0.5 * (from + to), label.name, label.arrow ? c.text : c.now, true);
-  }
-}
-
-/// The window of which the stop speaks: its four sides by their numbers, its distance along the line of sight, and the
-/// angle \u03b1 from its bottom to its top; or the view volume from there to the far plane.
-void draw_told_window(RoomPen& pen, const StopWindow& w) {
-  const Theme& c = pen.colors;
-  const Room& room = pen.room;
-  const auto corners = room.rectangle_in_view(w.left, w.right, w.bottom, w.top, w.distance);
-  const auto at = [&](double x, double y, double z) { return room.rectangle_in_view(x, x, y, y, z)[0]; };
-  const glm::dvec3 eye = room.camera().eye;
-  const auto name = [&](const char* symbol, double value) { return fmt::format("{} = {}", symbol, number(value)); };
-  pen.dot(eye, 5, 0, c.text);
-  pen.word(eye, "eye", c.text, true);
-  pen.around(corners, c.now, 2.6);
-  if (w.far > 0) {
-    const double more = w.far / w.distance;
-    const auto end = room.rectangle_in_view(w.left * more, w.right * more, w.bottom * more, w.top * more, w.far);
-    for (std::size_t k = 0; k < 4; ++k) pen.line(eye, end[k], c.muted, 1.2);
-    pen.around(end, c.now, 2.6);
-    pen.line(eye, at(0, 0, w.far), c.text, 1.6, true);
-    pen.word(corners[3], name("near: f", w.distance), c.now, true);
-    pen.word(end[3], name("far: F", w.far), c.now, true);
-    return;
-  }
-  for (const glm::dvec3& corner : corners) pen.line(eye, corner, c.muted, 1.2);
-  const double x = (w.left + w.right) / 2, y = (w.bottom + w.top) / 2;
-  pen.word(at(w.left, y, w.distance), name("L", w.left), c.now, true);
-  pen.word(at(w.right, y, w.distance), name("R", w.right), c.now, true);
-  pen.word(at(x, w.bottom, w.distance), name("B", w.bottom), c.now, true);
-  pen.word(at(x, w.top, w.distance), name("T", w.top), c.now, true);
-  const glm::dvec3 middle = at(0, 0, w.distance), low = at(0, w.bottom, w.distance), high = at(0, w.top, w.distance);
-  pen.line(eye, middle, c.text, 1.6, true);
-  pen.dot(middle, 3, 0, c.text);
-  pen.word(0.5 * (eye + middle), name(w.distance == room.camera().d ? "d" : "f", w.distance), c.text, true);
-  if (!w.angle) return;
-  pen.line(eye, low, c.selected, 2), pen.line(eye, high, c.selected, 2), pen.line(low, high, c.selected, 1.2, true);
-  constexpr int parts = 24;
-  const double radius = 0.3 * w.distance, first = portable::atan2(w.bottom, w.distance),
-               whole = portable::atan2(w.top, w.distance) - first;
-  const auto arc = [&](double t) {
-    const double angle = first + t * whole;
-    return at(0, radius * portable::sin(angle), radius * portable::cos(angle));
-  };
-  for (int k = 0; k < parts; ++k) pen.line(arc(ratio(k, parts)), arc(ratio(k + 1, parts)), c.selected, 2);
-  pen.word(arc(0.75), "\u03b1", c.text, true);
 }
 
 }  // namespace

@@ -62,6 +62,12 @@ class RoomPen {
   double thin_;
 };
 
+/// What the lesson's stop names: vertices with dots, lines dashed where they are no edges, arrows, polygons.
+void draw_labels(RoomPen& pen, const Moment& now);
+/// The window of which the stop speaks: its four sides by their numbers, its distance along the line of sight, and the
+/// angle α from its bottom to its top; or the view volume from there to the far plane.
+void draw_told_window(RoomPen& pen, const StopWindow& window);
+
 /// Edges, axes, the eye with its window and planes, the lamp, what the lesson's stop names; then what is at work.
 /// `cell`: the pixel; `viewing`: 1 … 4 for the axes before and after T_1 … T_4, 0 for the world's.
 void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing, double arrived);
