@@ -339,20 +339,18 @@ void draw_depth_curve(Ui& ui) {
   chart.x_title = "z_v";
   chart.x_reach = {near, far}, chart.y_reach = {at(near).y, at(far).y};
   chart.now = {mark("near ", near), mark("far ", far)};
-  for (int step = 0; step <= steps; ++step) {
-    const double share = static_cast<double>(step) / steps, number = at(near).y + share * (at(far).y - at(near).y);
-    const double z_v = view_depth(scene.camera, conventions, unit > 0 ? least + number * unit : number);
-    chart.led.emplace_back(std::clamp(z_v, near, far), number);
-  }
   if (!ui.session.question_open()) {  // the curve is the answer
+    for (int step = 0; step <= steps; ++step) {
+      const double share = static_cast<double>(step) / steps, number = at(near).y + share * (at(far).y - at(near).y);
+      const double z_v = view_depth(scene.camera, conventions, unit > 0 ? least + number * unit : number);
+      chart.led.emplace_back(std::clamp(z_v, near, far), number);
+    }
     LineChart::Line line{"", {}, false, LineChart::plain_look, true};
     constexpr int points = 200;
     for (int k = 0; k <= points; ++k) line.points.push_back(at(near * portable::pow(far / near, 1.0 * k / points)));
     chart.lines.push_back(std::move(line));
     chart.y_title += fmt::format("; thin lines: {} equal steps of it", steps);
     for (const double z_v : depths_to_mark(ui)) chart.now.push_back(mark("", z_v));
-  } else {
-    chart.led = {at(near), at(far)};
   }
   draw_line_chart(ui, "depth curve", chart);
   if (ImGui::IsWindowHovered())
