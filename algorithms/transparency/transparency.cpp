@@ -58,7 +58,7 @@ void fill(const viewing::Vertices& vertices, const clipping::Outline& outline, s
 
       const Color color = blended(polygon.color, opacity, color_at(picture, scene, pixel));
       picture.ink[pixel] = ink_of(color);
-      record(step::blend, {x, y, number, opacity, color.red, color.green, color.blue});
+      record(step::blend, ColorBlend{x, y, number, opacity, color.red, color.green, color.blue});
       if (!hides) continue;
 
       picture.depth[pixel] = z;

@@ -346,8 +346,9 @@ void App::draw_runs_beside(ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 sec
   const std::vector<Ui*> others = runs_beside();
   const std::vector<RunBeside>& runs = session_.lesson()->stops[session_.stop()].beside;
   const bool alone = stands_alone(runs, lead());
-  const Pane pane =
-      lead().empty() ? frame_pane : lesson_pictures((alone ? others[0]->session : session_).header(), lead())[0];
+  const std::vector<Pane> panes = stage_panes((alone ? others[0]->session : session_).header());
+  const auto led = std::find_if(panes.begin(), panes.end(), [&](const Pane& one) { return one.id == lead(); });
+  const Pane& pane = led == panes.end() ? frame_pane : *led;
   leading_ = {pane};
   const std::string when = pane.id == slice_pane.id ? ", HERE" : pane.id == scene_pane.id ? "" : ", AT ITS END";
   const auto draw = [&](std::size_t k, ImVec2 place, ImVec2 size) {
@@ -369,6 +370,9 @@ void App::draw_runs_beside(ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 sec
 void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   constexpr float low_row = 11;  // in em
   std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
+  std::erase_if(leading, [&](const Pane& pane) {  // such as a ruler of depths where there is no near plane
+    return lead_together(pane, lead()) && pane.waits && pane.waits(ui_);
+  });
   const bool other = !runs_beside().empty();
   const bool alone = other && stands_alone(session_.lesson()->stops[session_.stop()].beside, lead());
   if (other) leading = std::vector<Pane>(alone ? 1 : 2, lead().empty() ? frame_pane : leading[0]);

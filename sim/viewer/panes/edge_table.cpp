@@ -275,7 +275,17 @@ void draw_active_edges(Ui& ui) {
                              : std::string("Empty: edges enter when the scan line reaches their bucket."));
   const std::string z = symbol_along(s.scene(), s.header().conventions);
   std::vector<std::string> headings{"edge", "x", z, "leaves", ""};
-  if (ImGui::GetContentRegionAvail().x > 22 * ui.em) {
+  // Where there is little room a depth that is the same everywhere gives way to the slope.
+  const bool wide = ImGui::GetContentRegionAvail().x > 22 * ui.em;
+  const auto& table = machine.edge_table;
+  const bool flat = std::all_of(table.begin(), table.end(), [&](const EdgeTableInsert& edge) {
+    return edge.dz_dy == 0 && edge.z_edge == (*table.begin()).z_edge;
+  });
+  if (flat && !wide) {
+    headings.erase(headings.begin() + 2);
+    for (TableRow& row : rows) row.cells.erase(row.cells.begin() + 2);
+  }
+  if (flat || wide) {
     headings.insert(headings.begin() + 2, "1/m");
     add_slopes(s, rows);
   }

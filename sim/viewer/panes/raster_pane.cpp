@@ -458,16 +458,23 @@ void draw_edge_in_question(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlac
   const double a = differ(&PlaneEquation::plane_a), b = differ(&PlaneEquation::plane_b),
                d = differ(&PlaneEquation::plane_d);
   if (!(std::abs(a) > 1e-12)) return;
-  double first = -1;  // scan line that meets both
-  for (const Piece* piece : {&one, &other}) {
-    double low = HUGE_VAL;
-    for (const std::int32_t vertex : piece->outline)
-      if (const auto p = on_raster(now.scene(), now.state(), vertex)) low = std::min(low, p->y);
-    first = std::max(first, std::ceil(low));
-  }
   const double last = *m.scan_line - (now.asked() ? 1 : 0);
   const auto at = [&](double y) { return place(-(b * y + d) / a, y); };
-  if (!(first <= last) || !std::isfinite(first)) return;
+  const auto is_inside = [&](const Piece& piece, double y) {
+    double left = HUGE_VAL, right = -HUGE_VAL;
+    for (std::size_t k = 0; k < piece.outline.size(); ++k) {
+      const auto from = on_raster(now.scene(), now.state(), piece.outline[k]),
+                 to = on_raster(now.scene(), now.state(), piece.outline[(k + 1) % piece.outline.size()]);
+      if (!from || !to || from->y == to->y || y < std::min(from->y, to->y) || y > std::max(from->y, to->y)) continue;
+      const double x = from->x + (y - from->y) / (to->y - from->y) * (to->x - from->x);
+      left = std::min(left, x), right = std::max(right, x);
+    }
+    const double x = -(b * y + d) / a;
+    return left <= x && x <= right;
+  };
+  double first = last;  // scan line down to which the two planes meet inside both
+  while (first > 0 && is_inside(one, first - 1) && is_inside(other, first - 1)) --first;
+  if (!is_inside(one, first) || !is_inside(other, first)) return;
   stroke_line(list, at(first), at(last), c.pane, 5 * ui.thin);
   stroke_line(list, at(first), at(last), c.now, 3 * ui.thin);
   for (double y = first; y <= last; ++y) stroke_circle(list, at(y), std::round(0.5f * ui.em), c.now, 2 * ui.thin);

@@ -264,10 +264,9 @@ void draw_at_work(RoomPen& pen, const Moment& now) {
     const std::int32_t vertex = polygons.corners[static_cast<std::size_t>(polygons.facets[m.facet].first_corner) + k];
     pen.dot(corners[k], 3, 0, c.text);
     const glm::dvec3 view(now.scene().camera.view * glm::dvec4(corners[k], 1));
-    pen.word(corners[k],
-             outcodes ? fmt::format("{}: {:06b}", vertex_label(now.scene(), vertex), outcode_of(now.scene(), view))
-                      : vertex_label(now.scene(), vertex),
-             c.text);
+    const std::string name = vertex_label(now.scene(), vertex);
+    if (outcodes) pen.word(corners[k], fmt::format("{}: {:06b}", name, outcode_of(now.scene(), view)), c.text);
+    else if (!names_vertices(now)) pen.word(corners[k], name, c.text);
   }
   const auto piece = [&](std::int32_t number, ImU32 color) {
     if (number >= 0 && number < std::ssize(m.pieces)) draw_outline(pen, now, m.pieces[number].outline, color);
@@ -411,7 +410,9 @@ void draw_facing(RoomPen& pen, const Moment& now) {
     middle += corners[k] / static_cast<double>(corners.size());
   }
   if (!(glm::length(normal) > 0)) return;
-  for (std::size_t k = 0; k < corners.size(); ++k)  // its winding
+  const bool named = now.told() && std::any_of(now.told()->labels.begin(), now.told()->labels.end(),
+                                               [](const StopLabel& label) { return label.arrow; });
+  for (std::size_t k = 0; k < corners.size() && !named; ++k)  // its winding
     pen.arrow(corners[k], 0.5 * (corners[k] + corners[(k + 1) % corners.size()]), pen.colors.now);
   double length = 0.25 * room.size();
   if (now.told() && !now.told()->close.empty()) {  // as far as the polygon that is shown large reaches

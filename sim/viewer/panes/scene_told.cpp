@@ -24,19 +24,19 @@ void draw_labels(RoomPen& pen, const Moment& now) {
       const std::string& polygon = label.plane_of.empty() ? label.name : label.plane_of;
       for (const Facet& facet : scene.facets) {
         if (polygon_label(now.scene(), facet.polygon) != polygon) continue;
-        glm::dvec3 middle(0), normal(0);
+        glm::dvec3 middle(0), normal(0);  // of the plane as the scene gives it
         const auto corner = [&](std::int32_t k) {
-          return scene.points[scene.corners[facet.first_corner + k % facet.corner_count]];
+          return now.scene().points[scene.corners[facet.first_corner + k % facet.corner_count]];
         };
         for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-          middle += corner(k) / static_cast<double>(facet.corner_count);
+          middle += scene.points[scene.corners[facet.first_corner + k]] / static_cast<double>(facet.corner_count);
           normal += glm::cross(corner(k) - corner(0), corner(k + 1) - corner(0));
         }
         if (label.plane_of.empty()) {
           pen.word(middle, label.name, c.text, true);
           continue;
         }
-        const auto section = pen.room.section(normal.x, normal.y, normal.z, -glm::dot(normal, middle));
+        const auto section = pen.room.section(normal.x, normal.y, normal.z, -glm::dot(normal, corner(0)));
         if (section.empty()) continue;
         pen.veil(section, c.selected, 80);
         pen.around(section, c.selected, 1.6);

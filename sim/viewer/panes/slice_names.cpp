@@ -141,6 +141,8 @@ void write_names(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Slice& slic
   for (std::size_t k = 1; k < slice.correct.size(); ++k)
     labels.avoid({origin.x + plot.x(slice.correct[k - 1].x), origin.y + plot.y(slice.correct[k - 1].z)},
                  {origin.x + plot.x(slice.correct[k].x), origin.y + plot.y(slice.correct[k].z)});
+  const float band = origin.y + plot.band;  // no name stands at it as if its depth were that
+  labels.avoid({origin.x, band}, {origin.x + to_float(plot.width), band});
   name_markers(ui, labels, origin, markers);
   name_spans(ui, labels, plot, origin, slice);
   if (plot.unit == 0 && !plot.view) name_ends(ui, labels, plot, origin, slice);

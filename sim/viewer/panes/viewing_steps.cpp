@@ -231,7 +231,7 @@ float width_of(const Ui& ui, const Pieces& pieces, bool small) {
   float width = 0;
   for (const Piece& piece : pieces)
     width += std::round(ui.em * 0.4f) +
-             (piece.rows.empty() ? text_size(ui, ui.fonts.text, piece.word).x : matrix_size(ui, piece.rows, small).x);
+             (piece.rows.empty() ? label_size(ui, ui.fonts.text, piece.word).x : matrix_size(ui, piece.rows, small).x);
   return width;
 }
 
@@ -248,7 +248,7 @@ void set_formulas(Ui& ui, const std::vector<Pieces>& formulas, float room) {
     else if (at.x > from.x) at.x += std::round(ui.em * 1.2f);
     for (const Piece& piece : pieces) {
       if (piece.rows.empty())
-        draw_text(ui, {at.x, at.y + std::round((tall - ui.em) / 2)}, ui.fonts.text, ui.colors().text, piece.word);
+        draw_label(ui, {at.x, at.y + std::round((tall - ui.em) / 2)}, ui.fonts.text, ui.colors().text, piece.word);
       else set_matrix(ui, at, piece.rows, small);
       at.x += width_of(ui, {piece}, small);
     }
