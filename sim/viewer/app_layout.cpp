@@ -318,6 +318,11 @@ bool stands_alone(const std::vector<RunBeside>& runs, std::string_view lead) {
   return runs.size() == 1 && !runs[0].file.empty() && !lead.empty();
 }
 
+/// Two runs of another scene, in place of the lesson's own.
+bool shows_others_alone(const std::vector<RunBeside>& runs) {
+  return runs.size() == 2 && !runs[0].file.empty() && !runs[1].file.empty();
+}
+
 }  // namespace
 
 /// The runs whose pictures the stop of the lesson shows, one beside its own, or two instead of it: slices at this
@@ -370,11 +375,9 @@ void App::draw_runs_beside(ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 sec
 void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
   constexpr float low_row = 11;  // in em
   std::vector<Pane> leading = lesson_pictures(session_.header(), lead()), said = words_of_step();
-  std::erase_if(leading, [&](const Pane& pane) {  // such as a ruler of depths where there is no near plane
-    return lead_together(pane, lead()) && pane.waits && pane.waits(ui_);
-  });
   const bool other = !runs_beside().empty();
   const bool alone = other && stands_alone(session_.lesson()->stops[session_.stop()].beside, lead());
+  const bool of_others = alone || (other && shows_others_alone(session_.lesson()->stops[session_.stop()].beside));
   if (other) leading = std::vector<Pane>(alone ? 1 : 2, lead().empty() ? frame_pane : leading[0]);
   else if (drawer_ != Drawer::none) keep_frame(ui_, leading);
   float& share = settings_.layout.lesson;
@@ -397,7 +400,7 @@ void App::draw_lesson_layout(ImVec2 at, ImVec2 size) {
     const float first = std::round((stage.x - gap) * settings_.layout.frame);
     draw_runs_beside(at, {first, stage.y}, {at.x + first + gap, at.y}, {stage.x - first - gap, stage.y});
     stage_at_ = {at, stage};
-    if (alone) said.clear();  // of this run's step
+    if (of_others) said.clear();  // of this run's step
   } else {
     draw_leading(leading, at, stage);
   }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/classroom/lesson.hpp"
 #include "sim/viewer/commands.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
@@ -183,8 +184,9 @@ TEST_CASE("a loop that waits for events draws nothing once what moves has ended"
 }
 
 TEST_CASE("a dividing plane grows out of its piece, on the plan, and ends where nothing moves") {
-  const Trace trace = test::record_run_by("bsp", "six-walls");
-  const auto made = trace.next(0, [](const RecordedEvent& e) { return holds<NodeMake>(e.event); }).value();
+  Lesson lesson = find_lesson("bsp");
+  const Trace trace = run_lesson(lesson);
+  const auto made = trace.next(0, [](const RecordedEvent& e) { return holds<PlaneEquation>(e.event); }).value();
   App still(trace, nullptr, {}, 1280, 720), app(trace, nullptr, {}, 1280, 720);
   app.moves = true;
   double time = 10;

@@ -337,7 +337,7 @@ void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& ar
   paper.text(area.left, area.top, chart.y_title, theme.text);
   for (const ChartAxis::Tick& tick : up.ticks()) {
     const float y = up.at(tick.value);
-    if (chart.led.empty()) paper.rule({plot.left, y}, {plot.right, y}, tick.value == 0 ? theme.muted : theme.rule);
+    paper.rule({plot.left, y}, {plot.right, y}, tick.value == 0 ? theme.muted : theme.rule);
     paper.text(plot.left - 10, y - letters / 2, tick.text, theme.muted, Paper::Side::right);
   }
   for (const ChartAxis::Tick& tick : across.ticks()) {
@@ -353,7 +353,7 @@ void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& ar
     paper.rule({plot.left, at.y}, {at.x, at.y}, color);
     paper.rule({at.x, at.y}, {at.x, plot.bottom}, color);
   };
-  for (const glm::dvec2 point : chart.led) lead(point, theme.rule);
+  for (const glm::dvec2 point : chart.led) lead(point, theme.muted);
   if (!chart.led.empty())
     for (const LineChart::Now& now : chart.now) lead(now.at, theme.now);
 

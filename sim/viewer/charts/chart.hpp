@@ -53,7 +53,7 @@ struct LineChart {
   std::vector<Line> lines;
   /// The axes of a linear chart reach at least so far, from the least to the greatest.
   glm::dvec2 x_reach{0, 0}, y_reach{0, 0};
-  /// In place of a grid: points that thin lines lead to both axes. So are the places that are marked.
+  /// In place of upright lines of a grid: points that lines lead to both axes. So are the places that are marked.
   std::vector<glm::dvec2> led;
   std::vector<Now> now;
 

@@ -317,7 +317,7 @@ void draw_areas(Ui& ui) {
   list->PushClipRect(corner, moved_by(at, rows.left, to_float(high)), true);
   draw_rulers(ui, rows, at, rulers);
   list->PopClipRect();
-  list->PushClipRect(moved_by(at, 0, map.top + map.height * map.cell), moved_by(end, 0, rulers.below), true);
+  list->PushClipRect(moved_by(at, 0, map.top + map.height * map.cell), moved_by(end, 0.6 * ui.em, rulers.below), true);
   draw_rulers(ui, map, at, rulers);
   list->PopClipRect();
   WordPlaces words(ui, at, end);

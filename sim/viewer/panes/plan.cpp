@@ -219,8 +219,8 @@ void draw_planes(const View& v) {
   const auto line = line_of(plane_of_node(v.m, v.node), v.section);
   if (!ends || !line) return;
   ImVec2 a = v.frame.place((*ends)[0]), b = v.frame.place((*ends)[1]);
-  const auto* made = v.s.event() ? get_if<NodeMake>(&v.s.event()->event) : nullptr;
-  if (made && made->node == v.node && v.ui.arrived < 1)  // it grows out of its piece
+  const auto* made = v.s.event() ? get_if<PlaneEquation>(&v.s.event()->event) : nullptr;
+  if (made && made->piece == v.m.tree[at(v.node)].pieces.front() && v.ui.arrived < 1)  // it grows out of its piece
     if (const std::vector<glm::dvec2> own = v.outline(v.m.pieces[at(made->piece)]); !own.empty()) {
       const ImVec2 from = v.frame.place(own.front());
       const double share = v.ui.on_way();
@@ -430,9 +430,9 @@ void draw_plan(Ui& ui) {
   const std::vector<EyeMark> eyes = draw_eyes(v);
   draw_pieces(v);
   draw_new_vertex(v);
+  name_values(v);
   name_eyes(v, eyes);
   draw_what_is_seen(v);
-  name_values(v);
   draw_sides(v);
   name_far_side(v);
   v.list->PopClipRect();

@@ -24,7 +24,11 @@
 namespace zstep::viewer {
 namespace {
 
-constexpr std::size_t most_outlines = 12;
+constexpr std::int64_t most_outlines = 12;
+
+std::int64_t uncut(const MethodState& m) {
+  return std::count_if(m.pieces.begin(), m.pieces.end(), [](const Piece& piece) { return !piece.cut; });
+}
 
 /// The outline of the polygon at work and the edge that is lit, over the cells.
 void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, const std::optional<std::int32_t>& lit,
@@ -43,21 +47,23 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
     const glm::dvec2 p = first + part->first * way, q = first + part->second * way;
     canvas.line(map.px(p.x), map.py(p.y), map.px(q.x), map.py(q.y), thickness * thin, to_pixel(color), share);
   };
-  // Dark on a light border: visible on every colour a cell can have.
+  // Dark on a light border: visible on every colour a cell can have, and stronger where the grid is dark, too.
+  const bool dark = (c.pane & 255u) < 128;
+  const double wide = dark ? 2.2 : 1.2;
   const bool mixes = m.triangle.setup && !m.sweep.covered.empty();  // no polygon is at work any more
   if (map.cell >= 3 && m.outline.size() > 1 && !mixes) {
     for (std::size_t i = 0; i < m.outline.size(); ++i)
       line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 3, IM_COL32(255, 255, 255, 255), 130);
     for (std::size_t i = 0; i < m.outline.size(); ++i)
-      line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, IM_COL32(40, 40, 40, 255), 200);
+      line(m.outline[i], m.outline[(i + 1) % m.outline.size()], wide, IM_COL32(40, 40, 40, 255), dark ? 255 : 200);
   }
   // Of methods that have all polygons at work at once, each faintly, until there are too many.
-  if (map.cell >= 3 && m.outline.empty() && m.pieces.size() <= most_outlines)
+  if (map.cell >= 3 && m.outline.empty() && uncut(m) <= most_outlines)
     for (const Piece& piece : m.pieces)
       for (std::size_t i = 0; i < piece.outline.size() && !piece.cut; ++i) {
         const std::int32_t from = piece.outline[i], to = piece.outline[(i + 1) % piece.outline.size()];
         line(from, to, 3, IM_COL32(255, 255, 255, 255), 110, true);
-        line(from, to, 1.2, IM_COL32(40, 40, 40, 255), 170, true);
+        line(from, to, wide, IM_COL32(40, 40, 40, 255), dark ? 255 : 170, true);
       }
   if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
     const EdgeTableInsert& e = m.edge_table[*lit];
@@ -383,7 +389,7 @@ void name_outlines_to_come(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlac
   constexpr std::size_t most_letters = 12;
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
-  if (map.cell < 3 || !m.outline.empty() || m.pieces.size() > most_outlines) return;
+  if (map.cell < 3 || !m.outline.empty() || uncut(m) > most_outlines) return;
   std::vector<NamedOutline> all;
   std::map<std::int32_t, glm::dvec2> corners;
   const std::vector<std::int32_t>& drawn = s.picture().polygon;
@@ -527,7 +533,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional
   }
   const std::int32_t width = s.scene().raster.width;
   for (const std::int32_t pixel : s.pixels_spoken_of())
-    frame_cell(ui, map, origin, {pixel % width, pixel / width}, small, 3, c.now);
+    frame_cell(ui, map, origin, {pixel % width, pixel / width}, small, map.cell < 1.5f * ui.em ? 1.0f : 3.0f, c.now);
   if (const auto now = s.cell_looked_at(ui.still)) {
     frame_cell(ui, map, origin, *now, small + 2, 3, c.now);
     frame_cell(ui, map, origin, *now, small - 1, 1, ui.colors().pane);

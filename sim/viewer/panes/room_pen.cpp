@@ -113,7 +113,13 @@ void RoomPen::dot(glm::dvec3 at, double radius, int shape, ImU32 color) {
 bool RoomPen::word(glm::dvec3 at, const std::string& text, ImU32 color, bool first) {
   const auto spot = outside_.spot(at);
   if (!spot || !(spot->x >= 0 && spot->y >= 0 && spot->x < seen_.width && spot->y < seen_.height)) return false;
-  picture_.words.push_back({{static_cast<float>(spot->x), static_cast<float>(spot->y)}, color, text, first});
+  const ImVec2 place{static_cast<float>(spot->x), static_cast<float>(spot->y)};
+  for (ChartPicture::Word& other : picture_.words)  // of two names of one point the fuller one
+    if (other.at.x == place.x && other.at.y == place.y) {
+      if (text.size() > other.text.size()) other = {place, color, text, first || other.first};
+      return true;
+    }
+  picture_.words.push_back({place, color, text, first});
   return true;
 }
 
