@@ -69,7 +69,7 @@ class Session {
   /// The step before which the lesson's stop asks what it will do; none where it does not.
   const std::optional<RecordedEvent>& event_in_question() const { return asked_; }
   /// The last step, which panes tell of. nullptr where the lesson's stop asks about a step of another subject: what was
-  /// done before is no part of the question.
+  /// done before does not belong to the question.
   const RecordedEvent* event_told() const;
   /// The pixel that the reader looks at: the one that the lesson's stop names, that of the step in question, or else
   /// the current one; in a picture at which nothing is at work any more, only the first.

@@ -325,7 +325,7 @@ std::vector<bool> few_lines(Ui& ui, const Page& page, std::size_t now, const std
 Page::const_iterator line_of(const Page& page, const RecordedEvent* event) {
   return std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return event && event->step == step.id; });
 }
-/// None where the picture is looked at as a whole, or the last step is no part of what is asked.
+/// None where the picture is looked at as a whole, or the last step does not belong to what is asked.
 Page::const_iterator line_at_work(const Ui& ui, const Page& page) {
   return line_of(page, ui.session.at_rest() ? nullptr : ui.session.event_told());
 }
