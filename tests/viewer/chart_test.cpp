@@ -102,6 +102,19 @@ TEST_SUITE("charts") {
     CHECK(solid.bottom - solid.top > 400);
   }
 
+  TEST_CASE("a mark's text stands beside the lines, and on none of them") {
+    for (const double end : {500.0, -500.0}) {
+      LineChart chart;
+      chart.scale = LineChart::Scale::linear;
+      chart.x_reach = {0, 40}, chart.y_reach = {std::min(end, 0.0), std::max(end, 0.0)};
+      chart.lines = {{"a", {{0, 0}, {40, end}}, false, 3}};
+      chart.now = {{{40, end}, ""}};
+      const int alone = box_of(draw_chart(chart), theme.good).count;
+      chart.now[0].text = "x = 39: a long word";
+      CHECK(box_of(draw_chart(chart), theme.good).count == alone);
+    }
+  }
+
   TEST_CASE("as SVG: every text, escaped, every point's mark, and a line between each two") {
     LineChart chart;
     chart.title = "z < 4 & \"near\"";

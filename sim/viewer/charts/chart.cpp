@@ -265,25 +265,30 @@ struct Box {
   }
 };
 
-/// A mark with its text beside it, on the side where there is room and no other text.
-void draw_now(Paper& paper, const LineChart::Now& now, ImVec2 at, const viewer::PlotArea& plot,
-              std::vector<Box>& taken) {
+/// A mark with its text beside it, on the side where there is room and no other text, and best no line.
+void draw_now(Paper& paper, const LineChart::Now& now, ImVec2 at, const viewer::PlotArea& plot, std::vector<Box>& taken,
+              const std::vector<Box>& lines) {
   const viewer::Theme& theme = paper.theme();
   const float radius = mark_size * plot.scale, away = radius + 5, wide = paper.text_width(now.text);
   paper.mark(at, radius + 2, 3, theme.pane);
   paper.mark(at, radius, 3, theme.now);
   if (now.text.empty()) return;
   const float letters = paper.text_height(), right = at.x + away, left = at.x - away - wide;
-  Box box;
+  Box box, on_line;
+  const auto is_free = [](const std::vector<Box>& all, const Box& place) {
+    return std::none_of(all.begin(), all.end(), [&](const Box& one) { return one.meets(place); });
+  };
   for (const float down : {0.5f, -1.5f, 1.6f, 2.7f, 3.8f}) {
     const float below = std::clamp(at.y + down * letters, plot.top, plot.bottom - letters);
-    for (const float x : {right, left}) {
+    for (const float x : {right, left, left - 2 * letters, left - 4 * letters, left - 6 * letters}) {
       if (x < plot.left || x + wide > plot.right) continue;
       const Box place{{x - 2, below}, {x + wide + 2, below + letters}};
-      const bool free = std::none_of(taken.begin(), taken.end(), [&](const Box& one) { return one.meets(place); });
-      if (free && box.to.x == 0) box = place;
+      if (!is_free(taken, place)) continue;
+      if (on_line.to.x == 0) on_line = place;
+      if (box.to.x == 0 && is_free(lines, place)) box = place;
     }
   }
+  if (box.to.x == 0) box = on_line;
   if (box.to.x == 0) return;
   taken.push_back(box);
   paper.rectangle(box.from, box.to, theme.pane);
@@ -358,6 +363,18 @@ void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& ar
     for (const LineChart::Now& now : chart.now) lead(now.at, theme.now);
 
   std::vector<EndName> names;
+  std::vector<Box> lines;  // in short pieces
+  const auto keep_free = [&](ImVec2 from, ImVec2 to) {
+    constexpr float step = 4;
+    const float length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y)), half = mark_size * area.scale;
+    constexpr float longest = 10'000;  // in pixels; a number that is none leads nowhere
+    if (!(length <= longest)) return;
+    for (float at = 0; at <= length; at += step) {
+      const float t = length > 0 ? at / length : 0;
+      const ImVec2 p{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+      lines.push_back({{p.x - half, p.y - half}, {p.x + half, p.y + half}});
+    }
+  };
   for (const LineChart::Line& one : chart.lines) {
     const ImU32 color = color_of_look(theme, one.look);
     const auto place = [&](glm::dvec2 point) { return ImVec2(across.at(point.x), up.at(point.y)); };
@@ -365,6 +382,7 @@ void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& ar
       const ImVec2 from = place(one.points[k - 1]), to = place(one.points[k]);
       if (one.dashed) paper.dashed_line(from, to, color, 2.5f * area.scale);
       else paper.line(from, to, color, 3 * area.scale);
+      if (!chart.now.empty()) keep_free(from, to);
     }
     float last = -1e9f;  // marks that would hide each other are left out
     for (const glm::dvec2 point : one.points) {
@@ -380,7 +398,8 @@ void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& ar
     const float x = across.at(now.at.x), y = up.at(now.at.y), half = mark_size * area.scale;
     taken.push_back({{x - half, y - half}, {x + half, y + half}});
   }
-  for (const LineChart::Now& now : chart.now) draw_now(paper, now, {across.at(now.at.x), up.at(now.at.y)}, plot, taken);
+  for (const LineChart::Now& now : chart.now)
+    draw_now(paper, now, {across.at(now.at.x), up.at(now.at.y)}, plot, taken, lines);
   draw_names(paper, std::move(names), plot.right + 14 * area.scale, plot.top, plot.bottom);
 }
 
