@@ -296,7 +296,16 @@ void draw_areas(Ui& ui) {
   const Rulers rulers = room_for_rulers(ui, s.scene().raster);
   const int wide = width - 4 - static_cast<int>(rulers.left), high = height - 4 - static_cast<int>(rulers.below);
   if (wide < 8 || high < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
-  const RasterMap map(s.scene().raster, {}, wide, high);
+  RasterMap map(s.scene().raster, {}, wide, high);
+  // What continues outside the picture is seen to do so.
+  const auto continues = [&](std::int32_t vertex) {
+    const auto p = on_raster(s.scene(), s.state(), vertex);
+    return p && (p->x < -0.5 || p->y < -0.5 || p->x > map.width - 0.5 || p->y > map.height - 0.5);
+  };
+  if (std::max(map.left, map.top) < ui.em && std::ranges::any_of(s.state().machine.pieces, [&](const Piece& piece) {
+        return std::ranges::any_of(piece.outline, continues);
+      }))
+    map = RasterMap(s.scene().raster, {.zoom = std::max(0.5, 1 - 2.5 * ui.em / std::min(wide, high))}, wide, high);
   const bool begins =
       s.event() && holds<AreaBegin>(s.event()->event) && quartered(s.state().machine, s.state().machine.area);
   const double came = begins && ui.arrived < 1 ? ui.on_way() : 1;
