@@ -211,15 +211,20 @@ void draw_whole(Ui& ui) {
     list->AddRectFilled(place, {place.x + size.x, place.y + size.y}, c.pane);  // on lines to children
     draw_text(ui, place, ui.fonts.small, c.changed, turn);
   }
-  const std::string long_text = "+ in front, \u2212 behind   arrow: the eye's side   #1: drawn first";
-  const bool any_away = std::find(away.begin(), away.end(), true) != away.end();
-  for (const std::string& text :
-       {any_away ? long_text + "   struck out: back face" : long_text, long_text,
-        std::string("arrow: the eye's side   #1: drawn first"), std::string("arrow: the eye's side")})
-    if (text_size(ui, ui.fonts.small, text).x <= room.x && lowest <= top.y + room.y - legend) {
-      draw_text(ui, {top.x, top.y + room.y - legend}, ui.fonts.small, c.muted, text);
-      break;
-    }
+  // Of what the picture has, as much as there is room for.
+  const bool has_eye = std::ranges::any_of(m.tree, [](const TreeNode&one) { return one.eye.has_value(); }),
+             is_drawn = std::ranges::any_of(draw_places, [](std::int32_t place) { return place >= 0; }),
+             any_away = std::find(away.begin(), away.end(), true) != away.end();
+  std::string text, longer;
+  for (const auto& [shown, words] : {std::pair(m.tree.size() > 1, "+ in front, \u2212 behind"),
+                                     {has_eye, "arrow: the eye's side"},
+                                     {is_drawn, "#1: drawn first"},
+                                     {any_away, "struck out: back face"}}) {
+    if (!shown) continue;
+    longer = text + (text.empty() ? "" : "   ") + words;
+    if (text_size(ui, ui.fonts.small, longer).x <= room.x) text = longer;
+  }
+  if (lowest <= top.y + room.y - legend) draw_text(ui, {top.x, top.y + room.y - legend}, ui.fonts.small, c.muted, text);
 }
 
 }  // namespace
