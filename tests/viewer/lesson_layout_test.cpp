@@ -197,7 +197,9 @@ TEST_CASE("of formulas that are too long for their place the last are shown, and
     const auto said = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
     CAPTURE(look.width);
     CHECK(said("WHAT JUST HAPPENED"));
-    CHECK(said("PSEUDO-CODE"));
+    // In the narrow window the formulas just have room, all three, and the code has none.
+    if (look.width == 1024) CHECK((said("1.4") && said("1.6")));
+    else CHECK(said("PSEUDO-CODE"));
     CHECK(std::count(words.begin(), words.end(), "0.875") == 1);  // a, which those before it lead to
   }
 }
