@@ -6,6 +6,7 @@
 
 #include "sim/words/explain_parts.hpp"
 #include "traces/file/header.hpp"
+#include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/attributes.hpp"
 #include "traces/formulas/shading.hpp"
 #include "traces/formulas/half_space.hpp"
