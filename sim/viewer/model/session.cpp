@@ -211,6 +211,8 @@ const Picture& Session::picture() const {
 std::optional<Cell> Session::current_cell() const {
   if (!event()) return std::nullopt;
   if (const auto pixel = pixel_of(event()->event)) return Cell{pixel->x, pixel->y};
+  const RayWork& rays = state().machine.rays;  // what is done along a ray is done for its pixel
+  if (rays.ray && !rays.tree.empty()) return Cell{rays.tree.front().entry.x, rays.tree.front().entry.y};
   return std::nullopt;
 }
 

@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "algorithms/ray_casting/geometry.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
@@ -522,6 +524,43 @@ void draw_rays(RoomPen& pen, const Moment& now) {
   }
 }
 
+/// By which the point X of the last hit is told to be inside or not: the half-line from it in the facet's plane, and
+/// its crossings with the outline, counted.
+void draw_half_line(RoomPen& pen, const Moment& now) {
+  const RayHit* hit = now.event() ? get_if<RayHit>(&now.event()->event) : nullptr;
+  const RayWork& work = now.state().machine.rays;
+  const auto row =
+      std::find_if(work.tree.begin(), work.tree.end(), [&](const RayRow& one) { return one.entry.ray == work.ray; });
+  if (!hit || records<ColorWrite>(now.header()) || row == work.tree.end()) return;
+  if (hit->facet < 0 || hit->facet >= std::ssize(now.scene().facets)) return;
+  const ray_casting::Target target = ray_casting::target_of(now.scene(), hit->facet);
+  if (target.corners.size() < 3) return;
+  const RayBegin& ray = row->entry;
+  const glm::dvec3 x(hit->x_hit, hit->y_hit, hit->z_hit), from(ray.x_0, ray.y_0, ray.z_0);
+  const ray_casting::AlongRay along({from, {ray.dir_x, ray.dir_y, ray.dir_z}, 0, 0});
+  const glm::dvec3 one = target.corners[1] - target.corners[0], other = glm::cross(target.plane.normal(), one);
+  glm::dvec3 way = along.project(from + other).y * one - along.project(from + one).y * other;
+  if (along.project(from + way).x > 0) way = -way;  // crossings count where x is less
+  if (!(glm::length(way) > 0)) return;
+  way = glm::normalize(way);
+  std::vector<double> crossings;
+  for (std::size_t k = 0; k < target.corners.size(); ++k) {
+    const glm::dvec3 corner = target.corners[k], next = target.corners[(k + 1) % target.corners.size()];
+    const glm::dvec2 a = along.project(corner), b = along.project(next);
+    if ((a.y <= 0) == (b.y <= 0)) continue;
+    const double share = a.y / (a.y - b.y);
+    if (glm::mix(a.x, b.x, share) <= 0) crossings.push_back(glm::dot(glm::mix(corner, next, share) - x, way));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  const double beyond = 0.3 * glm::length(one);
+  pen.line(x, x + ((crossings.empty() ? 0 : crossings.back()) + beyond) * way, pen.colors.selected, 2.4, false, true);
+  for (std::size_t k = 0; k < crossings.size(); ++k) {
+    pen.dot(x + crossings[k] * way, 5, 0, pen.colors.selected);
+    pen.word(x + crossings[k] * way, std::to_string(k + 1), pen.colors.text, true);
+  }
+  pen.word(x, "X", pen.colors.now, true);
+}
+
 /// Warnock's area as the part of space that is seen through it.
 void draw_area(RoomPen& pen, const Moment& now) {
   const MethodState& m = now.state().machine;
@@ -594,6 +633,7 @@ void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& c
   draw_light_at_vertices(pen, now);
   draw_line_of_sight(pen, now, cell);
   draw_rays(pen, now);
+  draw_half_line(pen, now);
 }
 
 }  // namespace zstep::viewer
