@@ -19,6 +19,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/catalog/changes.hpp"
+#include "algorithms/scene/load.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
 #include "sim/classroom/anchor.hpp"
 #include "sim/classroom/evaluate.hpp"
@@ -249,7 +250,11 @@ class Reader {
         continue;
       }
       std::error_code unreadable;
-      if (!beside.file.empty() || !std::filesystem::is_regular_file(lesson_.path.parent_path() / part, unreadable))
+      const std::vector<BuiltIn> built_in = built_in_scenes();
+      const bool known =
+          std::filesystem::is_regular_file(lesson_.path.parent_path() / part, unreadable) ||
+          std::any_of(built_in.begin(), built_in.end(), [&](const BuiltIn& one) { return one.name == part; });
+      if (!beside.file.empty() || !known)
         lines_.fail(fmt::format("there is no run `{}`", part),
                     "give the path of its .jsonl from the lesson's folder, that of a scene, or a change as `bias = 0`");
       beside.file = part;

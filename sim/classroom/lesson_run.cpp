@@ -46,7 +46,7 @@ Trace recorded(const Method& run, const Scene& scene, const Conventions& convent
 /// `own`: the run of the lesson itself.
 Trace run_beside(const Lesson& lesson, const RunBeside& beside, const Trace& own, const std::string& where) {
   const std::filesystem::path file = lesson.path.parent_path() / beside.file;
-  if (!beside.file.empty() && file.extension() != ".toml") return open_jsonl(file);
+  if (file.extension() == ".jsonl") return open_jsonl(file);
   const Method& run = method(lesson.method);
   Scene scene = own.scene();
   Conventions conventions = own.header().conventions;
@@ -91,7 +91,7 @@ void check_shown(const Stop& stop, const Scene& scene, const std::string& place)
 }  // namespace
 
 std::string RunBeside::name() const {
-  std::string all;
+  std::string all = std::filesystem::path(file).extension().empty() ? file : "";  // of a built-in scene its name
   for (const std::string& change : changes) all += (all.empty() ? "" : ", ") + change;
   return all.empty() ? file : all;
 }
