@@ -46,7 +46,7 @@ Trace recorded(const Method& run, const Scene& scene, const Conventions& convent
 /// `own`: the run of the lesson itself.
 Trace run_beside(const Lesson& lesson, const RunBeside& beside, const Trace& own, const std::string& where) {
   const std::filesystem::path file = lesson.path.parent_path() / beside.file;
-  if (file.extension() == ".jsonl") return open_jsonl(file);
+  if (std::filesystem::path(beside.file).has_extension() && file.extension() != ".toml") return open_jsonl(file);
   const Method& run = method(lesson.method);
   Scene scene = own.scene();
   Conventions conventions = own.header().conventions;
