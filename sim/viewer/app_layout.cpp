@@ -334,7 +334,7 @@ std::vector<Ui*> App::runs_beside() {
   const bool rays = lead() == ray_plan_pane.id, here = rays || lead() == slice_pane.id,
              before = lead() == scene_pane.id;
   Whereabouts moment = moment_of(session_);
-  if (rays) moment.selected = session_.current_cell();
+  if (rays) moment.selected = session_.cell_looked_at(false);
   beside_.resize(shown.size());
   std::vector<Ui*> looks;
   for (std::size_t k = 0; k < shown.size(); ++k) {
