@@ -242,30 +242,29 @@ void draw_slabs(const Ui& ui, const Plan& plan, WordPlaces& words) {
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (now.asked()) stroke_lines(list, corners_of(plan, box), c.now, 2.5f * ui.thin, true);
-  constexpr std::array names{"x", "y"};
-  for (int axis = 0; axis < 2; ++axis) {
-    const int other = 1 - axis;
-    const double beyond =
-        std::max({0.25 * (high[0] - low[0]), 0.25 * (high[1] - low[1]), 2 * static_cast<double>(ui.em) / plan.scale()});
-    std::vector<double> times;
+  const double beyond =
+      std::max({0.25 * (high[0] - low[0]), 0.25 * (high[1] - low[1]), 2 * static_cast<double>(ui.em) / plan.scale()});
+  std::array<std::vector<double>, 2> times;
+  for (int axis = 0; axis < 2; ++axis)
     for (const double border : {low[axis], high[axis]}) {
       glm::dvec3 a(0), b(0);
       a[axis] = b[axis] = border;
-      for (const auto& [from_box, out] : {std::pair{low[other], -beyond}, {high[other], beyond}}) {
-        a[other] = from_box, b[other] = from_box + out;
+      for (const auto& [from_box, out] : {std::pair{low[1 - axis], -beyond}, {high[1 - axis], beyond}}) {
+        a[1 - axis] = from_box, b[1 - axis] = from_box + out;
         stroke_dashed(list, plan.place(a), plan.place(b), c.changed, 1.5f * ui.thin);
         words.keep_line_free(plan.place(a), plan.place(b));
       }
+      std::vector<double>& its = times[static_cast<std::size_t>(axis)];
       const double t = along[axis] != 0 ? (border - from[axis]) / along[axis] : -1;
-      if (t > 0 && (times.empty() || std::abs(times[0] - t) > 1e-6)) times.push_back(t);
+      if (t > 0 && (its.empty() || std::abs(its[0] - t) > 1e-6)) its.push_back(t);
     }
-    for (const double t : times) {
+  for (const bool of_y : {false, true})
+    for (const double t : times[of_y]) {
       const ImVec2 at = plan.place(from + t * along);
       fill_circle(list, at, std::round(0.22f * ui.em), c.changed);
-      words.around(fmt::format("{} {}", names.at(static_cast<std::size_t>(axis)), number(t, 2, true)), c.changed,
-                   ui.fonts.small, at, {1, axis == 0 ? -1 : 1});
+      words.around(fmt::format("{} {}", of_y ? "y" : "x", number(t, 2, true)), c.changed, ui.fonts.small, at,
+                   {1, of_y ? 1 : -1});
     }
-  }
   if (now.asked()) words.around(fmt::format("box {}", test->box), c.now, ui.fonts.small, plan.place(low), {-1, 0.6});
   else draw_intervals(ui, plan, *test, *ray, box, words);
 }
