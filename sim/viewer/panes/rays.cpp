@@ -366,12 +366,12 @@ void draw_plane(const Ui& ui, const Plan& plan, std::int32_t facet, const std::o
   const ImVec2 corner = plan.at(), low = list->GetClipRectMin(), high = list->GetClipRectMax();
   for (const auto& [from, out] : {std::pair{(*ends)[0], (*ends)[1]}, {(*ends)[1], (*ends)[0]}}) {
     const glm::dvec2 way = from - out;
-    double share = 0;
-    if (to) share = glm::dot(plan.inside(*to) - from, way) / glm::dot(way, way);
-    else if (const auto part = part_within(glm::dvec2(low.x, low.y) - glm::dvec2(corner.x, corner.y),
-                                           glm::dvec2(high.x, high.y) - glm::dvec2(corner.x, corner.y), from, way, 0,
-                                           std::numeric_limits<double>::max()))
-      share = part->second;
+    const auto part =
+        part_within(glm::dvec2(low.x - corner.x, low.y - corner.y), glm::dvec2(high.x - corner.x, high.y - corner.y),
+                    from, way, 0, std::numeric_limits<double>::max());
+    if (!part) continue;
+    const double share =
+        std::min(part->second, to ? glm::dot(plan.inside(*to) - from, way) / glm::dot(way, way) : part->second);
     if (share * glm::length(way) > 2)
       stroke_dashed(list, moved_by(corner, from.x, from.y),
                     moved_by(corner, from.x + share * way.x, from.y + share * way.y), ui.colors().now, 1.5f * ui.thin);
@@ -655,7 +655,9 @@ void name_hits(const Ui& ui, const Plan& plan, WordPlaces& words) {
   std::set<double> beyond;  // where boxes begin that need no search, and where cells do and end
   for (const BoxTest& test : rays.boxes)
     if (kept != hits.rend() && test.t_enter <= test.t_leave && test.t_enter > kept->t) beyond.insert(test.t_enter);
-  for (const CellVisit& cell : rays.cells) beyond.insert({cell.t_enter, cell.t_leave});
+  for (const CellVisit& cell : rays.cells)
+    for (const double t : {cell.t_enter, cell.t_leave})
+      if (std::isfinite(t)) beyond.insert(t);
   if (ray && beyond.size() <= most_named && shows_boxes(ui))
     for (const double t : beyond) name(t, ui.colors().selected, true);
   for (const RayHit& hit : hits)
