@@ -340,8 +340,8 @@ void tell_as_distances(Telling& t, const ShadowCompare& point, double stored, bo
   const auto& found = t.after.machine.shadow_bias;
   const bool sloped = found && found->x == point.x && found->y == point.y;
   const double bias = sloped ? found->bias : formulas::light_bias(z_v, options.bias, 0.0, 0.0);
-  t.formula(fmt::format("z_v \u2264 stored z_v + bias:  {} \u2264 {} + {}  is {}", number(z_v), number(shadow),
-                        number(bias), lit));
+  t.formula(fmt::format("z_v \u2264 stored z_v + bias = {} + {}:  {} \u2264 {}  is {}", number(shadow), number(bias),
+                        number(z_v), number(shadow + bias), lit));
 }
 
 void tell(Telling& t, const ShadowCompare& e) {
