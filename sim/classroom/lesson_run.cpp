@@ -6,6 +6,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/anchor.hpp"
+#include "sim/classroom/chart_table.hpp"
 #include "sim/classroom/evaluate.hpp"
 #include "sim/classroom/fill.hpp"
 #include "sim/classroom/lesson.hpp"
@@ -117,6 +118,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
   const std::string file = lesson.path.string();
   Replay replay(trace);
   Spot spot;
+  bool has_chart = false;
   for (Stop& stop : lesson.stops) {
     const Place place{file, stop.line};
     spot = resolve_anchor(parse_anchor(stop.anchor, place.str()), spot, replay, place.str());
@@ -146,6 +148,10 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     if (!stop.pixels.steps.empty()) resolve_marking(stop.pixels, replay, 0, file);
     stop.names = names_in(stop.text, {file, stop.text_line});
     stop.text = filled(stop.text, stop.text_line);
+    has_chart = chart_table(stop.text, {file, stop.text_line}) || has_chart;
+    if (stop.focus == "chart" && !has_chart)
+      throw InputError(place.str(), "there is no table for `focus: chart`",
+                       "write one, here or at a stop before, in a block that opens with ``` and what its numbers are");
     check_shown(stop, trace.scene(), place.str());
     if (stop.task) {
       stop.task->text = filled(stop.task->text, stop.task->text_line);
