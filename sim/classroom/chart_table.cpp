@@ -12,7 +12,7 @@
 namespace zstep::classroom {
 namespace {
 
-constexpr std::string_view code_fence = "```", dash = "–";
+constexpr std::string_view code_fence = "```", dash = "–", nothing = "…";
 
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> words;
@@ -72,12 +72,12 @@ void read_row(ChartTable& table, std::string_view line, const std::string& where
     const std::string_view word = words[words.size() - count + k];
     row.values.push_back(range_of(word));
     some = some || row.values.back();
-    good = row.values.back() || word == dash;
+    good = row.values.back() || word == nothing;
   }
   if (!good || !some)
     throw InputError(where, fmt::format("`{}` is no row of a chart's table", trim(line)),
                      fmt::format("write a name that does not end in a number, then {} numbers from 1e-6 to 1e12, with "
-                                 "`4–8` for a range and `–` for none; at most {} rows",
+                                 "`4–8` for a range and `…` for none; at most {} rows",
                                  count, table.most_rows));
   table.rows.push_back(std::move(row));
 }

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include "sim/classroom/chart_table.hpp"
 #include "sim/classroom/lesson.hpp"
 #include "tests/folder.hpp"
 #include "tests/unit/sim/classroom/small_run.hpp"
@@ -164,6 +165,38 @@ TEST_CASE("slips in the head") {
   CHECK(contains(load_error("+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"delhi\"\nmethod = \"warnok\"\n+++\n## Here "
                             "{at: start}\nText.\n"),
                  "warnok"));
+}
+
+TEST_CASE("a table in the text is a chart, and one that cannot be drawn is refused") {
+  const std::string stop = "## Here {at: start; focus: chart}\nText.\n\n```plain\n", end = "```\n";
+  const LessonFile file(head + "## Here {at: start}\n```\nno 1 table\n```\nText.\n\n```cost, in units\n" +
+                        "polygons N  100  ?  60000\n\ndepth sort  {polygons}  4\u20138  0.5\nas N  1  \u2026  600\n" +
+                        end + "## There {at: end; focus: chart}\nMore.\n");
+  Lesson lesson = load_lesson(file.path);
+  const Trace trace = run_lesson(lesson);
+  for (const int at : {0, 1}) {
+    bool own = false;
+    const auto table = classroom::chart_of(lesson, at, own);
+    REQUIRE(table);
+    CHECK(own == (at == 0));
+    CHECK(table->up == "cost, in units");
+    CHECK(table->across == "polygons N");
+    CHECK(table->columns == std::vector<std::optional<double>>{100, std::nullopt, 60000});
+    REQUIRE(table->rows.size() == 2);
+    CHECK(table->rows[0].name == "depth sort");
+    const double polygons = static_cast<double>(trace.scene().polygons.size());
+    CHECK(table->rows[0].values[0]->x == polygons);
+    CHECK((table->rows[0].values[1]->x == 4 && table->rows[0].values[1]->y == 8));
+    CHECK(!table->rows[1].values[1]);
+  }
+  CHECK(contains(run_error(head + "## Here {at: start; focus: chart}\nText.\n"), ":7: there is no table for"));
+  for (const char* columns : {"polygons 100", "100 200", "N ? ? 100 200", "N 100 ?", "N 0 100", "N -1 1e300"})
+    CHECK_MESSAGE(contains(run_error(head + stop + columns + "\na 1 2\n" + end), ":11: "), columns);
+  for (const char* row : {"a 1", "1 2", "a b 2", "a 1 2 3", "a 8\u20134 1", "a 0 1", "a -1 1", "a \u2026 \u2026",
+                          "a 1e13 1", "a nan 1", "a 1 inf", "a 1\u2013 2"})
+    CHECK_MESSAGE(contains(run_error(head + stop + "N 1 2\na 1 2\n" + row + "\n" + end), ":13: `"), row);
+  CHECK(contains(run_error(head + stop + "N 1 2\n" + end), ": a chart's table has no rows"));
+  CHECK(contains(run_error(head + stop + "N 1 2\na 1 2\nb 1 2\nc 1 2\nd 1 2\ne 1 2\nf 1 2\n" + end), ":17: `f 1 2`"));
 }
 
 TEST_CASE("slips in the stops") {
