@@ -75,11 +75,12 @@ void check_shown(const Stop& stop, const Scene& scene, const std::string& place)
   }
   for (const StopLabel& label : stop.labels) {
     const std::string& polygon = label.plane_of.empty() ? label.name : label.plane_of;
-    const bool known =
-        label.vertex < 0 ? is_polygon(polygon) : std::max(label.vertex, label.to) < std::ssize(scene.points);
+    const bool known = label.scan_line >= 0 ? label.scan_line < scene.raster.height
+                       : label.vertex < 0   ? is_polygon(polygon)
+                                            : std::max(label.vertex, label.to) < std::ssize(scene.points);
     if (!known)
       throw InputError(place, fmt::format("the scene has no `{}` to label", label.name),
-                       "name a vertex or a polygon of it");
+                       "name a vertex, a polygon or a scan line of it");
     if (words.find(label.name) == std::string::npos)
       throw InputError(place, fmt::format("`{}` is labelled, and the stop does not speak of it", label.name),
                        "leave it out");

@@ -274,6 +274,23 @@ TEST_CASE("what a stop marks is seen in its picture, and not beyond the stop") {
   CHECK(marked >= 15);
 }
 
+TEST_CASE("a scan line and the axes of the eye are named where the text names them, and a vertex once") {
+  const auto named = [](const char* id, int stop, const std::string& name) {
+    Lesson lesson = find_lesson(id);
+    const Trace trace = run_lesson(lesson);
+    App app(trace, &lesson, {}, 1280, 720);
+    REQUIRE(app.show_only(lesson.stops.at(static_cast<std::size_t>(stop)).focus == "scene" ? "scene" : "frame"));
+    app.session().to_stop(stop);
+    app.settle();
+    const std::vector<std::string> words = test::letters_of(app.ui().fonts).words;
+    return std::count(words.begin(), words.end(), name);
+  };
+  CHECK(named("edge-table", 1, "scan line 8") == 1);
+  CHECK(named("edge-table", 2, "scan line 8") == 0);
+  CHECK(named("write-your-own", 8, "e1") == 1);
+  CHECK(named("viewing", 2, "y") > named("viewing", 1, "y"));
+}
+
 TEST_CASE("where formulas give way the one that the stop speaks of stays") {
   Lesson lesson = find_lesson("back-faces");
   const Trace trace = run_lesson(lesson);

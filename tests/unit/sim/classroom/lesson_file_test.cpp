@@ -216,9 +216,16 @@ TEST_CASE("slips in the stops") {
   CHECK(marks.stops[0].pixel->y == 1);
   const Trace its_run = run_lesson(marks);
   CHECK(!marks.stops[0].pixels.right.empty());  // of steps that are still to come
-  for (const char* wrong : {"pixel: (2)", "pixel: (2, -1)", "pixel: 2 x", "label: 1-x", "label:"})
+  const LessonFile labelled(head + "## Here {at: start; viewing: T_v; label: scan line 0}\nOn scan line {\"0\"}.\n");
+  Lesson labels = load_lesson(labelled.path);
+  CHECK(labels.stops.at(0).viewing_step == 5);
+  CHECK(labels.stops[0].labels.at(0).scan_line == 0);
+  const Trace labelled_run = run_lesson(labels);  // it is spoken of
+  for (const char* wrong :
+       {"pixel: (2)", "pixel: (2, -1)", "pixel: 2 x", "label: 1-x", "label:", "label: scan line -1", "viewing: T_5"})
     CHECK(contains(load_error(head + "## Here {at: start; " + wrong + "}\nText.\n"), ":7: `"));
-  for (const char* wrong : {"pixel: (9999, 0)", "label: V_9999", "pixels: compare where x < 0", "pixels: fly"}) {
+  for (const char* wrong :
+       {"pixel: (9999, 0)", "label: V_9999", "label: scan line 9999", "pixels: compare where x < 0", "pixels: fly"}) {
     const LessonFile refused(head + "## Here {at: start; " + wrong + "}\nText.\n");
     Lesson lesson = load_lesson(refused.path);
     CHECK_THROWS_WITH(run_lesson(lesson), doctest::Contains("7-made-up.md:7"));
