@@ -217,10 +217,10 @@ TEST_CASE("slips in the stops") {
   const Trace its_run = run_lesson(marks);
   CHECK(!marks.stops[0].pixels.right.empty());  // of steps that are still to come
   const LessonFile labelled(head + "## Here {at: start; viewing: T_v; label: scan line 0}\nOn scan line {\"0\"}.\n");
-  Lesson labels = load_lesson(labelled.path);
-  CHECK(labels.stops.at(0).viewing_step == 5);
-  CHECK(labels.stops[0].labels.at(0).scan_line == 0);
-  const Trace labelled_run = run_lesson(labels);  // it is spoken of
+  Lesson spoken = load_lesson(labelled.path);
+  CHECK(spoken.stops.at(0).viewing_step == 5);
+  CHECK(spoken.stops[0].labels.at(0).scan_line == 0);
+  const Trace labelled_run = run_lesson(spoken);  // it is spoken of
   for (const char* wrong :
        {"pixel: (2)", "pixel: (2, -1)", "pixel: 2 x", "label: 1-x", "label:", "label: scan line -1", "viewing: T_5"})
     CHECK(contains(load_error(head + "## Here {at: start; " + wrong + "}\nText.\n"), ":7: `"));
