@@ -72,10 +72,12 @@ struct RunBeside {
 };
 
 /// What a stop's words name and its pictures name, too: "V_5", "V_0 = 5" where the words have another name for it,
-/// "V_4-V_5" (a line), "V_01 = V_0>V_1" (an arrow with its name), a polygon, "U", or a polygon's plane, "plane = C".
+/// "V_4-V_5" (a line), "V_01 = V_0>V_1" (an arrow with its name), a polygon, "U", a polygon's plane, "plane = C", or
+/// "scan line 8".
 struct StopLabel {
   std::string name;  ///< of a line empty where its ends alone are named
   std::int32_t vertex = -1, to = -1;
+  std::int32_t scan_line = -1;
   bool arrow = false;
   std::string plane_of;
 };
@@ -100,7 +102,7 @@ struct Stop {
   std::string anchor;                 ///< as written in the file: step name and condition
   std::string focus;                  ///< the pane that leads meanwhile, as the viewer calls it; mostly none
   std::vector<RunBeside> beside;      ///< one, shown beside the lesson's own, or two, shown instead of it
-  int viewing_step = 0;               ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
+  int viewing_step = 0;               ///< 1 … 4: T_1 … T_4, 5: T_v, shown in the scene meanwhile; 0: none
   std::string depths;                 ///< as written: z_v that are marked where depths are drawn over z_v
   std::vector<double> marked_depths;  ///< these; set by resolve()
   std::optional<Trace::Pixel> pixel;  ///< that it follows: marked, with its line of sight, at whatever step

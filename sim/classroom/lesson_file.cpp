@@ -270,9 +270,9 @@ class Reader {
       std::replace(stop.focus.begin(), stop.focus.end(), '-', '_');
       return;
     }
-    if (starts_with(text, "viewing:") && value.size() == 3 && starts_with(value, "T_") && value[2] >= '1' &&
-        value[2] <= '4') {
-      stop.viewing_step = value[2] - '0';
+    if (starts_with(text, "viewing:") && value.size() == 3 && starts_with(value, "T_") &&
+        ((value[2] >= '1' && value[2] <= '4') || value[2] == 'v')) {
+      stop.viewing_step = value[2] == 'v' ? 5 : value[2] - '0';
       return;
     }
     if (starts_with(text, "depths:") && !value.empty()) {
@@ -305,7 +305,8 @@ class Reader {
                 "`beside:` as docs/writing-a-lesson.md says");
   }
 
-  /// "V_5, V_0 = 5, 4-5-6, V_01 = 0>1, U, plane = C"; of several lines after each other the first has the name.
+  /// "V_5, V_0 = 5, 4-5-6, V_01 = 0>1, U, plane = C, scan line 8"; of several lines after each other the first has the
+  /// name.
   void read_labels(std::string_view text, Stop& stop) const {
     const auto vertex = [](std::string_view name) -> std::int32_t {
       name = trim(name);
@@ -318,6 +319,14 @@ class Reader {
       const std::size_t comma = std::min(text.size(), text.find(','));
       const std::string_view one = trim(text.substr(0, comma));
       text.remove_prefix(std::min(text.size(), comma + 1));
+      constexpr std::string_view line = "scan line ";
+      if (starts_with(one, line)) {
+        const std::int32_t number = vertex(one.substr(line.size()));
+        if (number < 0) lines_.fail(fmt::format("`{}` is no label", one), "write `scan line 8`");
+        stop.labels.emplace_back().name = one;
+        stop.labels.back().scan_line = number;
+        continue;
+      }
       const std::size_t is = one.find('=');
       const std::string_view what = is == std::string_view::npos ? one : trim(one.substr(is + 1));
       StopLabel label;

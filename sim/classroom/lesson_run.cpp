@@ -6,6 +6,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/anchor.hpp"
+#include "sim/classroom/chart_table.hpp"
 #include "sim/classroom/evaluate.hpp"
 #include "sim/classroom/fill.hpp"
 #include "sim/classroom/lesson.hpp"
@@ -74,11 +75,12 @@ void check_shown(const Stop& stop, const Scene& scene, const std::string& place)
   }
   for (const StopLabel& label : stop.labels) {
     const std::string& polygon = label.plane_of.empty() ? label.name : label.plane_of;
-    const bool known =
-        label.vertex < 0 ? is_polygon(polygon) : std::max(label.vertex, label.to) < std::ssize(scene.points);
+    const bool known = label.scan_line >= 0 ? label.scan_line < scene.raster.height
+                       : label.vertex < 0   ? is_polygon(polygon)
+                                            : std::max(label.vertex, label.to) < std::ssize(scene.points);
     if (!known)
       throw InputError(place, fmt::format("the scene has no `{}` to label", label.name),
-                       "name a vertex or a polygon of it");
+                       "name a vertex, a polygon or a scan line of it");
     if (words.find(label.name) == std::string::npos)
       throw InputError(place, fmt::format("`{}` is labelled, and the stop does not speak of it", label.name),
                        "leave it out");
@@ -117,6 +119,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
   const std::string file = lesson.path.string();
   Replay replay(trace);
   Spot spot;
+  bool has_chart = false;
   for (Stop& stop : lesson.stops) {
     const Place place{file, stop.line};
     spot = resolve_anchor(parse_anchor(stop.anchor, place.str()), spot, replay, place.str());
@@ -146,6 +149,10 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     if (!stop.pixels.steps.empty()) resolve_marking(stop.pixels, replay, 0, file);
     stop.names = names_in(stop.text, {file, stop.text_line});
     stop.text = filled(stop.text, stop.text_line);
+    has_chart = chart_table(stop.text, {file, stop.text_line}) || has_chart;
+    if (stop.focus == "chart" && !has_chart)
+      throw InputError(place.str(), "there is no table for `focus: chart`",
+                       "write one, here or at a stop before, in a block that opens with ``` and what its numbers are");
     check_shown(stop, trace.scene(), place.str());
     if (stop.task) {
       stop.task->text = filled(stop.task->text, stop.task->text_line);

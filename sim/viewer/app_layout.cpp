@@ -9,6 +9,7 @@
 #include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/panes/legend.hpp"
+#include "sim/viewer/panes/lesson_chart.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/panes/workspace.hpp"
@@ -492,7 +493,7 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
 std::vector<Pane> App::all_panes(const Header& header, bool with_lesson) {
   std::vector<Pane> all = stage_panes(header);
   all.insert(all.end(), {pseudo_code_pane, happened_pane});
-  if (with_lesson) all.push_back(lesson_pane);
+  if (with_lesson) all.insert(all.end(), {lesson_pane, chart_pane});
   return all;
 }
 
@@ -659,7 +660,8 @@ void App::draw_small_stage(ImVec2 at, ImVec2 names, ImVec2 size) {
     stage_at_ = {at, both};
     return draw_runs_beside(at, each, {wide ? at.x + half.x : at.x, wide ? at.y : at.y + half.y}, each);
   }
-  const std::vector<Pane> panes = stage_panes(session_.header());
+  std::vector<Pane> panes = stage_panes(session_.header());
+  if (lead() == chart_pane.id) panes.push_back(chart_pane);
   // What is asked is asked of pixels.
   const std::string leads = !lead().empty()           ? lead()
                             : drawer_ != Drawer::none ? frame_pane.id

@@ -7,6 +7,7 @@
 
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/model/slice.hpp"
+#include "sim/viewer/panes/lesson_chart.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/words/explain.hpp"
@@ -66,6 +67,7 @@ void tell_lesson(Text& text, const Session& s) {
   text.title(fmt::format("Lesson: {}, stop {} of {}", s.lesson()->title, s.stop() + 1, s.lesson()->stops.size()));
   text.line(stop.heading);
   text.markdown(stop.text);
+  for (const std::string& line : chart_told(s)) text.line(line);
   if (stop.task) text.markdown(stop.task->text);
   if (stop.marking) text.markdown(stop.marking->text);
   if (!stop.question) return;

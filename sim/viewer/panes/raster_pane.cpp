@@ -504,7 +504,8 @@ void mark_vertex(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& words)
     words.put("y_p = " + number(-camera.window), c.text, ui.fonts.small, {moved_by(origin, x, end - half)});
   }
   const std::vector<std::int32_t>& outline = now.state().machine.outline;
-  if (now.event() && holds<OutlineVertex>(now.event()->event) && outline.size() <= 8) {
+  const bool edges_named = now.asked() && holds<EdgeTableInsert>(*now.asked());  // and their ends
+  if (now.event() && holds<OutlineVertex>(now.event()->event) && outline.size() <= 8 && !edges_named) {
     std::vector<glm::dvec2> places;
     for (const std::int32_t vertex : outline)
       if (const auto p = on_raster(now.scene(), now.state(), vertex)) places.emplace_back(map.px(p->x), map.py(p->y));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/viewer/panes/lesson_chart.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
@@ -77,7 +78,8 @@ std::vector<Pane> stage_panes(const Header& header) {
 }
 
 Workspace workspace(const Header& header, const std::string& lead) {
-  const std::vector<Pane> panes = stage_panes(header);
+  std::vector<Pane> panes = stage_panes(header);
+  if (lead == chart_pane.id) panes.push_back(chart_pane);  // a lesson's, and of no run
   Workspace stage{usual_leads(panes, header), {}};
   if (const Pane* asked = find(panes, lead)) {
     const bool alone = asked->wide || find(stage.leading, lead);
@@ -109,7 +111,8 @@ std::vector<std::string> leads_to_choose(const Header& header) {
 }
 
 void check_focus(const Lesson& lesson, const Header& header) {
-  const std::vector<Pane> panes = stage_panes(header);
+  std::vector<Pane> panes = stage_panes(header);
+  panes.push_back(chart_pane);
   for (const Stop& stop : lesson.stops) {
     if (stop.focus.empty() || find(panes, stop.focus)) continue;
     std::vector<std::string> names;
