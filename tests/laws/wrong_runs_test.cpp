@@ -48,6 +48,9 @@ TEST_CASE("the runs that stand beside lessons end with the pictures of which the
   CHECK(named(of("three-cubes")) == "ABCDEF");
   CHECK(named(of("sign")) == "CDE");
   CHECK(named(of("subtree")) == "BW");
+  // The same run with all of its subtrees: of what is drawn before them nothing is missing.
+  CHECK(named(of("tree")) == "ABW");
+  CHECK(of("tree").at("B") == of("subtree").at("B"));
   Lesson lesson = find_lesson("where-the-notes-disagree");
   const auto right = pixels(run_lesson(lesson)), half = of("half");
   CHECK(half.at("W") - right.at("W") == 16);
