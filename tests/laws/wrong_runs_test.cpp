@@ -44,8 +44,12 @@ TEST_CASE("the runs that stand beside lessons end with the pictures of which the
     for (const auto& [name, how_many] : count) names += name;
     return names;
   };
-  CHECK(named(of("one-cube")) == "A");
-  CHECK(named(of("three-cubes")) == "ABCDEF");
+  Lesson wires = find_lesson("wireframe");
+  run_lesson(wires);
+  std::vector<std::string> seen;
+  for (const Stop& stop : wires.stops)
+    for (const RunBeside& beside : stop.beside) seen.push_back(named(pixels(*beside.run)));
+  CHECK(seen == std::vector<std::string>{"A", "ABCDEF", "ABCDEFGHIJKL", "ABCJKLQUVW"});
   CHECK(named(of("sign")) == "CDE");
   CHECK(named(of("subtree")) == "BW");
   Lesson lesson = find_lesson("where-the-notes-disagree");
