@@ -102,7 +102,8 @@ void check_shown(const Stop& stop, const Scene& scene, const std::string& place)
 
 std::string RunBeside::name() const {
   std::string all;
-  for (const std::string& change : changes) all += (all.empty() ? "" : ", ") + change;
+  for (const std::string& change : changes)
+    if (file.empty() || read_change(change).name != "method") all += (all.empty() ? "" : ", ") + change;
   return all.empty() ? file : all;
 }
 

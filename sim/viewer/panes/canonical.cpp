@@ -78,7 +78,7 @@ void draw_canonical(RoomPen& pen, const Moment& now) {
   for (std::size_t k = 0; k < 4; ++k) pen.line(near[k], far[k], c.muted, 1);
   pen.around(near, c.text, 2);
   pen.around(far, c.muted, 1, true);
-  pen.word(near[3], "near", c.text), pen.word(far[3], "far", c.muted);
+  pen.word(near[3], "near", c.text), pen.word(far[1], "far", c.muted);
   pen.word(near[0], "(\u22121, \u22121, \u22121)", c.text), pen.word(far[2], "(1, 1, 1)", c.text);
   for (const auto& [end, name] :
        {std::pair{glm::dvec3(1.25, 0, 0), "x*"}, {glm::dvec3(0, 0, 1.25), "y*"}, {glm::dvec3(0, 1.25, 0), "z*"}}) {

@@ -633,7 +633,7 @@ void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& c
   draw_lamp(pen, now);
   draw_other_eyes(pen, now);
   number_vertices(pen, now);
-  if (told) draw_labels(pen, now);
+  if (told) draw_labels(pen, now), draw_orders(pen, now.scene().camera, told->orders);
   if (now.at_rest()) return draw_line_of_sight(pen, now, cell), draw_light_at_vertices(pen, now);
   draw_dividing_plane(pen, now);
   draw_scan_plane(pen, now);

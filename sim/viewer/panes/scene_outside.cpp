@@ -197,6 +197,7 @@ void come_close(Room& room, const Stop& stop) {
       marks.push_back(corner);
     return room.show_only(std::move(marks));
   }
+  for (const auto& way : ways_of_eye(room.camera(), stop.orders)) room.show(way);
   if (stop.close.empty()) return;
   for (const Facet& facet : room.polygons().facets)
     for (std::int32_t k = 0; k < facet.corner_count && *room.polygons().polygons[facet.polygon].name == stop.close; ++k)
@@ -393,7 +394,7 @@ void draw_outside(Ui& ui, ImVec2 size, bool canonical) {
   };
   const bool by_lamp = ui.session.state().machine.pass == Pass::light;
   const Stop* const told = ui.moment().told();
-  const Stop* const about = told && (told->window || !told->close.empty()) ? told : nullptr;
+  const Stop* const about = told && (told->window || !told->close.empty() || !told->orders.empty()) ? told : nullptr;
   const char* const name = canonical ? "canonical" : "outside";
   const Kept<Room>& room =
       *keep<Room>(ui.rooms, name, +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0, about, canonical);
