@@ -52,7 +52,7 @@ Scene in_canonical_volume(const Scene& scene) {
         cube.corners.push_back(size32(cube.points));
         cube.points.push_back(*at);
       }
-    cube.facets.push_back({facet.polygon, first, size32(cube.corners) - first});
+    if (size32(cube.corners) - first >= 3) cube.facets.push_back({facet.polygon, first, size32(cube.corners) - first});
   }
   return cube;
 }
