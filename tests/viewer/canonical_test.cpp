@@ -1,6 +1,7 @@
 // The canonical view volume: the scene after the division by w.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -10,6 +11,7 @@
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/words/explain.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 #include "tests/where.hpp"
 
@@ -63,4 +65,29 @@ TEST_CASE("law: of every lesson's run, whatever its camera, all that is in the c
     }
   }
   CHECK((perspective > 0 && parallel > 0 && screen > 0));
+}
+
+TEST_CASE(
+    "the scene says of K's vertices which are in and which are out, and names r and v where the stop labels them") {
+  const auto words_at = [](const char* name, int stop) {
+    Lesson lesson = find_lesson(name);
+    const Trace trace = run_lesson(lesson);
+    App app(trace, &lesson, {}, 1280, 720);
+    app.session().to_stop(stop);
+    test::picture(app);
+    return test::letters_of(app.ui().fonts).words;
+  };
+  const auto has = [](const std::vector<std::string>& words, const std::string& word) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](const std::string& one) { return one.find(word) != std::string::npos; });
+  };
+  const auto words = words_at("clipping", 15);
+  for (const char* shown : {"6 in", "7 out", "8 out", "9 in"}) CHECK_MESSAGE(has(words, shown), shown);
+  CHECK_FALSE(has(words_at("clipping", 10), "0 in"));  // I is wholly inside
+  const auto light = words_at("light-at-vertices", 5), before = words_at("light-at-vertices", 4);
+  const auto named = [](const std::vector<std::string>& all, const char* word) {
+    return std::count(all.begin(), all.end(), word) > 0;
+  };
+  CHECK((named(light, "r") && named(light, "v")));
+  CHECK((!named(before, "r") && named(before, "v")));
 }
