@@ -345,6 +345,8 @@ std::vector<Ui*> App::runs_beside() {
     if (std::exchange(one->of, of) != of)
       one->session.go_to(here ? moment_in(*shown[k].run, moment).step : before ? 0 : shown[k].run->size());
     one->ui.asks = false, one->ui.still = !here, one->ui.laboratory = !stands_alone(shown, lead());
+    one->ui.marked_depths =
+        session_.question_open() ? std::vector<double>() : lesson->stops[session_.stop()].marked_depths;
     looks.push_back(&one->ui);
     share_look(one->ui);
   }

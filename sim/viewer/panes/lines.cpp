@@ -92,7 +92,7 @@ void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const 
     for (const auto& [from, to] : edges_of(now.scene()))
       if (const auto e = ends_of(now, map, {0, from, to, -1, -1, LineKind::inner}))
         canvas.line(e->x0, e->y0, e->x1, e->y1, (m.lines.empty() ? 1.5 : 1.0) * thin,
-                    to_pixel(m.lines.empty() ? c.text : c.rule));
+                    m.lines.empty() ? to_pixel(c.text) : mixed(to_pixel(c.pane), to_pixel(c.muted), 140));
   const bool works = !now.at_rest() && !marks_lines(now);
   if (works) draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
   for (const LineRow& row : m.lines)

@@ -69,6 +69,8 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
     const EdgeTableInsert& e = m.edge_table[*lit];
     line(e.vertex_0, e.vertex_1, 4, c.selected, 220);
   }
+  const auto* enters = now.event() && !now.at_rest() ? get_if<EdgeTableInsert>(&now.event()->event) : nullptr;
+  if (enters && map.cell >= 3) line(enters->vertex_0, enters->vertex_1, 2.8, c.now, 255);
 }
 
 void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const Moment& now,
