@@ -370,8 +370,8 @@ void tell_as_distances(Telling& t, const ShadowCompare& point, double stored, bo
   const auto& found = t.after.machine.shadow_bias;
   const bool sloped = found && found->x == point.x && found->y == point.y;
   const double bias = sloped ? found->bias : formulas::light_bias(z_v, options.bias, 0.0, 0.0);
-  t.formula(fmt::format("z_v \u2264 stored z_v + bias, {} + {}: {} \u2264 {}  is {}", number(shadow), number(bias),
-                        number(z_v), number(shadow + bias), lit ? "true" : "false"));
+  t.formula(fmt::format("z_v \u2264 stored z_v + bias = {} + {}:  {} \u2264 {}  is {}", number(shadow), number(bias),
+                        number(z_v), number(shadow + bias), lit));
 }
 
 void tell(Telling& t, const ShadowCompare& e) {
@@ -382,8 +382,7 @@ void tell(Telling& t, const ShadowCompare& e) {
   t.value("x'", e.x_light);
   t.value("y'", e.y_light);
   t.value("z_light", e.z_light);
-  t.formula(fmt::format("x' = {}, y' = {} in the light's picture, z_light = {}", number(e.x_light), number(e.y_light),
-                        number(e.z_light)));
+  t.formula(fmt::format("x' = {}, y' = {}, z_light = {}", number(e.x_light), number(e.y_light), number(e.z_light)));
   if (!inside) {
     t.say(fmt::format("The point of {} at pixel ({}, {}) lies beside the light's window: dark.", t.label(polygon), e.x,
                       e.y));

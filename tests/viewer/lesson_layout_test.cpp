@@ -11,7 +11,9 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include "sim/classroom/chart_table.hpp"
 #include "sim/classroom/lesson.hpp"
+#include "sim/classroom/markdown.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/description.hpp"
 #include "sim/viewer/panes/happened.hpp"
@@ -76,6 +78,19 @@ bool has_raw_subscript(const std::string& words) {
 /// Letters that stand far apart may be read as two words.
 std::string without_blanks(std::string text) {
   std::erase(text, ' ');
+  return text;
+}
+
+/// What is drawn, line by line as the letters stand, without what is set apart or below the line.
+std::string lines_drawn(const test::Letters& drawn) {
+  std::string text;
+  std::size_t word = drawn.words.size();
+  float end = 0;
+  for (const test::Letter& letter : drawn.all) {
+    if (letter.word != word) text += (letter.first.x < end ? "\n" : "") + drawn.words[word = letter.word];
+    end = letter.last.x;
+  }
+  std::erase_if(text, [](char c) { return c == ' ' || c == '_'; });
   return text;
 }
 
@@ -263,6 +278,25 @@ TEST_CASE("what a stop marks is seen in its picture, and not beyond the stop") {
   CHECK(marked >= 15);
 }
 
+TEST_CASE("a scan line and the axes of the eye are named where the text names them, and a vertex once") {
+  const auto named = [](const char* id, int stop, const std::string& name) {
+    Lesson lesson = find_lesson(id);
+    const Trace trace = run_lesson(lesson);
+    App app(trace, &lesson, {}, 1280, 720);
+    REQUIRE(app.show_only(lesson.stops.at(static_cast<std::size_t>(stop)).focus == "scene" ? "scene" : "frame"));
+    app.session().to_stop(stop);
+    app.settle();
+    const std::vector<std::string> words = test::letters_of(app.ui().fonts).words;
+    return std::count(words.begin(), words.end(), name);
+  };
+  CHECK(named("edge-table", 1, "scan line 8") == 1);
+  CHECK(named("edge-table", 2, "scan line 8") == 0);
+  constexpr int by_rulers = 2;
+  CHECK(named("write-your-own", 8, "5") == by_rulers + 1);
+  CHECK(named("viewing", 2, "v") == 3);  // below x, y and z
+  CHECK(named("viewing", 1, "v") == 0);
+}
+
 TEST_CASE("where formulas give way the one that the stop speaks of stays") {
   Lesson lesson = find_lesson("back-faces");
   const Trace trace = run_lesson(lesson);
@@ -334,4 +368,78 @@ TEST_CASE("a stop that is come to through all before it is the picture that open
     const bool same = test::picture(app) == test::picture(opened);
     CHECK(same);
   }
+}
+
+TEST_CASE("law: no line of a table or of code in a lesson's text is broken") {
+  for (Lesson& lesson : all_lessons()) {
+    const Trace trace = run_lesson(lesson);
+    CAPTURE(lesson.id);
+    for (const Shown& look : {looks[0], looks[2]}) {
+      CAPTURE(look.width);
+      App app(trace, &lesson, {}, look.width, look.height);
+      for (const Stop& stop : lesson.stops) {
+        std::string code;
+        for (const TextBlock& block : parse_markdown(stop.text))
+          if (block.kind == TextBlock::Kind::code) code += block.runs.front().text + "\n";
+        if (code.empty()) continue;
+        app.session().to_stop(static_cast<int>(&stop - lesson.stops.data()));
+        app.settle();
+        const std::string drawn = lines_drawn(test::letters_of(app.ui().fonts));
+        for (std::size_t at = 0, next = 0; at < code.size(); at = next + 1) {
+          next = code.find('\n', at);
+          std::string line = code.substr(at, next - at);
+          std::erase_if(line, [](char c) { return c == ' ' || c == '_'; });
+          CHECK_MESSAGE(drawn.find(line) != std::string::npos, stop.heading << ": " << code.substr(at, next - at));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("law: a chart names its lines and its axes, and tells no answer before the question has one") {
+  int charts = 0, asked = 0;
+  for (Lesson& lesson : all_lessons()) {
+    if (std::none_of(lesson.stops.begin(), lesson.stops.end(), [](const Stop& s) { return s.focus == "chart"; }))
+      continue;
+    const Trace trace = run_lesson(lesson);
+    App app(trace, &lesson, {}, 1280, 720);
+    REQUIRE(app.show_only("chart"));
+    for (int stop = 0; stop < size32(lesson.stops); ++stop) {
+      if (lesson.stops[stop].focus != "chart") continue;
+      CAPTURE(stop);
+      bool own = false;
+      const auto table = classroom::chart_of(lesson, stop, own);
+      REQUIRE(table);
+      const auto seen = [&] {
+        app.settle();
+        return lines_drawn(test::letters_of(app.ui().fonts));
+      };
+      const auto has = [](const std::string& drawn, const std::string& words) {
+        return drawn.find(without_blanks(words)) != std::string::npos;
+      };
+      app.session().to_stop(stop);
+      const std::string before = seen();
+      ++charts;
+      CHECK(has(before, table->up));
+      CHECK(has(before, table->across));
+      const std::optional<Question>& question = lesson.stops[stop].question;
+      const auto unknown = std::find(table->columns.begin(), table->columns.end(), std::nullopt);
+      const bool asks = own && question && unknown != table->columns.end();
+      for (const auto& row : table->rows)
+        CHECK(has(before, row.name) ==
+              (!asks || row.values[static_cast<std::size_t>(unknown - table->columns.begin())]));
+      if (!asks) continue;
+      ++asked;
+      for (int k = 0; k < size32(question->answers); ++k) CHECK_FALSE(has(before, question->answers[k].text));
+      for (int k = size32(question->answers) - 1; k >= 0; --k) {  // the right one comes last
+        app.session().answer(k);
+        const std::string after = seen();
+        CHECK(has(after, question->answers[k].text));
+        for (const auto& row : table->rows) CHECK(has(after, row.name));
+        CHECK(describe_step(app).find("at " + question->answers[k].text) != std::string::npos);
+      }
+    }
+  }
+  CHECK(charts >= 8);
+  CHECK(asked == 1);
 }

@@ -76,6 +76,33 @@ void name_outlines(const Ui& ui, WordPlaces& words, ImVec2 origin, const std::ve
   }
 }
 
+namespace {
+
+/// A scan line by its name, with the points where the edges of the scene cross it.
+void mark_scan_line(const Ui& ui, WordPlaces& words, const StopLabel& label, ImVec2 origin, const RasterMap& map) {
+  const Moment now = ui.moment();
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const double y = label.scan_line, left = map.px(-0.5), right = map.px(map.width - 0.5);
+  const auto place = [&](double x) { return moved_by(origin, x, map.py(y)); };
+  stroke_line(list, place(left), place(right), c.now, 2 * ui.thin);
+  words.keep_line_free(place(left), place(right));
+  for (const auto& [from, to] : edges_of(now.scene())) {
+    const auto a = on_raster(now.scene(), now.state(), from), b = on_raster(now.scene(), now.state(), to);
+    if (!a || !b || (a->y < y) == (b->y < y)) continue;
+    fill_circle(list, place(map.px(a->x + (y - a->y) / (b->y - a->y) * (b->x - a->x))), std::round(0.27f * ui.em),
+                c.now);
+  }
+  const ImVec2 size = text_size(ui, ui.fonts.bold, label.name);
+  std::vector<ImVec2> middles;
+  for (const float side : {-0.8f, 0.8f})
+    for (const double x : {right - size.x / 2 - 4, left + size.x / 2 + 4})
+      middles.push_back({place(x).x, place(x).y + side * size.y});
+  words.put(label.name, c.now, ui.fonts.bold, middles);
+}
+
+}  // namespace
+
 void draw_stop_labels(const Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 origin, const RasterMap& map) {
   if (stop.labels.empty()) return;
   const Moment now = ui.moment();
@@ -102,6 +129,7 @@ void draw_stop_labels(const Ui& ui, WordPlaces& words, const Stop& stop, ImVec2 
   std::vector<StopLabel> labels = stop.labels;  // lines first: no name stands on one
   std::stable_partition(labels.begin(), labels.end(), [](const StopLabel& label) { return label.to >= 0; });
   for (const StopLabel& label : labels) {
+    if (label.scan_line >= 0) mark_scan_line(ui, words, label, origin, map);
     if (label.vertex < 0) continue;
     const std::int32_t end = label.to < 0 ? label.vertex : label.to;
     const auto at = place(label.vertex), other = place(end);

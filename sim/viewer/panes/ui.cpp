@@ -243,33 +243,42 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
 }
 
 /// A line of code, each character in its column; a symbol's subscript takes those of its own.
-void draw_code(const Ui& ui, ImVec2 at, std::string_view text, float column) {
+void draw_code(const Ui& ui, ImVec2 at, const ImFont* font, std::string_view text, float column) {
   const ImU32 color = ui.colors().text;
   for (auto below = subscript_in(text); below; below = subscript_in(text)) {
     const auto [bar, bytes] = *below;
     const auto first = text.substr(0, bar);
-    draw_text(ui, at, ui.fonts.mono, color, std::string(first));
+    draw_text(ui, at, font, color, std::string(first));
     at.x += column * to_float(first.size() - std::ranges::count_if(first, continues_character));
-    draw_text(ui, {at.x, at.y + std::round(0.25f * ui.fonts.mono->FontSize)}, ui.fonts.small, color,
+    draw_text(ui, {at.x, at.y + std::round(0.25f * font->FontSize)}, ui.fonts.small, color,
               std::string(text.substr(bar + 1, bytes - 1)));
     at.x += column * to_float(bytes);
     text.remove_prefix(bar + bytes);
   }
-  draw_text(ui, at, ui.fonts.mono, color, std::string(text));
+  draw_text(ui, at, font, color, std::string(text));
 }
 
-/// A block of code, broken so that it can be read in the width at the cursor.
+/// A block of code in the width at the cursor: in smaller letters where it fits so, else broken.
 void flow_code(Ui& ui, const std::string& code) {
+  const float width = std::max(ui.em, ImGui::GetContentRegionAvail().x);
   const ImFont* font = ui.fonts.mono;
-  const float column = font->CalcTextSizeA(font->FontSize, 1e9f, 0, "0000000000").x / 10,
-              line = std::round(font->FontSize * 1.28f), width = std::max(ui.em, ImGui::GetContentRegionAvail().x);
-  const std::vector<CodeLine> lines =
-      code_lines(ui.fonts.drawable(code), std::max(1, static_cast<int>(width / column)));
+  float column = 0;
+  const auto in = [&](const ImFont* letters) {
+    font = letters, column = font->CalcTextSizeA(font->FontSize, 1e9f, 0, "0000000000").x / 10;
+    return code_lines(ui.fonts.drawable(code), std::max(1, static_cast<int>(width / column)));
+  };
+  const auto whole = static_cast<std::size_t>(std::count(code.begin(), code.end(), '\n')) + 1;
+  std::vector<CodeLine> lines = in(font);
+  if (lines.size() > whole) {
+    lines = in(ui.fonts.small);
+    if (lines.size() > whole) lines = in(ui.fonts.mono);
+  }
+  const float line = std::round(font->FontSize * 1.28f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const float y = at.y + line * to_float(k);
     if (lines[k].continues) draw_text(ui, {at.x, y}, font, ui.colors().muted, "\u21b3");
-    draw_code(ui, {at.x + column * to_float(lines[k].indent), y}, lines[k].text, column);
+    draw_code(ui, {at.x + column * to_float(lines[k].indent), y}, font, lines[k].text, column);
   }
   ImGui::Dummy({width, line * to_float(lines.size())});
 }

@@ -299,27 +299,55 @@ void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step, double arri
   const auto factors = viewing::view_factors(camera);
   if (!factors || pen.room.by_lamp()) return;
   const Theme& c = pen.colors;
-  const glm::dmat4 before = glm::inverse(product(*factors, step - 1)), after = glm::inverse(product(*factors, step));
+  const int first = step > 4 ? 0 : step - 1, last = std::min(step, 4);  // 5: all of them
+  const glm::dmat4 before = glm::inverse(product(*factors, first)), after = glm::inverse(product(*factors, last));
   for (int axis = 0; axis < 3; ++axis) {
     const char name = "xyz"[axis];
     const glm::dvec3 was = end_of_axis(before, axis, pen.room), is = end_of_axis(after, axis, pen.room);
     const bool stays = glm::length(was - is) < 1e-9 * pen.room.size();
     glm::dvec3 now = is;
     if (arrived < 1) {
-      const glm::dmat4& turn = (*factors)[static_cast<std::size_t>(step - 1)];
+      const glm::dmat4& turn = (*factors)[static_cast<std::size_t>(first)];
       const bool turns = step == 2 || step == 3;
-      now = turns ? end_of_axis(glm::inverse(partly_turned(turn, step, arrived) * product(*factors, step - 1)), axis,
+      now = turns ? end_of_axis(glm::inverse(partly_turned(turn, step, arrived) * product(*factors, first)), axis,
                                 pen.room)
                   : glm::mix(was, is, arrived);
     }
     const glm::dvec3 origin = glm::mix(glm::dvec3(before[3]), glm::dvec3(after[3]), arrived);
     const auto beyond = [](glm::dvec3 from, glm::dvec3 tip) { return tip + 0.06 * (tip - from); };
     pen.line(origin, now, c.now, 2.4);
-    pen.word(beyond(origin, now), (stays ? name_of(name, step - 1) + " = " : "") + name_of(name, step), c.now);
+    pen.word(beyond(origin, now), (stays ? name_of(name, first) + " = " : "") + name_of(name, last), c.now);
     if (stays) continue;
     pen.line(glm::dvec3(before[3]), was, c.text, 1.4, true);
-    pen.word(beyond(glm::dvec3(before[3]), was), name_of(name, step - 1), c.text);
+    pen.word(beyond(glm::dvec3(before[3]), was), name_of(name, first), c.text);
   }
+}
+
+std::vector<std::vector<glm::dvec3>> ways_of_eye(const Camera& camera, const std::vector<std::vector<int>>& orders) {
+  std::vector<std::vector<glm::dvec3>> ways;
+  const auto factors = viewing::view_factors(camera);
+  for (std::size_t k = 0; factors && k < orders.size(); ++k) {
+    ways.push_back({camera.eye});
+    for (std::size_t at = orders[k].size(); at-- > 0;)
+      ways.back().push_back(
+          glm::dvec3((*factors)[static_cast<std::size_t>(orders[k][at] - 1)] * glm::dvec4(ways.back().back(), 1)));
+  }
+  return ways;
+}
+
+void draw_orders(RoomPen& pen, const Camera& camera, const std::vector<std::vector<int>>& orders) {
+  if (pen.room.by_lamp()) return;
+  const auto ways = ways_of_eye(camera, orders);
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    for (std::size_t at = 1; at < ways[k].size(); ++at) {
+      const glm::dvec3 to = ways[k][at];
+      const ImU32 color = k == 0 ? pen.colors.selected : pen.colors.now;
+      if (glm::length(to - ways[k][at - 1]) < 1e-9 * pen.room.size()) continue;
+      pen.arrow(ways[k][at - 1], to, color);
+      const auto text = [&](int axis) { return entry(to[axis], glm::length(camera.eye)); };
+      pen.word(to, fmt::format("T_{}: ({}, {}, {})", orders[k][orders[k].size() - at], text(0), text(1), text(2)),
+               color, true);
+    }
 }
 
 bool draw_viewing_steps(Ui& ui) {
@@ -329,7 +357,8 @@ bool draw_viewing_steps(Ui& ui) {
   const auto factors = viewing::view_factors(s.scene().camera);
   if (!factors || s.state().machine.pass == Pass::light) return false;
   const int step = viewing_step(ui);
-  if (!ui.laboratory && step == 0) return false;
+  const bool of_one = step >= 1 && step <= 4;
+  if (!ui.laboratory && !of_one) return false;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const char* names[] = {"T\u2081", "T\u2082", "T\u2083", "T\u2084"};
   for (int k = 1; k <= 4; ++k) {
@@ -340,7 +369,7 @@ bool draw_viewing_steps(Ui& ui) {
           k == step ? "Click: without the steps of viewing." : "Click: this step of viewing (Shift+T: the next).";
   }
   const float line = std::round(ui.em * 1.9f);
-  if (step == 0) {
+  if (!of_one) {
     const std::string what = "Viewing, step by step";
     const float x = at.x + std::round(ui.em * 2.6f) * 4;
     if (x + text_size(ui, ui.fonts.text, what).x < at.x + room.x)

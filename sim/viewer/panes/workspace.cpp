@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/viewer/panes/lesson_chart.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
@@ -44,7 +45,7 @@ namespace {
 /// Charts look through all of a run, and a section has a plane at few steps, so they are there only while they lead.
 bool only_leads(const Pane& pane) {
   return pane.id == depth_error_pane.id || pane.id == depth_units_pane.id || pane.id == depth_curve_pane.id ||
-         pane.id == slice_view_pane.id || pane.id == section_pane.id;
+         pane.id == slice_view_pane.id || pane.id == section_pane.id || pane.id == canonical_pane.id;
 }
 
 std::vector<Pane> usual_leads(const std::vector<Pane>& panes, const Header& header) {
@@ -70,14 +71,15 @@ std::vector<Pane> stage_panes(const Header& header) {
   std::vector<Pane> panes{frame_pane};
   if (const Pane* depths = depth_pane_of(header)) panes.push_back(*depths);
   for (const Pane& pane : structure_panes(header)) panes.push_back(pane);
-  for (const Pane* pane :
-       {&slice_pane, &slice_view_pane, &section_pane, &depth_error_pane, &depth_units_pane, &depth_curve_pane})
-    if (pane->serves(header)) panes.push_back(*pane);
+  for (const Pane* pane : {&canonical_pane, &slice_pane, &slice_view_pane, &section_pane, &depth_error_pane,
+                           &depth_units_pane, &depth_curve_pane})
+    if (!pane->serves || pane->serves(header)) panes.push_back(*pane);
   return panes;
 }
 
 Workspace workspace(const Header& header, const std::string& lead) {
-  const std::vector<Pane> panes = stage_panes(header);
+  std::vector<Pane> panes = stage_panes(header);
+  if (lead == chart_pane.id) panes.push_back(chart_pane);  // a lesson's, and of no run
   Workspace stage{usual_leads(panes, header), {}};
   if (const Pane* asked = find(panes, lead)) {
     const bool alone = asked->wide || find(stage.leading, lead);
@@ -109,7 +111,8 @@ std::vector<std::string> leads_to_choose(const Header& header) {
 }
 
 void check_focus(const Lesson& lesson, const Header& header) {
-  const std::vector<Pane> panes = stage_panes(header);
+  std::vector<Pane> panes = stage_panes(header);
+  panes.push_back(chart_pane);
   for (const Stop& stop : lesson.stops) {
     if (stop.focus.empty() || find(panes, stop.focus)) continue;
     std::vector<std::string> names;

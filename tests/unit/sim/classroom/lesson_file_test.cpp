@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include "sim/classroom/chart_table.hpp"
 #include "sim/classroom/lesson.hpp"
 #include "tests/folder.hpp"
 #include "tests/unit/sim/classroom/small_run.hpp"
@@ -166,6 +167,38 @@ TEST_CASE("slips in the head") {
                  "warnok"));
 }
 
+TEST_CASE("a table in the text is a chart, and one that cannot be drawn is refused") {
+  const std::string stop = "## Here {at: start; focus: chart}\nText.\n\n```plain\n", end = "```\n";
+  const LessonFile file(head + "## Here {at: start}\n```\nno 1 table\n```\nText.\n\n```cost, in units\n" +
+                        "polygons N  100  ?  60000\n\ndepth sort  {polygons}  4\u20138  0.5\nas N  1  \u2026  600\n" +
+                        end + "## There {at: end; focus: chart}\nMore.\n");
+  Lesson lesson = load_lesson(file.path);
+  const Trace trace = run_lesson(lesson);
+  for (const int at : {0, 1}) {
+    bool own = false;
+    const auto table = classroom::chart_of(lesson, at, own);
+    REQUIRE(table);
+    CHECK(own == (at == 0));
+    CHECK(table->up == "cost, in units");
+    CHECK(table->across == "polygons N");
+    CHECK(table->columns == std::vector<std::optional<double>>{100, std::nullopt, 60000});
+    REQUIRE(table->rows.size() == 2);
+    CHECK(table->rows[0].name == "depth sort");
+    const double polygons = static_cast<double>(trace.scene().polygons.size());
+    CHECK(table->rows[0].values[0]->x == polygons);
+    CHECK((table->rows[0].values[1]->x == 4 && table->rows[0].values[1]->y == 8));
+    CHECK(!table->rows[1].values[1]);
+  }
+  CHECK(contains(run_error(head + "## Here {at: start; focus: chart}\nText.\n"), ":7: there is no table for"));
+  for (const char* columns : {"polygons 100", "100 200", "N ? ? 100 200", "N 100 ?", "N 0 100", "N -1 1e300"})
+    CHECK_MESSAGE(contains(run_error(head + stop + columns + "\na 1 2\n" + end), ":11: "), columns);
+  for (const char* row : {"a 1", "1 2", "a b 2", "a 1 2 3", "a 8\u20134 1", "a 0 1", "a -1 1", "a \u2026 \u2026",
+                          "a 1e13 1", "a nan 1", "a 1 inf", "a 1\u2013 2"})
+    CHECK_MESSAGE(contains(run_error(head + stop + "N 1 2\na 1 2\n" + row + "\n" + end), ":13: `"), row);
+  CHECK(contains(run_error(head + stop + "N 1 2\n" + end), ": a chart's table has no rows"));
+  CHECK(contains(run_error(head + stop + "N 1 2\na 1 2\nb 1 2\nc 1 2\nd 1 2\ne 1 2\nf 1 2\n" + end), ":17: `f 1 2`"));
+}
+
 TEST_CASE("slips in the stops") {
   CHECK(contains(load_error(head), "the lesson has no stop"));
   CHECK(contains(load_error(head + "Hello.\n"), ":7: text before the first stop"));
@@ -175,7 +208,7 @@ TEST_CASE("slips in the stops") {
   const LessonFile focused(head + "## Here {at: start; focus: edge-table}\nText.\n");
   CHECK(load_lesson(focused.path).stops.at(0).focus == "edge_table");
   CHECK(contains(load_error(head + "## Here {at: start; look: scene}\nText.\n"),
-                 ":7: `look: scene` is left over in the anchor; after ; write `focus:`, `viewing:`, "));
+                 ":7: `look: scene` is left over in the anchor; after ; write `focus:`, `viewing:`, `order:`, "));
   const LessonFile marked(head + "## Here {at: start; pixel: (2, 1); pixels: compare where nearer}\nText.\n");
   Lesson marks = load_lesson(marked.path);
   REQUIRE(marks.stops.at(0).pixel);
@@ -183,9 +216,16 @@ TEST_CASE("slips in the stops") {
   CHECK(marks.stops[0].pixel->y == 1);
   const Trace its_run = run_lesson(marks);
   CHECK(!marks.stops[0].pixels.right.empty());  // of steps that are still to come
-  for (const char* wrong : {"pixel: (2)", "pixel: (2, -1)", "pixel: 2 x", "label: 1-x", "label:"})
+  const LessonFile labelled(head + "## Here {at: start; viewing: T_v; label: scan line 0}\nOn scan line {\"0\"}.\n");
+  Lesson spoken = load_lesson(labelled.path);
+  CHECK(spoken.stops.at(0).viewing_step == 5);
+  CHECK(spoken.stops[0].labels.at(0).scan_line == 0);
+  const Trace labelled_run = run_lesson(spoken);  // it is spoken of
+  for (const char* wrong :
+       {"pixel: (2)", "pixel: (2, -1)", "pixel: 2 x", "label: 1-x", "label:", "label: scan line -1", "viewing: T_5"})
     CHECK(contains(load_error(head + "## Here {at: start; " + wrong + "}\nText.\n"), ":7: `"));
-  for (const char* wrong : {"pixel: (9999, 0)", "label: V_9999", "pixels: compare where x < 0", "pixels: fly"}) {
+  for (const char* wrong :
+       {"pixel: (9999, 0)", "label: V_9999", "label: scan line 9999", "pixels: compare where x < 0", "pixels: fly"}) {
     const LessonFile refused(head + "## Here {at: start; " + wrong + "}\nText.\n");
     Lesson lesson = load_lesson(refused.path);
     CHECK_THROWS_WITH(run_lesson(lesson), doctest::Contains("7-made-up.md:7"));
@@ -227,6 +267,10 @@ TEST_CASE("slips in the stops") {
   const LessonFile viewing(head + "## Here {at: start; focus: scene; viewing: T_3}\nText.\n");
   CHECK(load_lesson(viewing.path).stops.at(0).focus == "scene");
   CHECK(load_lesson(viewing.path).stops.at(0).viewing_step == 3);
+  const LessonFile order(head + "## Here {at: start; focus: scene; order: T_2 T_1, T_1 T_2}\nText.\n");
+  CHECK(load_lesson(order.path).stops.at(0).orders == std::vector<std::vector<int>>{{2, 1}, {1, 2}});
+  const LessonFile no_order(head + "## Here {at: start; order: T_2 T_5}\nText.\n");
+  CHECK_THROWS_WITH(load_lesson(no_order.path), doctest::Contains(":7: `order: T_2 T_5` is no order"));
   for (const char* wrong : {"T_5", "T_0", "3", "T_12", ""}) {
     const LessonFile refused(head + "## Here {at: start; viewing: " + wrong + "}\nText.\n");
     CHECK_THROWS_WITH(load_lesson(refused.path), doctest::Contains(":7: `viewing:"));
