@@ -98,15 +98,16 @@ struct Stop {
   std::optional<Task> task;
   std::optional<Marking> marking;  ///< at most one of the three
   std::optional<SpeakerNotes> notes;
-  std::vector<std::string> names;     ///< that stand alone in braces of its text, fields of its step among them
-  std::string anchor;                 ///< as written in the file: step name and condition
-  std::string focus;                  ///< the pane that leads meanwhile, as the viewer calls it; mostly none
-  std::vector<RunBeside> beside;      ///< one, shown beside the lesson's own, or two, shown instead of it
-  int viewing_step = 0;               ///< 1 … 4: T_1 … T_4, 5: T_v, shown in the scene meanwhile; 0: none
-  std::string depths;                 ///< as written: z_v that are marked where depths are drawn over z_v
-  std::vector<double> marked_depths;  ///< these; set by resolve()
-  std::optional<Trace::Pixel> pixel;  ///< that it follows: marked, with its line of sight, at whatever step
-  Marking pixels;                     ///< those of its steps in the whole run are framed meanwhile
+  std::vector<std::string> names;        ///< that stand alone in braces of its text, fields of its step among them
+  std::string anchor;                    ///< as written in the file: step name and condition
+  std::string focus;                     ///< the pane that leads meanwhile, as the viewer calls it; mostly none
+  std::vector<RunBeside> beside;         ///< one, shown beside the lesson's own, or two, shown instead of it
+  int viewing_step = 0;                  ///< 1 … 4: T_1 … T_4, 5: T_v, shown in the scene meanwhile; 0: none
+  std::vector<std::vector<int>> orders;  ///< of T_1 … T_4, as written: where each takes the eye, from right to left
+  std::string depths;                    ///< as written: z_v that are marked where depths are drawn over z_v
+  std::vector<double> marked_depths;     ///< these; set by resolve()
+  std::optional<Trace::Pixel> pixel;     ///< that it follows: marked, with its line of sight, at whatever step
+  Marking pixels;                        ///< those of its steps in the whole run are framed meanwhile
   std::vector<StopLabel> labels;
   std::string close;  ///< a polygon that the scene shows large, with the eye; mostly none
   std::optional<StopWindow> window;

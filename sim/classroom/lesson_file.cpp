@@ -19,6 +19,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/catalog/changes.hpp"
+#include "algorithms/scene/load.hpp"
 #include "algorithms/scene/scene_file/toml_text.hpp"
 #include "sim/classroom/anchor.hpp"
 #include "sim/classroom/evaluate.hpp"
@@ -249,7 +250,11 @@ class Reader {
         continue;
       }
       std::error_code unreadable;
-      if (!beside.file.empty() || !std::filesystem::is_regular_file(lesson_.path.parent_path() / part, unreadable))
+      const std::vector<BuiltIn> built_in = built_in_scenes();
+      const bool known =
+          std::filesystem::is_regular_file(lesson_.path.parent_path() / part, unreadable) ||
+          std::any_of(built_in.begin(), built_in.end(), [&](const BuiltIn& one) { return one.name == part; });
+      if (!beside.file.empty() || !known)
         lines_.fail(fmt::format("there is no run `{}`", part),
                     "give the path of its .jsonl from the lesson's folder, that of a scene, or a change as `bias = 0`");
       beside.file = part;
@@ -270,6 +275,7 @@ class Reader {
       stop.viewing_step = value[2] == 'v' ? 5 : value[2] - '0';
       return;
     }
+    if (starts_with(text, "order:") && !value.empty()) return read_orders(value, stop);
     if (starts_with(text, "depths:") && !value.empty()) {
       stop.depths = value;
       return;
@@ -296,8 +302,23 @@ class Reader {
     }
     if (starts_with(text, "window:") && !value.empty()) return read_window(value, stop);
     lines_.fail(fmt::format("`{}` is left over in the anchor", text),
-                "after ; write `focus:`, `viewing:`, `depths:`, `pixel:`, `pixels:`, `label:`, `close:`, `window:` or "
+                "after ; write `focus:`, `viewing:`, `order:`, `depths:`, `pixel:`, `pixels:`, `label:`, `close:`, "
+                "`window:` or "
                 "`beside:` as docs/writing-a-lesson.md says");
+  }
+
+  /// "T_2 T_1, T_1 T_2".
+  void read_orders(std::string_view text, Stop& stop) const {
+    stop.orders.emplace_back();
+    for (std::size_t at = 0; at < text.size(); ++at) {
+      if (text[at] == ',') stop.orders.emplace_back();
+      if (text[at] == ',' || text[at] == ' ') continue;
+      const std::string_view one = text.substr(at, 3);
+      if (one.size() < 3 || !starts_with(one, "T_") || one[2] < '1' || one[2] > '4')
+        lines_.fail(fmt::format("`order: {}` is no order", text), "write T_1 to T_4, as in `order: T_2 T_1, T_1 T_2`");
+      stop.orders.back().push_back(one[2] - '0');
+      at += 2;
+    }
   }
 
   /// "V_5, V_0 = 5, 4-5-6, V_01 = 0>1, U, plane = C, scan line 8"; of several lines after each other the first has the

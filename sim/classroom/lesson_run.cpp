@@ -47,8 +47,13 @@ Trace recorded(const Method& run, const Scene& scene, const Conventions& convent
 /// `own`: the run of the lesson itself.
 Trace run_beside(const Lesson& lesson, const RunBeside& beside, const Trace& own, const std::string& where) {
   const std::filesystem::path file = lesson.path.parent_path() / beside.file;
-  if (!beside.file.empty() && file.extension() != ".toml") return open_jsonl(file);
-  const Method& run = method(lesson.method);
+  if (std::filesystem::path(beside.file).has_extension() && file.extension() != ".toml") return open_jsonl(file);
+  std::string drawn_by = lesson.method;
+  std::vector<Change> changes;
+  for (const std::string& written : beside.changes)
+    if (const Change change = read_change(written); change.name == "method") drawn_by = change.value;
+    else changes.push_back(change);
+  const Method& run = method(drawn_by);
   Scene scene = own.scene();
   Conventions conventions = own.header().conventions;
   if (!beside.file.empty()) {
@@ -57,7 +62,7 @@ Trace run_beside(const Lesson& lesson, const RunBeside& beside, const Trace& own
     prepare_for_shade(other, conventions);
     scene = look_at_scene(std::move(other.scene), {});
   }
-  for (const std::string& change : beside.changes) make_change(run, read_change(change), scene, conventions, where);
+  for (const Change& change : changes) make_change(run, change, scene, conventions, where);
   check_run(run, scene, conventions, where);
   return recorded(run, scene, conventions, beside.name());
 }
@@ -68,6 +73,11 @@ void check_shown(const Stop& stop, const Scene& scene, const std::string& place)
     return std::any_of(scene.polygons.begin(), scene.polygons.end(),
                        [&](const auto& one) { return *one.name == name; });
   };
+  const auto is_direction = [&](const std::string& name) {  // of light at a vertex with a normal
+    return (name == "r" || name == "v") &&
+           std::any_of(scene.attributes.begin(), scene.attributes.end(),
+                       [](const VertexAttribute& one) { return one.name == normal_attribute; });
+  };
   std::string words = stop.heading + stop.text;
   if (stop.question) {
     words += stop.question->text;
@@ -76,7 +86,7 @@ void check_shown(const Stop& stop, const Scene& scene, const std::string& place)
   for (const StopLabel& label : stop.labels) {
     const std::string& polygon = label.plane_of.empty() ? label.name : label.plane_of;
     const bool known = label.scan_line >= 0 ? label.scan_line < scene.raster.height
-                       : label.vertex < 0   ? is_polygon(polygon)
+                       : label.vertex < 0   ? is_polygon(polygon) || is_direction(label.name)
                                             : std::max(label.vertex, label.to) < std::ssize(scene.points);
     if (!known)
       throw InputError(place, fmt::format("the scene has no `{}` to label", label.name),
@@ -93,8 +103,9 @@ void check_shown(const Stop& stop, const Scene& scene, const std::string& place)
 }  // namespace
 
 std::string RunBeside::name() const {
-  std::string all;
-  for (const std::string& change : changes) all += (all.empty() ? "" : ", ") + change;
+  std::string all = std::filesystem::path(file).extension().empty() ? file : "";  // of a built-in scene its name
+  for (const std::string& change : changes)
+    if (file.empty() || read_change(change).name != "method") all += (all.empty() ? "" : ", ") + change;
   return all.empty() ? file : all;
 }
 

@@ -327,12 +327,15 @@ bool shows_others_alone(const std::vector<RunBeside>& runs) {
 }  // namespace
 
 /// The runs whose pictures the stop of the lesson shows, one beside its own, or two instead of it: slices at this
-/// moment, scenes before anything is at work, all else at the end.
+/// moment, rays where this pixel is done, scenes before anything is at work, all else at the end.
 std::vector<Ui*> App::runs_beside() {
   const Lesson* lesson = session_.lesson();
   static const std::vector<RunBeside> none;
   const std::vector<RunBeside>& shown = lesson && session_.stop() >= 0 ? lesson->stops[session_.stop()].beside : none;
-  const bool here = lead() == slice_pane.id, before = lead() == scene_pane.id;
+  const bool rays = lead() == ray_plan_pane.id, here = rays || lead() == slice_pane.id,
+             before = lead() == scene_pane.id;
+  Whereabouts moment = moment_of(session_);
+  if (rays) moment.selected = session_.cell_looked_at(false);
   beside_.resize(shown.size());
   std::vector<Ui*> looks;
   for (std::size_t k = 0; k < shown.size(); ++k) {
@@ -340,8 +343,10 @@ std::vector<Ui*> App::runs_beside() {
     if (!one || &one->session.trace() != shown[k].run.get()) one = std::make_unique<Beside>(*shown[k].run, renderer_);
     const std::int64_t of = here ? session_.position() : before ? -1 : -2;
     if (std::exchange(one->of, of) != of)
-      one->session.go_to(here ? moment_in(*shown[k].run, moment_of(session_)).step : before ? 0 : shown[k].run->size());
+      one->session.go_to(here ? moment_in(*shown[k].run, moment).step : before ? 0 : shown[k].run->size());
     one->ui.asks = false, one->ui.still = !here, one->ui.laboratory = !stands_alone(shown, lead());
+    one->ui.marked_depths =
+        session_.question_open() ? std::vector<double>() : lesson->stops[session_.stop()].marked_depths;
     looks.push_back(&one->ui);
     share_look(one->ui);
   }
@@ -356,7 +361,9 @@ void App::draw_runs_beside(ImVec2 at, ImVec2 first, ImVec2 second_at, ImVec2 sec
   const auto led = std::find_if(panes.begin(), panes.end(), [&](const Pane& one) { return one.id == lead(); });
   const Pane& pane = led == panes.end() ? frame_pane : *led;
   leading_ = {pane};
-  const std::string when = pane.id == slice_pane.id ? ", HERE" : pane.id == scene_pane.id ? "" : ", AT ITS END";
+  const std::string when = pane.id == slice_pane.id || pane.id == ray_plan_pane.id ? ", HERE"
+                           : pane.id == scene_pane.id                              ? ""
+                                                                                   : ", AT ITS END";
   const auto draw = [&](std::size_t k, ImVec2 place, ImVec2 size) {
     const float room = std::floor(size.x) - std::ceil(1.1f * ui_.em);
     std::string title = fmt::format("ANOTHER RUN{}: {}", when, runs[k].name());

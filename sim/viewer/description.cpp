@@ -9,9 +9,11 @@
 #include "sim/viewer/model/slice.hpp"
 #include "sim/viewer/panes/lesson_chart.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/judged.hpp"
+#include "sim/words/numbers.hpp"
 #include "sim/words/spoken.hpp"
 #include "traces/replay/replay.hpp"
 #include "traces/text.hpp"
@@ -75,6 +77,23 @@ void tell_lesson(Text& text, const Session& s) {
   text.markdown(stop.question->text);
   int number = 0;
   for (const Answer& answer : stop.question->answers) text.line(fmt::format("Answer {}: {}", ++number, answer.text));
+}
+
+/// The polygons in the canonical view volume by their vertices there, where the lesson shows it.
+void tell_canonical(Text& text, const Session& s) {
+  if (!s.lesson() || s.stop() < 0 || s.lesson()->stops[s.stop()].focus != canonical_pane.id) return;
+  constexpr std::size_t most = 26;
+  const Scene cube = in_canonical_volume(s.scene());
+  text.title("Canonical view volume: x*, y* and z* from \u22121 to 1");
+  for (std::size_t k = 0; k < std::min(most, cube.facets.size()); ++k) {
+    const Facet& facet = cube.facets[k];
+    std::string row;
+    for (std::int32_t i = 0; i < facet.corner_count; ++i) {
+      const glm::dvec3 p = cube.points[cube.corners[facet.first_corner + i]];
+      row += fmt::format("{}({}, {}, {})", i == 0 ? "" : ", ", number(p.x), number(p.z), number(p.y));
+    }
+    text.line(fmt::format("Polygon {}: {}.", polygon_label(cube, facet.polygon), row));
+  }
 }
 
 /// What is compared in another run's slice, or what its frame shows at its end, scan line by scan line: the polygons
@@ -187,6 +206,7 @@ std::string describe_step(App& app) {
   Text text;
   tell_step(text, app);
   tell_lesson(text, app.session());
+  tell_canonical(text, app.session());
   tell_runs_beside(text, app.session());
   return text.take();
 }
@@ -195,6 +215,7 @@ std::string describe(App& app) {
   Text text;
   tell_step(text, app);
   tell_lesson(text, app.session());
+  tell_canonical(text, app.session());
   tell_runs_beside(text, app.session());
   tell_tables(text, app);
   return text.take();

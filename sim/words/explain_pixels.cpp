@@ -296,6 +296,33 @@ void tell(Telling& t, const PixelWrite& e) {
 
 // An attribute on its way to a pixel: Blinn's hyperbolic interpolation (traces/formulas/attributes.hpp).
 
+namespace {
+
+/// What is interpolated of it, between the span's ends where there is one: their own numbers come from the edges.
+void along_span(Telling& t, const formulas::Situation& at, const AttributeInterpolate& e, const std::string& name,
+                std::string_view field, double recorded, const char* letter) {
+  const DerivedField* found = t.derived_of(field);
+  const auto span = at.span_of(e);
+  formulas::detail::Plainly plainly;
+  const auto end = [&](std::int32_t edge) {
+    const auto here = formulas::detail::over_depth_on_edge(plainly, at, e, edge, "", "");
+    return here ? std::optional((field == "over_z" ? here->over_z : here->one_over_z).value) : std::nullopt;
+  };
+  const auto left = found && span ? end(span->left_edge) : std::nullopt,
+             right = found && span ? end(span->right_edge) : std::nullopt;
+  if (!left || !right || formulas::detail::weights_at(at, e.x, e.y) || span->x_left == span->x_right) {
+    t.follows(name, field, recorded);
+    return;
+  }
+  const std::string of = letter;
+  t.gives(name, field,
+          formulas::on_line(Shown(of + "_L", *left), Shown(of + "_R", *right), Shown("x", e.x),
+                            Shown("x_L", span->x_left), Shown("x_R", span->x_right)),
+          recorded, found->formula.rounded());
+}
+
+}  // namespace
+
 void tell(Telling& t, const AttributeInterpolate& e) {
   const bool divides = formulas::attribute_over_depth(t.scene, t.conventions);
   const formulas::Shading shading = formulas::shading_of(t.scene, t.conventions);
@@ -306,17 +333,19 @@ void tell(Telling& t, const AttributeInterpolate& e) {
                               e.x, e.y, name, number(e.attribute))
                 : fmt::format("At pixel ({}, {}) {} = {}, interpolated as it stands.", e.x, e.y, name,
                               number(e.attribute)));
-  t.derive_from(e, [](MethodState& machine) {
-    if (machine.component > 0) --machine.component;
-    else machine.attribute.reset();
-  });
+  State before;
+  before.vertices = t.after.vertices, before.machine = t.machine, before.position = t.after.position - 1;
+  if (before.machine.component > 0) --before.machine.component;
+  else before.machine.attribute.reset();
+  const formulas::Situation at = formulas::situation_of(t.trace, before);
+  t.derived = derived_fields(e, at);
   if (!divides) {
-    t.follows("a", "over_z", e.over_z);
+    along_span(t, at, e, "a", "over_z", e.over_z, "a");
     t.value("a", e.attribute);
     return;
   }
-  t.follows("a/z_v", "over_z", e.over_z);
-  t.follows("1/z_v", "one_over_z", e.one_over_z);
+  along_span(t, at, e, "a/z_v", "over_z", e.over_z, "p");
+  along_span(t, at, e, "1/z_v", "one_over_z", e.one_over_z, "q");
   t.follows("a", "attribute", e.attribute);
   t.value("a/z_v", e.over_z);
   t.value("1/z_v", e.one_over_z);
@@ -340,8 +369,8 @@ void tell_as_distances(Telling& t, const ShadowCompare& point, double stored, bo
   const auto& found = t.after.machine.shadow_bias;
   const bool sloped = found && found->x == point.x && found->y == point.y;
   const double bias = sloped ? found->bias : formulas::light_bias(z_v, options.bias, 0.0, 0.0);
-  t.formula(fmt::format("z_v \u2264 stored z_v + bias, {} + {}: {} \u2264 {}  is {}", number(shadow), number(bias),
-                        number(z_v), number(shadow + bias), lit ? "true" : "false"));
+  t.formula(fmt::format("z_v \u2264 stored z_v + bias = {} + {}:  {} \u2264 {}  is {}", number(shadow), number(bias),
+                        number(z_v), number(shadow + bias), lit));
 }
 
 void tell(Telling& t, const ShadowCompare& e) {
@@ -352,8 +381,7 @@ void tell(Telling& t, const ShadowCompare& e) {
   t.value("x'", e.x_light);
   t.value("y'", e.y_light);
   t.value("z_light", e.z_light);
-  t.formula(fmt::format("x' = {}, y' = {} in the light's picture, z_light = {}", number(e.x_light), number(e.y_light),
-                        number(e.z_light)));
+  t.formula(fmt::format("x' = {}, y' = {}, z_light = {}", number(e.x_light), number(e.y_light), number(e.z_light)));
   if (!inside) {
     t.say(fmt::format("The point of {} at pixel ({}, {}) lies beside the light's window: dark.", t.label(polygon), e.x,
                       e.y));

@@ -140,6 +140,10 @@ std::string why_kept(Telling& t, const RayHit& e, const std::string& who) {
     return e.nearest ? inside + ", the first that the ray meets: it is kept." : inside + ", and it is not kept.";
   const auto [here, before] = tell_apart(e.t, kept->t);
   const std::string other = facet_name(t, kept->facet);
+  const Comparison& comparison = t.trace.header().comparison;
+  const bool wins = comparison.wins(e.t, kept->t);
+  if (e.t != kept->t || wins == e.nearest)  // of a tie the order in the file may decide otherwise
+    t.formula(fmt::format("t {0} t kept:  {1} {0} {2}  is {3}", comparison.sign(), here, before, wins));
   if (e.t == kept->t) {
     if (e.nearest != (e.facet < kept->facet))
       return inside + (e.nearest ? fmt::format(", just as near as {}: a tie, and it takes its place.", other)
@@ -147,9 +151,6 @@ std::string why_kept(Telling& t, const RayHit& e, const std::string& who) {
     return inside + fmt::format(", just as near as {}: a tie, and {}, the first of the two in the file, {}.", other,
                                 e.nearest ? who : other, e.nearest ? "is kept" : "stays");
   }
-  const Comparison& comparison = t.trace.header().comparison;
-  t.formula(fmt::format("t {0} t kept:  {1} {0} {2}  is {3}", comparison.sign(), here, before,
-                        comparison.wins(e.t, kept->t) ? "true" : "false"));
   return inside + (e.nearest ? fmt::format(", nearer than {}, which was kept so far: it is kept.", other)
                              : fmt::format(", but {} is nearer: it is not kept.", other));
 }

@@ -181,7 +181,10 @@ class Reader {
     if (at_ - begin == 1 && text_[begin] == 'z') take("*");
     // Behind a single letter it is a prime, behind a word an apostrophe.
     const bool single = at_ - begin == 1 || text_.substr(begin, at_ - begin) == "z*";
-    if (single && sees("'") && !(at_ + 1 < end_ && is_any_letter(text_[at_ + 1]))) take("'");
+    const bool before_letter = at_ + 1 < end_ && is_any_letter(text_[at_ + 1]);
+    if (single && sees("'") && !before_letter) take("'");
+    if (!single && before_letter && take("'"))
+      while (at_ < end_ && is_any_letter(text_[at_]) && !at_sign()) ++at_;
     Notation found{Kind::symbol, std::string(text_.substr(begin, at_ - begin))};
     if (const std::size_t below = at_; take("_")) {
       while (at_ < end_ && (is_any_letter(text_[at_]) || is_digit(text_[at_]) || text_[at_] == '_') && !at_sign())

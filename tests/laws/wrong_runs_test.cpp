@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <map>
+#include <numeric>
 #include <string>
 
 #include "sim/classroom/lesson.hpp"
@@ -44,10 +45,24 @@ TEST_CASE("the runs that stand beside lessons end with the pictures of which the
     for (const auto& [name, how_many] : count) names += name;
     return names;
   };
-  CHECK(named(of("one-cube")) == "A");
-  CHECK(named(of("three-cubes")) == "ABCDEF");
+  Lesson wires = find_lesson("wireframe");
+  run_lesson(wires);
+  std::vector<std::map<std::string, int>> shown;
+  for (const Stop& stop : wires.stops)
+    for (const RunBeside& beside : stop.beside) shown.push_back(pixels(*beside.run));
+  REQUIRE(shown.size() == 4);
+  CHECK(named(shown[0]) == "A");
+  CHECK(named(shown[1]) == "ABCDEF");
+  const auto all = [](const std::map<std::string, int>& count) {
+    return std::accumulate(count.begin(), count.end(), 0, [](int sum, const auto& one) { return sum + one.second; });
+  };
+  CHECK(all(shown[3]) == 1060);  // as stop 19 says
+  CHECK(named(shown[3]) == "ABCJKLQUVW");
   CHECK(named(of("sign")) == "CDE");
   CHECK(named(of("subtree")) == "BW");
+  // The same run with all of its subtrees: of what is drawn before them nothing is missing.
+  CHECK(named(of("tree")) == "ABW");
+  CHECK(of("tree").at("B") == of("subtree").at("B"));
   Lesson lesson = find_lesson("where-the-notes-disagree");
   const auto right = pixels(run_lesson(lesson)), half = of("half");
   CHECK(half.at("W") - right.at("W") == 16);

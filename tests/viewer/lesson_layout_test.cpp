@@ -16,7 +16,9 @@
 #include "sim/classroom/markdown.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/description.hpp"
+#include "sim/viewer/panes/happened.hpp"
 #include "sim/viewer/panes/workspace.hpp"
+#include "sim/words/explain.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"
@@ -306,6 +308,50 @@ TEST_CASE("where formulas give way the one that the stop speaks of stays") {
   };
   CHECK(said("negative faces away"));
   CHECK_FALSE(said("after projection"));
+}
+
+TEST_CASE("law: the formula that stays is the one of which the stop speaks most") {
+  int chosen = 0;
+  for (Lesson& lesson : all_lessons()) {
+    const Trace trace = run_lesson(lesson);
+    App app(trace, &lesson, {}, 1280, 720);
+    for (std::size_t k = 0; k < lesson.stops.size(); ++k) {
+      app.session().to_stop(static_cast<int>(k));
+      const RecordedEvent* event = app.session().event();
+      if (!event) continue;
+      const Explanation told = explain(trace, app.session().state(), *event);
+      const std::vector<std::size_t> order = order_of_giving_way(app.session(), told);
+      if (told.formulas.size() < 2) {
+        CHECK(order.empty());
+        continue;
+      }
+      REQUIRE(order.size() + 1 == told.formulas.size());
+      const auto named = [&](std::size_t n) { return how_named(lesson.stops[k], told.formulas[n], told.given[n]); };
+      std::size_t stays = 0;
+      while (std::ranges::find(order, stays) != order.end()) ++stays;
+      for (const std::size_t n : order) {
+        CAPTURE(told.formulas[n]);
+        CHECK(named(n) <= named(stays));
+        if (named(n) == named(stays)) CHECK(n > stays);
+      }
+      if (stays > 0) ++chosen;
+    }
+  }
+  CHECK(chosen >= 10);
+  // The question is about E_1, which is −2; the step tells of E_0 first.
+  Lesson lesson = find_lesson("more-samples");
+  const Trace trace = run_lesson(lesson);
+  Settings settings;
+  settings.presenter = true;
+  App app(trace, &lesson, settings, 1920, 1080);
+  for (const auto& [stop, kept] : {std::pair(2, "S_1 = "), {3, "E_1 = "}}) {
+    app.session().to_stop(stop);
+    app.settle();
+    const Explanation told = explain(trace, app.session().state(), *app.session().event());
+    const std::vector<std::size_t> order = order_of_giving_way(app.session(), told);
+    CHECK(std::ranges::find(order, 1) == order.end());
+    CHECK(told.formulas[1].starts_with(kept));
+  }
 }
 
 TEST_CASE("a stop that is come to through all before it is the picture that opens there") {

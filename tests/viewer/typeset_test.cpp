@@ -1,8 +1,11 @@
 // Formulas set in type: a fraction is one wherever it can be made to fit.
+#include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
+#include <fmt/ranges.h>
 
 #include "sim/classroom/lesson.hpp"
 #include "sim/words/explain.hpp"
@@ -52,4 +55,54 @@ TEST_CASE(
   REQUIRE(app.show_only("happened"));
   app.session().go_to(115);
   CHECK(fraction_on_one_line(app) != "");
+}
+
+namespace {
+
+/// The words at which lines end: right of them nothing stands.
+std::vector<std::string> ends_of_lines(const test::Letters& drawn) {
+  std::vector<std::string> ends;
+  for (std::size_t k = 0; k < drawn.all.size(); ++k) {
+    const test::Letter& letter = drawn.all[k];
+    if (k + 1 < drawn.all.size() && drawn.all[k + 1].word == letter.word) continue;
+    const float middle = (letter.first.y + letter.last.y) / 2;
+    if (std::ranges::none_of(drawn.all, [&](const test::Letter& other) {
+          return other.first.x >= letter.last.x && other.first.y < middle + other.size / 2 &&
+                 other.last.y > middle - other.size / 2;
+        }))
+      ends.push_back(drawn.words[letter.word]);
+  }
+  return ends;
+}
+
+}  // namespace
+
+TEST_CASE("law: no line of a formula ends in an operator, and of several equations each stands on one line") {
+  for (Lesson& lesson : all_lessons()) {
+    CAPTURE(lesson.id);
+    const Trace trace = run_lesson(lesson);
+    App app(trace, nullptr, {}, 279, 720);  // the pane alone
+    REQUIRE(app.show_only("happened"));
+    for (const Stop& stop : lesson.stops) {
+      CAPTURE(stop.position);
+      app.session().go_to(stop.position);
+      app.settle();
+      for (std::string word : ends_of_lines(test::letters_of(app.ui().fonts))) {
+        CAPTURE(word);
+        while (word.ends_with(' ')) word.pop_back();
+        for (const char* sign : {"+", "\u2212", "=", "\u2264", "<", ">"}) CHECK_FALSE(word.ends_with(sign));
+      }
+    }
+  }
+  Lesson lesson = find_lesson("scan-line");
+  const Trace trace = run_lesson(lesson);
+  App app(trace, nullptr, {}, 150, 720);
+  REQUIRE(app.show_only("happened"));
+  app.session().go_to(lesson.stops[2].position);  // A, B, C and D of a plane
+  app.settle();
+  const std::vector<std::string> ends = ends_of_lines(test::letters_of(app.ui().fonts));
+  for (const char* end : {"A = 0.2425, B = 0,", "C = \u22120.9701,", "D = \u22121.2127"}) {
+    CAPTURE(fmt::to_string(fmt::join(ends, "|")));
+    CHECK(std::ranges::find(ends, end) != ends.end());
+  }
 }

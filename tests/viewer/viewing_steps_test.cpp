@@ -1,5 +1,6 @@
 // T_1 … T_4 in the scene: by key, by mouse, by a stop of a lesson.
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 
 #include "sim/classroom/lesson.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
@@ -79,4 +80,17 @@ TEST_CASE("the first lesson's stops show the step that they speak of, a reader's
   CHECK(viewing_step(app.ui()) == 4);
   app.session().to_stop(0);
   CHECK(viewing_step(app.ui()) == 0);
+}
+
+TEST_CASE("of T_1 and T_2 one order takes the eye to the origin, and the other does not, as the lesson has it") {
+  Lesson lesson = find_lesson("clipping");
+  const Trace trace = run_lesson(lesson);
+  const auto ways = ways_of_eye(trace.scene().camera, lesson.stops.at(3).orders);
+  REQUIRE(ways.size() == 2);
+  CHECK(glm::length(ways[0].back()) < 1e-9);
+  CHECK(glm::length(ways[1].at(1) - glm::dvec3(0, 5, 0)) < 1e-9);
+  CHECK(glm::length(ways[1].back() - glm::dvec3(-4, 2, 0)) < 1e-9);
+  Camera level = trace.scene().camera;
+  level.kind = Camera::Kind::orthographic;
+  CHECK(ways_of_eye(level, {{1}}).empty());
 }

@@ -69,7 +69,8 @@ TEST_CASE("each method's workspace leads with what it lives by") {
         const auto times = std::count_if(stage.leading.begin(), stage.leading.end(), is) +
                            std::count_if(stage.small.begin(), stage.small.end(), is);
         const bool chart = pane.id == depth_error_pane.id || pane.id == depth_units_pane.id ||
-                           pane.id == depth_curve_pane.id || pane.id == slice_view_pane.id;
+                           pane.id == depth_curve_pane.id || pane.id == slice_view_pane.id ||
+                           pane.id == canonical_pane.id;
         const bool is_asked = lead == pane.id || lead_together(pane, lead);
         CHECK(times == ((chart || pane.id == section_pane.id) && !is_asked ? 0 : 1));
       }
@@ -136,7 +137,7 @@ TEST_CASE("a click on a small pane's title makes it lead, a second one puts it b
     test::press(app, SDLK_TAB);
     way += app.lead() + " ";
   }
-  CHECK(way == "frame depth edge_table scene slice slice_view depth_error depth_curve  ");
+  CHECK(way == "frame depth edge_table scene canonical slice slice_view depth_error depth_curve  ");
   CHECK(test::picture(app) == before);
 }
 

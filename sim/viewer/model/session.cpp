@@ -239,7 +239,11 @@ std::optional<Cell> Session::cell_looked_at(bool still) const {
   if (still) return std::nullopt;
   if (asked_ && !marking())  // what is to be marked is not shown
     if (const auto pixel = pixel_of(asked_->event)) return Cell{pixel->x, pixel->y};
-  return event_told() ? current_cell() : std::nullopt;
+  if (!event_told()) return std::nullopt;
+  if (const auto cell = current_cell()) return cell;
+  const RayWork& rays = state().machine.rays;  // what is done along a ray is done for its pixel
+  return rays.ray && !rays.tree.empty() ? std::optional(Cell{rays.tree.front().entry.x, rays.tree.front().entry.y})
+                                        : std::nullopt;
 }
 
 // --- Lesson

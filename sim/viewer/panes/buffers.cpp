@@ -242,6 +242,7 @@ std::optional<double> depth_now(const Ui& ui) {
 std::vector<double> depths_to_mark(const Ui& ui) {
   const Session& s = ui.session;
   if (s.question_open()) return {};
+  if (!ui.marked_depths.empty()) return ui.marked_depths;
   if (s.lesson() && s.stop() >= 0 && !s.lesson()->stops[s.stop()].marked_depths.empty())
     return s.lesson()->stops[s.stop()].marked_depths;
   const auto z_v = depth_now(ui);

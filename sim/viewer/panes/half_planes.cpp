@@ -42,6 +42,24 @@ bool is_inside(const EdgeFunction& edge, std::int32_t x, std::int32_t y) {
   return formulas::is_on_side(edge.edge_a * x + edge.edge_b * y + edge.edge_c, edge.owns);
 }
 
+/// A dot's radius in cells: few of them have room for their numbers.
+constexpr double dot_of_cell(std::size_t dots) { return dots <= 4 ? 0.16 : 0.055; }
+
+Color color_of_sample(const Scene& scene, std::int32_t polygon) {
+  return polygon == no_polygon ? scene.background : scene.polygons[polygon].color;
+}
+
+/// The pixel of which samples are at work, or asked about.
+std::optional<std::pair<std::int32_t, std::int32_t>> pixel_of_samples(const TriangleWork& triangle, const Moment& now,
+                                                                      double cell) {
+  if (cell < smallest_cell_of_samples) return std::nullopt;
+  const auto& asked = now.event_in_question();
+  if (const auto* sample = asked ? get_if<SampleTest>(&asked->event) : nullptr) return std::pair(sample->x, sample->y);
+  if (triangle.sample) return std::pair(triangle.sample->x, triangle.sample->y);
+  if (triangle.mask) return std::pair(triangle.mask->x, triangle.mask->y);
+  return std::nullopt;
+}
+
 class Painter {
  public:
   Painter(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin)
@@ -55,7 +73,7 @@ class Painter {
     const TileTest* tile = asked ? get_if<TileTest>(&asked->event) : nullptr;
     if (!tile && triangle.tile) tile = &*triangle.tile;
     if (tile) frame(tile->first_column, tile->first_row, tile->end_column, tile->end_row, 3, to_pixel(c_.now));
-    if (const auto place = pixel_of_samples(triangle)) samples(triangle, place->first, place->second);
+    if (const auto place = pixel_of_samples(triangle, now_, map_.cell)) samples(triangle, place->first, place->second);
     else if (triangle.weights && !triangle.sample && now_.event_told()) areas(box, *triangle.weights);
   }
 
@@ -100,24 +118,15 @@ class Painter {
       canvas_.line(foot.x, foot.y, tip.x, tip.y, (is_new ? 2.5 : 1.5) * thin_, color);
     }
   }
-  /// The pixel of which samples are at work, or asked about.
-  std::optional<std::pair<std::int32_t, std::int32_t>> pixel_of_samples(const TriangleWork& triangle) const {
-    if (map_.cell < smallest_cell_of_samples) return std::nullopt;
-    const auto& asked = now_.event_in_question();
-    if (const auto* sample = asked ? get_if<SampleTest>(&asked->event) : nullptr)
-      return std::pair(sample->x, sample->y);
-    if (triangle.sample) return std::pair(triangle.sample->x, triangle.sample->y);
-    if (triangle.mask) return std::pair(triangle.mask->x, triangle.mask->y);
-    return std::nullopt;
-  }
   /// Dots in the colours of the polygons that the samples show, hollow where they show none; the one at work is larger.
   void samples(const TriangleWork& triangle, std::int32_t x, std::int32_t y) {
-    const double size = std::max(1.5 * thin_, 0.055 * map_.cell);
+    const auto offsets = formulas::samples_of(now_.header().conventions);
+    const std::size_t dots = triangle.mask ? formulas::mask_rows * formulas::mask_columns : offsets.size();
+    const double size = std::max(1.5 * thin_, dot_of_cell(dots) * map_.cell);
     const auto dot = [&](const formulas::SampleOffset& offset, std::int32_t polygon, bool at_work) {
-      const double px = map_.px(x + offset.dx()), py = map_.py(y + offset.dy()), radius = at_work ? 1.6 * size : size;
+      const double px = map_.px(x + offset.dx()), py = map_.py(y + offset.dy()), radius = at_work ? 1.3 * size : size;
       canvas_.mark(px, py, radius + 1.5 * thin_, 0, to_pixel(at_work ? c_.now : c_.text));
-      const Color color = polygon == no_polygon ? now_.scene().background : now_.scene().polygons[polygon].color;
-      canvas_.mark(px, py, radius, 0, opaque(color));
+      canvas_.mark(px, py, radius, 0, opaque(color_of_sample(now_.scene(), polygon)));
     };
     const MethodState& machine = now_.state().machine;
     if (triangle.mask) {
@@ -126,7 +135,6 @@ class Painter {
         dot(formulas::mask_offset(bit), inside >> bit & 1 ? machine.polygon : no_polygon, false);
       return;
     }
-    const auto offsets = formulas::samples_of(now_.header().conventions);
     for (std::int32_t i = 0; i < size32(offsets); ++i)
       dot(offsets[static_cast<std::size_t>(i)], machine.sample(x, y, i).polygon,
           triangle.sample && i == triangle.sample->sample && now_.event_told());
@@ -183,6 +191,25 @@ void cross_out(const Ui& ui, const RasterMap& map, ImVec2 origin, const Triangle
     }
 }
 
+/// The numbers of a pixel's samples in their dots, where these are large enough.
+void number_samples(const Ui& ui, const RasterMap& map, ImVec2 origin, const TriangleWork& triangle) {
+  const auto place = pixel_of_samples(triangle, ui.moment(), map.cell);
+  const auto offsets = formulas::samples_of(ui.session.trace().header().conventions);
+  const double size = dot_of_cell(offsets.size()) * map.cell;
+  const ImFont* font = ui.fonts.small;
+  if (!place || triangle.mask || 2 * size < 0.85 * font->FontSize) return;
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    const std::int32_t polygon =
+        ui.session.state().machine.sample(place->first, place->second, static_cast<std::int32_t>(i)).polygon;
+    const std::string number = std::to_string(i);
+    const ImVec2 middle =
+                     moved_by(origin, map.px(place->first + offsets[i].dx()), map.py(place->second + offsets[i].dy())),
+                 room = text_size(ui, font, number);
+    draw_text(ui, {middle.x - room.x / 2, middle.y - room.y / 2}, font,
+              ink_on(to_pixel(opaque(color_of_sample(ui.session.scene(), polygon)))), number);
+  }
+}
+
 /// The numbers of its vertices around it, and its polygon's name on its box, between pixels.
 void name_triangle(Ui& ui, const RasterMap& map, ImVec2 origin, const TriangleSetup& box, WordPlaces& words) {
   const State& state = ui.session.state();
@@ -229,6 +256,7 @@ void mark_half_planes(Ui& ui, const RasterMap& map, ImVec2 origin, WordPlaces& w
                    moved_by(origin, map.px(from->x), map.py(from->y)), moved_by(origin, map.px(to->x), map.py(to->y)),
                    -inward);
   }
+  number_samples(ui, map, origin, *triangle);
   name_triangle(ui, map, origin, *triangle->setup, words);
 }
 

@@ -118,6 +118,46 @@ std::vector<HereLine> lines_of_pixel(const Session& s, Cell cell, const std::opt
 
 namespace {
 
+/// Does `name` stand in the text, and not as a part of a longer name?
+bool names_in_words(const std::string& text, const std::string& name) {
+  const auto goes_on = [&](std::size_t at) {
+    return at < text.size() &&
+           (is_letter(text[at]) || is_digit(text[at]) || std::string_view("_*/'").find(text[at]) != std::string::npos);
+  };
+  for (std::size_t at = text.find(name); !name.empty() && at != std::string::npos; at = text.find(name, at + 1))
+    if ((at == 0 || !goes_on(at - 1)) && !goes_on(at + name.size())) return true;
+  return false;
+}
+
+}  // namespace
+
+int how_named(const Stop& stop, const std::string& formula, const std::string& field) {
+  const std::string text = stop.text + '\n' + (stop.question ? stop.question->text : "");
+  const std::vector<words::Notation> sides = words::read_notation(formula);
+  const words::Notation& last = sides.back();
+  const bool is_named = std::ranges::find(stop.names, field) != stop.names.end();
+  const bool by_symbol = sides.size() > 1 && names_in_words(text, words::on_one_line(sides.front()));
+  bool by_value = false;
+  if (sides.size() > 1 && last.parts.size() == 1 && last.parts[0].kind == words::Notation::Kind::number)
+    for (const auto& [from, bytes] : numbers_in(text))
+      by_value = by_value || text.substr(from, bytes) == last.parts[0].text;
+  return 4 * is_named + 2 * by_symbol + by_value;
+}
+
+std::vector<std::size_t> order_of_giving_way(const Session& s, const Explanation& told) {
+  std::vector<std::size_t> order(told.formulas.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = order.size() - 1 - k;
+  if (s.lesson() && s.speaks()) {
+    const Stop& stop = s.lesson()->stops[static_cast<std::size_t>(s.stop())];
+    std::ranges::stable_sort(order, {},
+                             [&](std::size_t k) { return how_named(stop, told.formulas[k], told.given[k]); });
+  }
+  if (!order.empty()) order.pop_back();
+  return order;
+}
+
+namespace {
+
 /// Lengths of what is drawn and what is left out, in turn, in thin lines.
 struct Dashes {
   std::array<float, 4> lengths;
@@ -212,22 +252,6 @@ void draw_told(Ui& ui, const StepMarks::Told& told) {
   note.color = ui.colors().bad;
   if (!told.note.empty()) flow(ui, (told.lines.empty() ? "\u2190 " : "") + told.note, note);
   if (!told.lines.empty() || !told.note.empty()) ImGui::Dummy({1, ui.em * 0.25f});
-}
-
-/// In which order formulas give way where there is no room for all of them: the later ones first, and last those whose
-/// fields the lesson's stop gives. One stays.
-std::vector<std::size_t> order_of_giving_way(const Session& s, const Explanation& told) {
-  if (told.formulas.size() < 2) return {};
-  const auto* stop = s.lesson() && s.speaks() ? &s.lesson()->stops[static_cast<std::size_t>(s.stop())] : nullptr;
-  std::vector<std::size_t> order, named;
-  for (std::size_t k = 0; k < told.formulas.size(); ++k) {
-    const bool is_named = stop && std::ranges::find(stop->names, told.given[k]) != stop->names.end();
-    if (is_named) named.push_back(k);
-    else order.insert(order.begin(), k);
-  }
-  order.insert(order.end(), named.begin(), named.end());
-  order.pop_back();
-  return order;
 }
 
 void tell_formulas(Ui& ui, const Explanation& told) {

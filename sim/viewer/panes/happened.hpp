@@ -8,6 +8,7 @@
 #include "sim/answers/explain_value.hpp"
 #include "sim/viewer/model/session.hpp"
 #include "sim/viewer/panes/ui.hpp"
+#include "sim/words/explain.hpp"
 #include "sim/words/notation.hpp"
 
 namespace zstep::viewer {
@@ -26,6 +27,14 @@ std::vector<HereLine> lines_of_pixel(const Session& s, Cell cell, const std::opt
 std::vector<HereLine> lines_of_part(const Session& s, const ScenePart& part);
 /// On a polygon: where the run begins work on it, and the line of the file that has it.
 std::vector<HereLine> lines_of_polygon(const Session& s, std::int32_t polygon);
+
+// Which formulas stay where there is no room for all.
+
+/// How much a stop's text and question speak of a formula: most where they give its field, then where they name what
+/// stands before its first "=", and a little where they give the number that it ends in; 0: not at all.
+int how_named(const Stop& stop, const std::string& formula, const std::string& field);
+/// The later ones give way first, and last those of which the lesson's stop speaks most. One, left out here, stays.
+std::vector<std::size_t> order_of_giving_way(const Session& s, const Explanation& told);
 
 // How a formula's numbers show whose they are: underlined in the polygon's colour, and each polygon's underline has
 // dashes of its own, as colours alone do not tell them apart for everyone.

@@ -92,7 +92,7 @@ void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const 
     for (const auto& [from, to] : edges_of(now.scene()))
       if (const auto e = ends_of(now, map, {0, from, to, -1, -1, LineKind::inner}))
         canvas.line(e->x0, e->y0, e->x1, e->y1, (m.lines.empty() ? 1.5 : 1.0) * thin,
-                    to_pixel(m.lines.empty() ? c.text : c.rule));
+                    m.lines.empty() ? to_pixel(c.text) : mixed(to_pixel(c.pane), to_pixel(c.muted), 140));
   const bool works = !now.at_rest() && !marks_lines(now);
   if (works) draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
   for (const LineRow& row : m.lines)
@@ -253,6 +253,8 @@ void name_line(Ui& ui, WordPlaces& words, ImVec2 origin, const RasterMap& map) {
   const glm::dvec2 way(ends->x1 - ends->x0, ends->y1 - ends->y0), side(way.y, -way.x);
   words.keep_line_free(from, to);
   ImDrawList* list = ImGui::GetWindowDrawList();
+  const float radius = std::round(0.25f * ui.em);
+  const auto* cross = s.event() ? get_if<LineCross>(&s.event()->event) : nullptr;
   std::map<std::int32_t, ImVec2> named;  // facets, by the middles of their outlines
   for (const std::int32_t facet : faces_spoken_of(s, *row)) {
     if (facet < 0 || facet >= std::ssize(s.scene().facets)) continue;
@@ -268,9 +270,19 @@ void name_line(Ui& ui, WordPlaces& words, ImVec2 origin, const RasterMap& map) {
     }
     stroke_lines(list, corners, c.selected, ui.thin, true);
     if (!corners.empty()) named.emplace(facet, middle);
+    // Where the edge goes through the plane, also where it crosses the outline on the picture.
+    for (std::size_t k = 0; k < corners.size() && cross && cross->in_space && cross->facet == facet; ++k) {
+      const ImVec2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+      const glm::dvec2 side_way(b.x - a.x, b.y - a.y), gap(a.x - from.x, a.y - from.y);
+      const double across = way.x * side_way.y - way.y * side_way.x;
+      const double t = (gap.x * side_way.y - gap.y * side_way.x) / across, u = (gap.x * way.y - gap.y * way.x) / across;
+      if (!(t >= 0 && t <= 1 && u >= 0 && u < 1)) continue;
+      const ImVec2 at = moved_by(from, t * way.x, t * way.y);
+      fill_circle(list, at, radius, c.pane);
+      stroke_circle(list, at, radius, c.selected, 2 * ui.thin);
+      words.taken.take({at.x - radius, at.y - radius}, {2 * radius, 2 * radius});
+    }
   }
-  const float radius = std::round(0.25f * ui.em);
-  const auto* cross = s.event() ? get_if<LineCross>(&s.event()->event) : nullptr;
   const ImVec2 met = cross ? moved_by(origin, map.px(cross->x_at), map.py(cross->y_at)) : ImVec2();
   if (cross) {
     fill_circle(list, met, radius, c.pane);

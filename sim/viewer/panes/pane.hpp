@@ -33,7 +33,7 @@ int always(const Header&) {
 }
 
 extern const Pane pseudo_code_pane, happened_pane, frame_pane, slice_pane, section_pane, lesson_pane, depth_error_pane,
-    depth_units_pane, depth_curve_pane, slice_view_pane;
+    depth_units_pane, depth_curve_pane, slice_view_pane, canonical_pane;
 /// Of the depths: the method's depth buffer, or what the trace has of them where the method keeps none; nullptr where
 /// there are no depths.
 const Pane* depth_pane_of(const Header& header);

@@ -69,6 +69,8 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
     const EdgeTableInsert& e = m.edge_table[*lit];
     line(e.vertex_0, e.vertex_1, 4, c.selected, 220);
   }
+  const auto* enters = now.event() && !now.at_rest() ? get_if<EdgeTableInsert>(&now.event()->event) : nullptr;
+  if (enters && map.cell >= 3) line(enters->vertex_0, enters->vertex_1, 2.8, c.now, 255);
 }
 
 void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const Moment& now,
@@ -291,7 +293,8 @@ std::vector<EdgeTableInsert> edges_at_work(const Session& s, std::size_t most) {
   return edges;
 }
 
-/// Where a step is about edges, their names and those of the vertices that they begin or end at; of a span, its ends'.
+/// Where a step is about edges, their names and those of the vertices that they begin or end at; of a span, its ends';
+/// of a pixel of glass, the polygon's.
 void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::optional<SpanEnds>& ends, WordPlaces& words) {
   constexpr std::size_t most_named = 12;
   constexpr double least_cell = 8;
@@ -299,12 +302,13 @@ void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::option
   const MethodState& m = s.state().machine;
   const std::size_t count = m.outline.size();
   const Theme& c = ui.colors();
-  if (!s.event() || m.keeps_all || count < 3 || count > most_named || map.cell < least_cell) return;
+  if (!s.event() || count < 3 || count > most_named || map.cell < least_cell) return;
   const auto& asked = s.event_in_question();
   const std::optional<std::int32_t> now = edge_now(asked && fills_edge_table(s) ? &*asked : s.event());
   const SpanBegin* span = get_if<SpanBegin>(&s.event()->event);
   const bool steps = holds<EdgeStep>(s.event()->event);
-  if (!now && !span && !holds<EdgeSwap>(s.event()->event)) return;
+  const bool of_edges = !m.keeps_all && (now || span || holds<EdgeSwap>(s.event()->event));
+  if (!of_edges && !(records<ColorBlend>(s.header()) && m.polygon >= 0)) return;
   std::vector<glm::dvec2> corners;
   for (const std::int32_t vertex : m.outline)
     if (const auto at = on_raster(s.scene(), s.state(), vertex)) corners.emplace_back(map.px(at->x), map.py(at->y));
@@ -321,6 +325,10 @@ void name_outline(Ui& ui, const RasterMap& map, ImVec2 origin, const std::option
     const double length = portable::length(way.x, way.y);
     return length > 0 ? glm::dvec2(way.y, -way.x) * (area > 0 ? 1 / length : -1 / length) : glm::dvec2(0);
   };
+  for (std::size_t k = 0; k < count && !of_edges; ++k)  // where pixels show mixtures, no letter says whose they are
+    if (words.around(polygon_label(s.scene(), m.polygon), c.text, ui.fonts.bold, place(k), out(k) + out(k + count - 1)))
+      break;
+  if (!of_edges) return;
   if (span && ends)
     for (const auto& [name, x, side] : {std::tuple{"x_L", ends->left, -1.0f}, {"x_R", ends->right, 1.0f}}) {
       const ImVec2 size = text_size(ui, ui.fonts.bold, name);

@@ -11,8 +11,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 
+#include "algorithms/ray_casting/geometry.hpp"
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
@@ -69,6 +72,7 @@ class Plan {
     const glm::dvec2 p = inside(point);
     return moved_by(at_, p.x, p.y);
   }
+  ImVec2 at() const { return at_; }
   double scale() const { return scale_; }  ///< pixels of a unit
   /// Far enough for a ray that meets nothing to leave the pane.
   double farthest() const { return 2 * glm::length(high_ - low_) + 1; }
@@ -100,6 +104,29 @@ std::array<ImVec2, 4> corners_of(const Plan& plan, const BoxMake& b) {
           plan.place({b.x_max, b.y_max, b.z_max}), plan.place({b.x_min, b.y_max, b.z_max})};
 }
 
+/// A lesson shows boxes and cells from its first stop on at which one is tested.
+bool shows_boxes(const Ui& ui) {
+  const Session& s = ui.session;
+  if (!s.lesson() || ui.laboratory) return true;
+  const auto tests_one = [&](const Stop& stop) {
+    return std::any_of(s.header().page.begin(), s.header().page.end(), [&](const StepInfo& step) {
+      return (step.kind == kind_of<BoxTest> || step.kind == kind_of<CellVisit>)&&stop.anchor.find(step.name) !=
+             std::string::npos;
+    });
+  };
+  const auto& stops = s.lesson()->stops;
+  const auto first = std::find_if(stops.begin(), stops.end(), tests_one);
+  return first == stops.end() || s.stop() >= first - stops.begin();
+}
+
+const RayBegin* ray_in(const RayWork& rays) {
+  const auto row =
+      std::find_if(rays.tree.begin(), rays.tree.end(), [&](const RayRow& one) { return one.entry.ray == rays.ray; });
+  return row == rays.tree.end() ? nullptr : &row->entry;
+}
+glm::dvec3 from_of(const RayBegin& ray) { return {ray.x_0, ray.y_0, ray.z_0}; }
+glm::dvec3 along_of(const RayBegin& ray) { return {ray.dir_x, ray.dir_y, ray.dir_z}; }
+
 /// Those that the ray meets before what it has met are drawn through, the others dashed.
 void draw_boxes(const Ui& ui, const Plan& plan) {
   const MethodState& machine = ui.session.state().machine;
@@ -107,14 +134,15 @@ void draw_boxes(const Ui& ui, const Plan& plan) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   constexpr std::size_t most_drawn = 400;
   if (machine.boxes.size() <= most_drawn)
-    for (const BoxRow& row : machine.boxes) stroke_lines(list, corners_of(plan, row.entry), c.rule, ui.thin, true);
+    for (const BoxRow& row : machine.boxes) stroke_lines(list, corners_of(plan, row.entry), c.muted, ui.thin, true);
   if (ui.still) return;
   const RecordedEvent* event = ui.session.event();
   for (const bool hit : {true, false})
     for (const BoxTest& test : machine.rays.boxes) {
       if (test.hit != hit || test.box < 0 || test.box >= std::ssize(machine.boxes)) continue;
       const std::array corners = corners_of(plan, machine.boxes[static_cast<std::size_t>(test.box)].entry);
-      const bool now = event && holds<BoxTest>(event->event) && &test == &machine.rays.boxes.back();
+      const bool now =
+          event && !ui.moment().asked() && holds<BoxTest>(event->event) && &test == &machine.rays.boxes.back();
       const ImU32 color = now ? c.now : hit ? c.selected : c.text;
       if (hit) stroke_lines(list, corners, color, 2.5f * ui.thin, true);
       for (std::size_t k = 0; k < 4 && !hit; ++k) {
@@ -129,19 +157,73 @@ void name_boxes(const Ui& ui, const Plan& plan, WordPlaces& words) {
   const MethodState& machine = ui.session.state().machine;
   constexpr std::size_t most_named = 8;
   if (machine.rays.boxes.size() > most_named) return;
-  for (const BoxTest& test : machine.rays.boxes) {
-    if (test.box < 0 || test.box >= std::ssize(machine.boxes)) continue;
-    const std::array corners = corners_of(plan, machine.boxes[static_cast<std::size_t>(test.box)].entry);
-    const std::string name = fmt::format("box {}", test.box);
+  const RecordedEvent* const event = ui.session.event();
+  const BoxTest* const now = event ? get_if<BoxTest>(&event->event) : nullptr;  // with those in it
+  for (const BoxRow& row : machine.boxes) {
+    const auto is_it = [&](const BoxTest& test) { return test.box == row.entry.box; };
+    if (std::none_of(machine.rays.boxes.begin(), machine.rays.boxes.end(), is_it) &&
+        !(now && row.entry.parent == now->box))
+      continue;
+    const std::array corners = corners_of(plan, row.entry);
+    const std::string name = fmt::format("box {}", row.entry.box);
     const ImVec2 size = text_size(ui, ui.fonts.small, name);
     const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x, corners[3].x});
     const auto [top, end] = std::minmax({corners[0].y, corners[1].y, corners[2].y, corners[3].y});
     std::vector<ImVec2> places;
+    if (end - top < 2 * size.y)
+      places = {{right - size.x * 0.65f, top - size.y * 0.75f}, {right + size.x * 0.65f, (top + end) / 2}};
     for (const float inside : {1.0f, -1.0f})
       for (const float y : {end - inside * size.y * 0.75f, top + inside * size.y * 0.75f})
         for (const float x : {right - size.x * 0.65f, left + size.x * 0.65f}) places.push_back({x, y});
     words.put(name, ui.colors().text, ui.fonts.small, places);
   }
+}
+
+/// For which t the ray is within each slab of a box, and within all: bars below each other, in a corner of the pane
+/// that is free; nothing where none is.
+void draw_intervals(const Ui& ui, const Plan& plan, const BoxTest& test, const RayBegin& ray, const BoxMake& box,
+                    WordPlaces& words) {
+  const glm::dvec3 from = from_of(ray), along = along_of(ray);
+  const glm::dvec3 a = (glm::dvec3(box.x_min, box.y_min, box.z_min) - from) / along,
+                   b = (glm::dvec3(box.x_max, box.y_max, box.z_max) - from) / along;
+  const glm::dvec3 enters = glm::min(a, b), leaves = glm::max(a, b);
+  const double last = std::max({enters.x, enters.y, enters.z, test.t_leave}) * 1.15;
+  const double first = std::min({0.0, leaves.x, leaves.y, leaves.z}) - 0.1 * last;
+  if (!std::isfinite(glm::dot(enters, leaves)) || !(last > 0) || !std::isfinite(first)) return;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
+  const ImVec2 size{17 * ui.em, 4.5f * ui.line()}, edge{0.6f * ui.em, 0.4f * ui.em};
+  WordPlaces probe = words;  // its outline is no place for bars
+  for (const std::array corners{corners_of(plan, box)}; const int k : {0, 1, 2, 3})
+    probe.keep_line_free(corners.at(k), corners.at((k + 1) % 4));
+  for (const float x : {low.x + edge.x, high.x - size.x - edge.x})
+    for (const float y : {high.y - size.y - edge.y, low.y + edge.y}) {
+      if (x < low.x || y < low.y || !probe.taken.free({x, y}, size)) continue;
+      words.taken.take({x, y}, size);
+      const Theme& c = ui.colors();
+      const float left = x + 2.5f * ui.em, width = 7.5f * ui.em;
+      const auto at = [&](double t) {
+        return left + width * static_cast<float>((std::clamp(t, first, last) - first) / (last - first));
+      };
+      for (const double t : {0.0, test.t_enter, test.t_leave})
+        if (t > first && t < last)
+          stroke_dashed(list, {at(t), y}, {at(t), y + 4 * ui.line()}, t == 0 ? c.muted : c.now, ui.thin);
+      draw_text(ui, {at(0) - 1.2f * ui.em, y + 4 * ui.line() - 0.2f * ui.em}, ui.fonts.small, c.muted, "t = 0");
+      for (int k = 0; k < 4; ++k) {
+        const bool all = k == 3;
+        const double t_enter = all ? test.t_enter : enters[k], t_leave = all ? test.t_leave : leaves[k];
+        const ImU32 color = all ? c.now : c.changed;
+        const float top = y + to_float(k) * ui.line();
+        draw_text(ui, {x, top}, ui.fonts.small, color, all ? "box" : std::string(1, "xyz"[k]));
+        draw_text(
+            ui, {left + width + 0.5f * ui.em, top}, ui.fonts.small, color,
+            all && t_enter > t_leave ? "none" : fmt::format("{} \u2013 {}", number(t_enter, 2), number(t_leave, 2)));
+        if (t_enter <= t_leave)
+          list->AddRectFilled({at(t_enter), top + 0.3f * ui.line()},
+                              {std::max(at(t_leave), at(t_enter) + 2 * ui.thin), top + 0.65f * ui.line()}, color);
+      }
+      return;
+    }
 }
 
 /// Of the box that the ray is tested against, or that is asked for: its slabs along x and y, and on the ray with which
@@ -152,42 +234,39 @@ void draw_slabs(const Ui& ui, const Plan& plan, WordPlaces& words) {
   const MethodState& machine = s.state().machine;
   const Event* step = now.asked() ? now.asked() : s.event() ? &s.event()->event : nullptr;
   const auto* test = step && now.told() ? get_if<BoxTest>(step) : nullptr;
-  if (!test || !(now.asked() || test->hit) || test->box < 0 || test->box >= std::ssize(machine.boxes) ||
-      !machine.rays.ray)
-    return;
-  const auto& tree = machine.rays.tree;
-  const auto row =
-      std::find_if(tree.begin(), tree.end(), [&](const RayRow& one) { return one.entry.ray == *machine.rays.ray; });
-  if (row == tree.end()) return;
+  const RayBegin* const ray = ray_in(machine.rays);
+  if (!test || test->box < 0 || test->box >= std::ssize(machine.boxes) || !ray) return;
   const BoxMake& box = machine.boxes[static_cast<std::size_t>(test->box)].entry;
-  const RayBegin& ray = row->entry;
-  const glm::dvec3 from(ray.x_0, ray.y_0, ray.z_0), along(ray.dir_x, ray.dir_y, ray.dir_z);
+  const glm::dvec3 from = from_of(*ray), along = along_of(*ray);
   const glm::dvec3 low(box.x_min, box.y_min, box.z_min), high(box.x_max, box.y_max, box.z_max);
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
-  if (now.asked()) {
-    stroke_lines(list, corners_of(plan, box), c.now, 2.5f * ui.thin, true);
-    words.around(fmt::format("box {}", test->box), c.now, ui.fonts.small, plan.place(low), {-1, 0.6});
-  }
-  constexpr std::array names{"x", "y"};
-  for (int axis = 0; axis < 2; ++axis) {
-    const int other = 1 - axis;
-    const double beyond = 0.25 * std::max(high[0] - low[0], high[1] - low[1]);
-    std::vector<double> times;
+  if (now.asked()) stroke_lines(list, corners_of(plan, box), c.now, 2.5f * ui.thin, true);
+  const double beyond =
+      std::max({0.25 * (high[0] - low[0]), 0.25 * (high[1] - low[1]), 2 * static_cast<double>(ui.em) / plan.scale()});
+  std::array<std::vector<double>, 2> times;
+  for (int axis = 0; axis < 2; ++axis)
     for (const double border : {low[axis], high[axis]}) {
       glm::dvec3 a(0), b(0);
-      a[axis] = b[axis] = border, a[other] = low[other] - beyond, b[other] = high[other] + beyond;
-      stroke_dashed(list, plan.place(a), plan.place(b), c.changed, 1.5f * ui.thin);
+      a[axis] = b[axis] = border;
+      for (const auto& [from_box, out] : {std::pair{low[1 - axis], -beyond}, {high[1 - axis], beyond}}) {
+        a[1 - axis] = from_box, b[1 - axis] = from_box + out;
+        stroke_dashed(list, plan.place(a), plan.place(b), c.changed, 1.5f * ui.thin);
+        words.keep_line_free(plan.place(a), plan.place(b));
+      }
+      std::vector<double>& its = times[static_cast<std::size_t>(axis)];
       const double t = along[axis] != 0 ? (border - from[axis]) / along[axis] : -1;
-      if (t > 0 && (times.empty() || std::abs(times[0] - t) > 1e-6)) times.push_back(t);
+      if (t > 0 && (its.empty() || std::abs(its[0] - t) > 1e-6)) its.push_back(t);
     }
-    for (const double t : times) {
+  for (const bool of_y : {false, true})
+    for (const double t : times[of_y]) {
       const ImVec2 at = plan.place(from + t * along);
       fill_circle(list, at, std::round(0.22f * ui.em), c.changed);
-      words.around(fmt::format("{} {}", names.at(static_cast<std::size_t>(axis)), number(t, 2, true)), c.changed,
-                   ui.fonts.small, at, {1, axis == 0 ? -1 : 1});
+      words.around(fmt::format("{} {}", of_y ? "y" : "x", number(t, 2, true)), c.changed, ui.fonts.small, at,
+                   {1, of_y ? 1 : -1});
     }
-  }
+  if (now.asked()) words.around(fmt::format("box {}", test->box), c.now, ui.fonts.small, plan.place(low), {-1, 0.6});
+  else draw_intervals(ui, plan, *test, *ray, box, words);
 }
 
 /// The window on the projection plane, divided in columns of pixels; the one at work is marked.
@@ -238,9 +317,9 @@ void draw_cells(const Ui& ui, const Plan& plan) {
     list->AddConvexPolyFilled(corners.data(), 4, c.selected_soft);
   }
   for (std::int32_t x = 0; x <= g.cells_x; ++x)
-    stroke_line(list, corner(x, 0, 0), corner(x, g.cells_y, 0), c.rule, ui.thin);
+    stroke_line(list, corner(x, 0, 0), corner(x, g.cells_y, 0), c.muted, ui.thin);
   for (std::int32_t y = 0; y <= g.cells_y; ++y)
-    stroke_line(list, corner(0, y, 0), corner(g.cells_x, y, 0), c.rule, ui.thin);
+    stroke_line(list, corner(0, y, 0), corner(g.cells_x, y, 0), c.muted, ui.thin);
   for (const CellVisit& visit : machine.rays.cells) {
     outline(visit, corners);
     stroke_lines(list, corners, c.selected, 2 * ui.thin, true);
@@ -261,6 +340,60 @@ void mark_facet(const Ui& ui, const Plan& plan, std::int32_t number, ImU32 color
   }
 }
 
+/// The ends of a facet that is seen from its edge.
+std::optional<std::array<glm::dvec2, 2>> edge_of(const Plan& plan, const Scene& scene, std::int32_t number) {
+  if (number < 0 || number >= std::ssize(scene.facets)) return std::nullopt;
+  const Facet& facet = scene.facets[number];
+  std::vector<glm::dvec2> corners;
+  for (std::int32_t k = 0; k < facet.corner_count; ++k)
+    corners.push_back(plan.inside(scene.points[scene.corners[facet.first_corner + k]]));
+  if (corners.empty()) return std::nullopt;
+  const auto farthest = [&](glm::dvec2 p) {
+    return *std::max_element(corners.begin(), corners.end(),
+                             [&](glm::dvec2 a, glm::dvec2 b) { return glm::length(a - p) < glm::length(b - p); });
+  };
+  const glm::dvec2 end = farthest(corners[0]), other = farthest(end), way = end - other;
+  for (const glm::dvec2 p : corners)
+    if (!(std::abs(way.x * (p.y - other.y) - way.y * (p.x - other.x)) < 0.5 * glm::length(way))) return std::nullopt;
+  return std::array{other, end};
+}
+
+/// The plane of a facet that is seen from its edge: beside the facet, as far as the pane goes or to a point.
+void draw_plane(const Ui& ui, const Plan& plan, std::int32_t facet, const std::optional<glm::dvec3>& to) {
+  const auto ends = edge_of(plan, ui.session.scene(), facet);
+  if (!ends) return;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 corner = plan.at(), low = list->GetClipRectMin(), high = list->GetClipRectMax();
+  for (const auto& [from, out] : {std::pair{(*ends)[0], (*ends)[1]}, {(*ends)[1], (*ends)[0]}}) {
+    const glm::dvec2 way = from - out;
+    const auto part =
+        part_within(glm::dvec2(low.x - corner.x, low.y - corner.y), glm::dvec2(high.x - corner.x, high.y - corner.y),
+                    from, way, 0, std::numeric_limits<double>::max());
+    if (!part) continue;
+    const double share =
+        std::min(part->second, to ? glm::dot(plan.inside(*to) - from, way) / glm::dot(way, way) : part->second);
+    if (share * glm::length(way) > 2)
+      stroke_dashed(list, moved_by(corner, from.x, from.y),
+                    moved_by(corner, from.x + share * way.x, from.y + share * way.y), ui.colors().now, 1.5f * ui.thin);
+  }
+}
+
+/// One that lies in the line of later ones is drawn wider, and so is seen on both sides of them.
+float thickness_of(const Plan& plan, const Scene& scene, std::int32_t facet) {
+  float thickness = 3;
+  const auto ends = edge_of(plan, scene, facet);
+  for (std::int32_t other = facet + 1; ends && other < std::ssize(scene.facets); ++other) {
+    const auto its = edge_of(plan, scene, other);
+    if (!its) continue;
+    const glm::dvec2 way = (*ends)[1] - (*ends)[0];
+    const auto along = [&](glm::dvec2 p) { return glm::dot(p - (*ends)[0], way) / glm::dot(way, way); };
+    const auto [low, high] = std::minmax({along((*its)[0]), along((*its)[1])});
+    const auto lies_in_it = [&](glm::dvec2 p) { return glm::length((*ends)[0] + along(p) * way - p) < 1; };
+    if (std::all_of(its->begin(), its->end(), lies_in_it) && low < 1 && high > 0) thickness += 5;
+  }
+  return thickness;
+}
+
 void draw_facets(const Ui& ui, const Plan& plan) {
   const Scene& scene = ui.session.scene();
   constexpr std::size_t most_drawn = 4000;
@@ -268,7 +401,9 @@ void draw_facets(const Ui& ui, const Plan& plan) {
   for (std::size_t i = 0; i < scene.facets.size(); i += step) {
     const Polygon& polygon = scene.polygons[scene.facets[i].polygon];
     mark_facet(ui, plan, index32(i), scene.facets.size() > 200 ? ui.colors().muted : to_im(opaque(polygon.color)),
-               scene.facets.size() > 200 ? 1.0f : 3.0f);
+               scene.facets.size() > 200  ? 1.0f
+               : scene.facets.size() > 16 ? 3.0f
+                                          : thickness_of(plan, scene, index32(i)));
   }
 }
 
@@ -290,8 +425,10 @@ void draw_names(const Ui& ui, const Plan& plan, WordPlaces& words) {
   each([&](const Facet&, ImVec2 from, ImVec2 to) { words.keep_line_free(from, to); });
   each([&](const Facet& facet, ImVec2 from, ImVec2 to) {
     const glm::dvec2 along(to.x - from.x, to.y - from.y);
-    words.beside(polygon_label(scene, facet.polygon), ui.colors().text, ui.fonts.bold, from, to,
-                 along.x < 0 ? glm::dvec2(-along.y, along.x) : glm::dvec2(along.y, -along.x));
+    const std::string name = polygon_label(scene, facet.polygon);
+    const glm::dvec2 out = along.x < 0 ? glm::dvec2(-along.y, along.x) : glm::dvec2(along.y, -along.x);
+    if (!words.beside(name, ui.colors().text, ui.fonts.bold, from, to, out))
+      words.around(name, ui.colors().text, ui.fonts.bold, {(from.x + to.x) / 2, (from.y + to.y) / 2}, out);
   });
 }
 
@@ -335,7 +472,9 @@ void draw_rays(Ui& ui, const Plan& plan, WordPlaces& words) {
     words.keep_line_free(a, b);
   }
   const float reach = std::round(0.35f * ui.em);
-  for (const RayHit& hit : machine.rays.hits) {
+  std::vector<RayHit> hits = machine.rays.hits;  // none of those inside lies under a cross
+  std::stable_partition(hits.begin(), hits.end(), [](const RayHit& hit) { return !hit.inside; });
+  for (const RayHit& hit : hits) {
     const ImVec2 p = plan.place({hit.x_hit, hit.y_hit, hit.z_hit});
     if (hit.inside) {
       fill_circle(list, p, reach, hit.nearest ? c.now : c.pane);
@@ -446,12 +585,86 @@ void draw_law(const Ui& ui, const Plan& plan, WordPlaces& words) {
   }
 }
 
+/// Where the pixels that the stop of a lesson marks are seen, and the ends of the polygons that it labels.
+void draw_lines_of_sight(const Ui& ui, const Plan& plan, WordPlaces& words) {
+  const Stop* const told = ui.moment().told();
+  const Scene& scene = ui.session.scene();
+  if (!told || scene.camera.kind != Camera::Kind::perspective) return;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto line = [&](glm::dvec3 along) {
+    const double t = plan.farthest() / std::max(1e-12, glm::length(along));
+    const ImVec2 from = plan.place(scene.camera.eye), to = plan.place(scene.camera.eye + t * along);
+    stroke_line(list, from, to, ui.colors().muted, ui.thin);
+    const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
+    const glm::dvec2 first(from.x, from.y), way(to.x - from.x, to.y - from.y);
+    const double end =
+        part_within({low.x, low.y}, {high.x, high.y}, first, way, 0, 1).value_or(std::pair{0.0, 1.0}).second;
+    return std::pair{moved_by(from, 0.6 * end * way.x, 0.6 * end * way.y), moved_by(from, end * way.x, end * way.y)};
+  };
+  std::map<std::int32_t, std::int32_t> columns;  // and a scan line of each
+  for (const std::int32_t cell : told->pixels.right)
+    columns.emplace(cell % scene.raster.width, cell / scene.raster.width);
+  if (told->pixel) columns.emplace(told->pixel->x, told->pixel->y);
+  const ray_casting::EyeRays rays(scene, ui.session.header().conventions.depth);
+  constexpr std::size_t most_drawn = 32, most_named = 4;
+  for (const auto& [x, y] : columns)
+    if (columns.size() <= most_drawn)
+      if (const auto [from, to] = line(rays.through(x, y).along); columns.size() <= most_named)
+        words.beside(fmt::format("({}, {})", x, y), ui.colors().text, ui.fonts.small, from, to,
+                     {to.y - from.y, from.x - to.x});
+  for (const StopLabel& label : told->labels)
+    for (std::int32_t k = 0; k < std::ssize(scene.facets) && label.vertex < 0; ++k)
+      if (const Facet& facet = scene.facets[k]; polygon_label(scene, facet.polygon) == label.name)
+        for (std::int32_t i = 0; i < facet.corner_count; ++i)
+          line(scene.points[scene.corners[facet.first_corner + i]] - scene.camera.eye);
+}
+
+/// On a ray of the eye that begins, where t is 0, 1, 2 \u2026; in a lesson where its stop gives the ray's numbers.
+void mark_times(const Ui& ui, const Plan& plan, WordPlaces& words) {
+  const Session& s = ui.session;
+  const RayBegin* ray = s.event() ? get_if<RayBegin>(&s.event()->event) : nullptr;
+  const Camera& camera = s.scene().camera;
+  if (!ray || ray->role != RayRole::eye || camera.kind != Camera::Kind::perspective) return;
+  const glm::dvec3 away(camera.view[0][2], camera.view[1][2], camera.view[2][2]);
+  const bool counts_windows = std::abs(glm::dot(away, along_of(*ray)) - camera.d) <= 1e-9 * camera.d;
+  if (!counts_windows || !ui.moment().tells("x_0", true)) return;
+  constexpr int most = 6;
+  for (int t = 0; t <= most; ++t) {
+    const ImVec2 p = plan.place(from_of(*ray) + static_cast<double>(t) * along_of(*ray));
+    if (!ImGui::IsRectVisible(p, {p.x + 1, p.y + 1})) return;
+    if (t > 0) fill_circle(ImGui::GetWindowDrawList(), p, std::round(0.22f * ui.em), ui.colors().now);
+    words.around(fmt::format("t = {}", t), ui.colors().now, ui.fonts.small, p, {-1, -1});
+  }
+}
+
 /// How far along the ray it meets planes.
 void name_hits(const Ui& ui, const Plan& plan, WordPlaces& words) {
   constexpr std::size_t most_named = 4;
-  const std::vector<RayHit>& hits = ui.session.state().machine.rays.hits;
+  const RayWork& rays = ui.session.state().machine.rays;
+  const std::vector<RayHit>& hits = rays.hits;
+  const RayBegin* const ray = ray_in(rays);
+  const auto name = [&](double t, ImU32 color, bool filled) {
+    const ImVec2 p = plan.place(from_of(*ray) + t * along_of(*ray));
+    fill_circle(ImGui::GetWindowDrawList(), p, std::round(0.3f * ui.em), filled ? color : ui.colors().pane);
+    stroke_circle(ImGui::GetWindowDrawList(), p, std::round(0.3f * ui.em), color, 1.5f * ui.thin);
+    words.around(fmt::format("t = {}", number(t)), color, ui.fonts.small, p, {1, 1});
+  };
+  const RayPlane* plane = ui.session.event() ? get_if<RayPlane>(&ui.session.event()->event) : nullptr;
+  if (ray && plane && plane->t > 0 && std::isfinite(plane->t)) name(plane->t, ui.colors().now, false);
+  const auto kept = std::find_if(hits.rbegin(), hits.rend(), [](const RayHit& hit) { return hit.nearest; });
+  std::set<double> beyond;  // where boxes begin that need no search, and where cells do and end
+  for (const BoxTest& test : rays.boxes)
+    if (kept != hits.rend() && test.t_enter <= test.t_leave && test.t_enter > kept->t) beyond.insert(test.t_enter);
+  for (const CellVisit& cell : rays.cells)
+    for (const double t : {cell.t_enter, cell.t_leave})
+      if (std::isfinite(t)) beyond.insert(t);
+  if (ray && beyond.size() <= most_named && shows_boxes(ui))
+    for (const double t : beyond) name(t, ui.colors().selected, true);
   for (const RayHit& hit : hits)
-    if (hits.size() <= most_named)
+    if (hits.size() <= most_named && (hit.nearest || std::none_of(hits.begin(), hits.end(), [&](const RayHit& other) {
+                                        return &other != &hit && number(other.t) == number(hit.t) &&
+                                               (other.nearest || &other < &hit);
+                                      })))
       words.around(fmt::format("t = {}", number(hit.t)), hit.nearest ? ui.colors().now : ui.colors().text,
                    ui.fonts.small, plan.place({hit.x_hit, hit.y_hit, hit.z_hit}), {1, 0});
 }
@@ -467,11 +680,15 @@ void draw_ray_plan(Ui& ui) {
   list->PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
   const Plan plan(scene, at, size, ui.em * 1.4f);
   WordPlaces words(ui, at, {at.x + size.x, at.y + size.y});
-  draw_cells(ui, plan);
-  draw_boxes(ui, plan);
+  const bool boxes = shows_boxes(ui);
+  if (boxes) draw_cells(ui, plan), draw_boxes(ui, plan);
   draw_facets(ui, plan);
-  if (machine.rays.plane_test && s.event() && holds<RayPlane>(s.event()->event))
+  if (machine.rays.plane_test && s.event() && holds<RayPlane>(s.event()->event)) {
+    draw_plane(ui, plan, machine.rays.plane_test->facet, {});
     mark_facet(ui, plan, machine.rays.plane_test->facet, ui.colors().now, 5);
+  }
+  if (const RayHit* hit = s.event() ? get_if<RayHit>(&s.event()->event) : nullptr; hit && !hit->inside && !ui.still)
+    draw_plane(ui, plan, hit->facet, glm::dvec3(hit->x_hit, hit->y_hit, hit->z_hit));
   draw_window(ui, plan, words);
   if (!ui.still) draw_rays(ui, plan, words);
   const auto label = [&](glm::dvec3 point, const std::string& word) {
@@ -488,9 +705,12 @@ void draw_ray_plan(Ui& ui) {
   }
   if (scene.light) label(scene.light->position, "light");
   draw_law(ui, plan, words);
+  if (!ui.still) mark_times(ui, plan, words);
   if (!ui.still) draw_slabs(ui, plan, words);
   draw_names(ui, plan, words);
-  if (!ui.still) name_hits(ui, plan, words), name_boxes(ui, plan, words);
+  draw_lines_of_sight(ui, plan, words);
+  if (!ui.still) name_hits(ui, plan, words);
+  if (!ui.still && boxes) name_boxes(ui, plan, words);
   list->PopClipRect();
 }
 

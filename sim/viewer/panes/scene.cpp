@@ -180,8 +180,10 @@ void draw_scene(Ui& ui) {
   if (draw_viewing_steps(ui)) return draw_outside(ui, ImGui::GetContentRegionAvail());
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   // The picture has all the room while no vertex is at work, and where room is scarce, but for the steps that move one.
-  const bool scarce =
-      (avail.y < ui.em * 15 || !ui.laboratory) && !ui.vertices_always && vertex_at_work(ui.session.event()) < 0;
+  // Where a lesson speaks its words have the numbers.
+  const bool told = ui.moment().told() && !ui.laboratory;
+  const bool scarce = (avail.y < ui.em * 15 || !ui.laboratory) && !ui.vertices_always &&
+                      (told || vertex_at_work(ui.session.event()) < 0);
   const bool alone = scarce || vertices_shown(ui.session).empty();
   const float way_height = alone ? 0 : std::min(avail.y * 0.6f, std::round(ui.fonts.mono->FontSize * 1.3f) * 5 + 4);
   // Side by side when there is more width than height, else the way below the picture.
@@ -209,6 +211,7 @@ std::string note_of_scene(Ui& ui) {
 
 }  // namespace
 
-const Pane scene_pane{"scene", "SCENE", draw_scene, note_of_scene, nullptr, 0.31f, false};
+const Pane scene_pane{"scene", "SCENE", draw_scene, note_of_scene, nullptr,        0.31f,
+                      false,   nullptr, false,      nullptr,       &canonical_pane};
 
 }  // namespace zstep::viewer

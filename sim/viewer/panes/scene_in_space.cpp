@@ -5,10 +5,13 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <span>
 
+#include "algorithms/ray_casting/geometry.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
@@ -145,16 +148,20 @@ const ClipTest* outcodes_tested(const Moment& now) {
   return now.event() ? get_if<ClipTest>(&now.event()->event) : nullptr;
 }
 
+/// The view volume as clipping measures it.
+formulas::ViewVolume<double> volume_of(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  return {camera.kind == Camera::Kind::orthographic,
+          camera.near,
+          camera.far,
+          camera.d,
+          formulas::window_width(camera.window, 1.0 * scene.raster.width, 1.0 * scene.raster.height),
+          camera.window};
+}
+
 /// Bit k is set if a point in view coordinates is outside plane k of ClipPlane.
 int outcode_of(const Scene& scene, glm::dvec3 view) {
-  const Camera& camera = scene.camera;
-  const double width = scene.raster.width, height = scene.raster.height;
-  const formulas::ViewVolume<double> volume{camera.kind == Camera::Kind::orthographic,
-                                            camera.near,
-                                            camera.far,
-                                            camera.d,
-                                            formulas::window_width(camera.window, width, height),
-                                            camera.window};
+  const formulas::ViewVolume<double> volume = volume_of(scene);
   int outside = 0;
   for (const ClipPlane plane : values_of<ClipPlane>)
     outside |= int{!(formulas::distance_inside(volume, plane, view.x, view.y, view.z) >= 0)} << index_of(plane);
@@ -190,16 +197,38 @@ void draw_planes_by_name(RoomPen& pen, const Moment& now) {
   }
 }
 
-/// The plane that a polygon is clipped by, and the vertices that clipping made so far.
+/// One side of a plane of the view volume, of an outline in view coordinates.
+std::vector<glm::dvec3> side_of(const formulas::ViewVolume<double>& volume, ClipPlane plane,
+                                const std::vector<glm::dvec3>& outline, bool inside) {
+  const auto distance = [&](glm::dvec3 p) {
+    return (inside ? 1 : -1) * formulas::distance_inside(volume, plane, p.x, p.y, p.z);
+  };
+  std::vector<glm::dvec3> kept;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const glm::dvec3 &here = outline[k], &next = outline[(k + 1) % outline.size()];
+    const double d = distance(here), d_next = distance(next);
+    if (d >= 0) kept.push_back(here);
+    if ((d > 0 && d_next < 0) || (d < 0 && d_next > 0)) kept.push_back(here + (next - here) * (d / (d - d_next)));
+  }
+  return kept;
+}
+
+/// The plane that a polygon is clipped by, what it and those before it cut off, and the vertices that clipping made so
+/// far; of each vertex that comes to the plane whether it is in or out.
 void draw_clipping(RoomPen& pen, const Moment& now) {
   const Room& room = pen.room;
   const Scene& scene = now.scene();
   const MethodState& m = now.state().machine;
-  if (scene.camera.kind == Camera::Kind::screen || room.by_lamp() || m.facet < 0) return;
+  if (scene.camera.kind == Camera::Kind::screen || room.by_lamp() || m.facet < 0 || m.facet >= std::ssize(scene.facets))
+    return;
   std::optional<ClipPlane> plane;
   const auto* cross = now.event() ? get_if<ClipCross>(&now.event()->event) : nullptr;
   if (cross) plane = cross->plane;
   else if (const auto* vertex = now.event() ? get_if<ClipVertex>(&now.event()->event) : nullptr) plane = vertex->plane;
+  const auto* reject = now.event() ? get_if<PolygonReject>(&now.event()->event) : nullptr;
+  const bool done =
+      now.event() && (holds<OutlineVertex>(now.event()->event) || (reject && reject->reason == Reject::outside));
+  const formulas::ViewVolume<double> volume = volume_of(scene);
   if (plane) {
     const auto planes = planes_of(room);
     const auto& its = planes.at(static_cast<std::size_t>(*plane));
@@ -210,29 +239,44 @@ void draw_clipping(RoomPen& pen, const Moment& now) {
   const glm::dmat4 to_world = glm::inverse(scene.camera.view);
   const auto& vertices = now.state().vertices;
   std::vector<glm::dvec3> outline;
-  const auto place = [&](std::int32_t vertex) {
-    const std::size_t at = static_cast<std::size_t>(vertex);
-    return room.place(glm::dvec3(to_world * glm::dvec4(vertices[at].view, 1)));
+  const auto in_world = [&](glm::dvec3 view) { return room.place(glm::dvec3(to_world * glm::dvec4(view, 1))); };
+  const auto place = [&](std::int32_t vertex) { return in_world(vertices[static_cast<std::size_t>(vertex)].view); };
+  const Facet& facet = scene.facets[m.facet];
+  const std::span corners(scene.corners.data() + facet.first_corner, static_cast<std::size_t>(facet.corner_count));
+  const auto viewed = [&](std::int32_t v) {
+    return v < std::ssize(vertices) && vertices[v].stage >= VertexStages::viewed;
   };
+  const auto code = [&](std::int32_t v) { return outcode_of(scene, vertices[v].view); };
+  if ((plane || done) && std::all_of(corners.begin(), corners.end(), viewed) &&
+      std::any_of(corners.begin(), corners.end(), code)) {
+    const int before = plane ? (1 << index_of(*plane)) - 1 : 0, here = plane ? 1 << index_of(*plane) : ~0;
+    std::vector<glm::dvec3> left;
+    for (const std::int32_t vertex : corners) {
+      left.push_back(vertices[vertex].view);
+      if ((code(vertex) & before) != 0) continue;  // cut off by a plane before
+      const char* const side = (code(vertex) & here) != 0 ? "out" : "in";
+      pen.word(place(vertex), fmt::format("{} {}", vertex_label(scene, vertex), side), pen.colors.text);
+    }
+    for (const ClipPlane cut : values_of<ClipPlane>) {
+      if (plane && index_of(cut) > index_of(*plane)) break;
+      std::vector<glm::dvec3> off = side_of(volume, cut, left, false);
+      for (glm::dvec3& corner : off) corner = in_world(corner);
+      pen.veil(off, pen.colors.pane, 170);
+      left = side_of(volume, cut, left, true);
+    }
+  }
   if (cross) {  // how far inside both ends are, and where between them it is zero
-    const Camera& camera = scene.camera;
-    const formulas::ViewVolume<double> volume{
-        !room.has_eye(),
-        camera.near,
-        camera.far,
-        camera.d,
-        formulas::window_width(camera.window, 1.0 * scene.raster.width, 1.0 * scene.raster.height),
-        camera.window};
     const auto tell = [&](std::int32_t vertex, const char* name, double value) {
-      pen.word(place(vertex), fmt::format("{}: {} = {}", vertex_label(scene, vertex), name, number(value)),
+      pen.word(place(vertex), fmt::format("{}{} = {}", vertex_label(scene, vertex), name, number(value)),
                pen.colors.now);
     };
     for (const std::int32_t end : {cross->vertex_inside, cross->vertex_outside})
       if (end >= 0 && end < std::ssize(vertices)) {
         const glm::dvec3& view = vertices[static_cast<std::size_t>(end)].view;
-        tell(end, "d", formulas::distance_inside(volume, cross->plane, view.x, view.y, view.z));
+        tell(end, end == cross->vertex_inside ? " in: d_in" : " out: d_out",
+             formulas::distance_inside(volume, cross->plane, view.x, view.y, view.z));
       }
-    if (cross->vertex >= 0 && cross->vertex < std::ssize(vertices)) tell(cross->vertex, "t", cross->t);
+    if (cross->vertex >= 0 && cross->vertex < std::ssize(vertices)) tell(cross->vertex, ": t", cross->t);
   }
   for (std::size_t v = scene.points.size(); v < vertices.size(); ++v)
     if (vertices[v].stage != VertexStages::untouched)
@@ -390,6 +434,7 @@ void draw_vertex(RoomPen& pen, const Moment& now) {
   if (!names_vertices(now)) pen.word(point, vertex_label(now.scene(), vertex), c.now);
   const Event& step = now.event()->event;
   if (holds<Projection>(step) && now.tells("window", false)) draw_half_window(pen);
+  else if (const auto& asked = now.event_in_question(); asked && vertex_at_work(&*asked) != vertex) return;
   else if (holds<ViewTransform>(step) || holds<Projection>(step) || holds<ViewportTransform>(step))
     draw_projection(pen, now, vertex);
 }
@@ -427,7 +472,7 @@ void draw_facing(RoomPen& pen, const Moment& now) {
 }
 
 /// Where light is computed at vertices: the normal at each vertex of the polygon at work, and at the vertex at work the
-/// direction of the light.
+/// direction of the light; those of the mirrored light and to the eye where the lesson's stop labels r and v.
 void draw_light_at_vertices(RoomPen& pen, const Moment& now) {
   const std::int32_t at_work = vertex_at_work(now.event());
   const formulas::Shading shading = formulas::shading_of(now.scene(), now.header().conventions);
@@ -436,6 +481,10 @@ void draw_light_at_vertices(RoomPen& pen, const Moment& now) {
   if (at_work < 0 || !formulas::is_of_light(shading.shade) || !shading.attribute || m.facet < 0 ||
       m.facet >= std::ssize(scene.facets))
     return;
+  const auto labels = [&](const char* name) {
+    return now.told() && std::any_of(now.told()->labels.begin(), now.told()->labels.end(),
+                                     [&](const StopLabel& label) { return label.vertex < 0 && label.name == name; });
+  };
   const double length = 0.2 * pen.room.size();
   const Facet& facet = scene.facets[m.facet];
   for (std::int32_t k = 0; k < facet.corner_count; ++k) {
@@ -444,10 +493,15 @@ void draw_light_at_vertices(RoomPen& pen, const Moment& now) {
     if (value == no_value) continue;
     const double* n =
         shading.attribute->values.data() + static_cast<std::ptrdiff_t>(value) * shading.attribute->components;
-    const glm::dvec3 foot = scene.points[vertex];
-    if (vertex == at_work) pen.arrow(foot, foot + 1.4 * length * shading.lighting.to_light, pen.colors.selected, "l");
-    pen.arrow(foot, foot + length * formulas::unit({n[0], n[1], n[2]}),
-              vertex == at_work ? pen.colors.now : pen.colors.text, vertex == at_work ? "n" : "");
+    const glm::dvec3 foot = scene.points[vertex], normal = formulas::unit({n[0], n[1], n[2]});
+    const glm::dvec3 &to_light = shading.lighting.to_light, &to_eye = shading.lighting.to_eye;
+    if (vertex == at_work && labels("v")) pen.arrow(foot, foot + 1.4 * length * to_eye, pen.colors.text, "v");
+    if (vertex == at_work && labels("r"))
+      pen.arrow(foot, foot + 1.8 * length * (2 * glm::dot(normal, to_light) * normal - to_light), pen.colors.changed,
+                "r");
+    if (vertex == at_work) pen.arrow(foot, foot + 1.4 * length * to_light, pen.colors.selected, "l");
+    pen.arrow(foot, foot + length * normal, vertex == at_work ? pen.colors.now : pen.colors.text,
+              vertex == at_work ? "n" : "");
   }
 }
 
@@ -522,6 +576,43 @@ void draw_rays(RoomPen& pen, const Moment& now) {
   }
 }
 
+/// By which the point X of the last hit is told to be inside or not: the half-line from it in the facet's plane, and
+/// its crossings with the outline, counted.
+void draw_half_line(RoomPen& pen, const Moment& now) {
+  const RayHit* hit = now.event() ? get_if<RayHit>(&now.event()->event) : nullptr;
+  const RayWork& work = now.state().machine.rays;
+  const auto row =
+      std::find_if(work.tree.begin(), work.tree.end(), [&](const RayRow& one) { return one.entry.ray == work.ray; });
+  if (!hit || records<ColorWrite>(now.header()) || row == work.tree.end()) return;
+  if (hit->facet < 0 || hit->facet >= std::ssize(now.scene().facets)) return;
+  const ray_casting::Target target = ray_casting::target_of(now.scene(), hit->facet);
+  if (target.corners.size() < 3) return;
+  const RayBegin& ray = row->entry;
+  const glm::dvec3 x(hit->x_hit, hit->y_hit, hit->z_hit), from(ray.x_0, ray.y_0, ray.z_0);
+  const ray_casting::AlongRay along({from, {ray.dir_x, ray.dir_y, ray.dir_z}, 0, 0});
+  const glm::dvec3 one = target.corners[1] - target.corners[0], other = glm::cross(target.plane.normal(), one);
+  glm::dvec3 way = along.project(from + other).y * one - along.project(from + one).y * other;
+  if (along.project(from + way).x > 0) way = -way;  // crossings count where x is less
+  if (!(glm::length(way) > 0)) return;
+  way = glm::normalize(way);
+  std::vector<double> crossings;
+  for (std::size_t k = 0; k < target.corners.size(); ++k) {
+    const glm::dvec3 corner = target.corners[k], next = target.corners[(k + 1) % target.corners.size()];
+    const glm::dvec2 a = along.project(corner), b = along.project(next);
+    if ((a.y <= 0) == (b.y <= 0)) continue;
+    const double share = a.y / (a.y - b.y);
+    if (glm::mix(a.x, b.x, share) <= 0) crossings.push_back(glm::dot(glm::mix(corner, next, share) - x, way));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  const double beyond = 0.3 * glm::length(one);
+  pen.line(x, x + ((crossings.empty() ? 0 : crossings.back()) + beyond) * way, pen.colors.selected, 2.4, false, true);
+  for (std::size_t k = 0; k < crossings.size(); ++k) {
+    pen.dot(x + crossings[k] * way, 5, 0, pen.colors.selected);
+    pen.word(x + crossings[k] * way, std::to_string(k + 1), pen.colors.text, true);
+  }
+  pen.word(x, "X", pen.colors.now, true);
+}
+
 /// Warnock's area as the part of space that is seen through it.
 void draw_area(RoomPen& pen, const Moment& now) {
   const MethodState& m = now.state().machine;
@@ -581,7 +672,7 @@ void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& c
   draw_lamp(pen, now);
   draw_other_eyes(pen, now);
   number_vertices(pen, now);
-  if (told) draw_labels(pen, now);
+  if (told) draw_labels(pen, now), draw_orders(pen, now.scene().camera, told->orders);
   if (now.at_rest()) return draw_line_of_sight(pen, now, cell), draw_light_at_vertices(pen, now);
   draw_dividing_plane(pen, now);
   draw_scan_plane(pen, now);
@@ -594,6 +685,7 @@ void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& c
   draw_light_at_vertices(pen, now);
   draw_line_of_sight(pen, now, cell);
   draw_rays(pen, now);
+  draw_half_line(pen, now);
 }
 
 }  // namespace zstep::viewer

@@ -197,6 +197,7 @@ void come_close(Room& room, const Stop& stop) {
       marks.push_back(corner);
     return room.show_only(std::move(marks));
   }
+  for (const auto& way : ways_of_eye(room.camera(), stop.orders)) room.show(way);
   if (stop.close.empty()) return;
   for (const Facet& facet : room.polygons().facets)
     for (std::int32_t k = 0; k < facet.corner_count && *room.polygons().polygons[facet.polygon].name == stop.close; ++k)
@@ -212,7 +213,7 @@ void see_room(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const
 
 void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Kept<Room>& kept_room, const Look& look,
                    const Moment& now, const std::optional<Cell>& cell, const int& viewing, const double& arrived,
-                   const Theme& c, const float& thin) {
+                   const bool& canonical, const Theme& c, const float& thin) {
   const Room& room = kept_room.made;
   const Picture& seen = kept.made.polygons;
   const Outside outside(room, look, seen.width, seen.height);
@@ -234,6 +235,7 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
   if (wires || of_window)
     nothing_hides = seen, std::fill(nothing_hides.depth.begin(), nothing_hides.depth.end(), HUGE_VAL);
   RoomPen pen(picture, wires || of_window ? nothing_hides : seen, room, outside, c, thin);
+  if (canonical) return draw_canonical(pen, now);
   draw_in_space(pen, now, cell, viewing, arrived);
 }
 
@@ -371,33 +373,47 @@ bool can_pull_vertices(const Scene& scene) {
   return !scene.surface && scene.points.size() <= most_handles;
 }
 
-void draw_outside(Ui& ui, ImVec2 size) {
+void draw_outside(Ui& ui, ImVec2 size, bool canonical) {
   const auto make_room = [](Room& room, const Scene& scene, const bool& by_lamp, const bool& viewing,
-                            const Stop* const& about) {
-    room = Room(scene, by_lamp);
+                            const Stop* const& about, const bool& in_cube) {
+    room = in_cube ? Room(in_canonical_volume(scene)) : Room(scene, by_lamp);
+    if (in_cube)
+      return room.show_only({{-1, -1, -1},
+                             {1, -1, -1},
+                             {1, 1, -1},
+                             {-1, 1, -1},
+                             {-1, -1, 1},
+                             {1, -1, 1},
+                             {1, 1, 1},
+                             {-1, 1, 1},
+                             {1.25, 0, 0},
+                             {0, 1.25, 0},
+                             {0, 0, 1.25}});
     if (viewing) room.show(ends_of_viewing_axes(room, scene.camera));
     if (about) come_close(room, *about);
   };
   const bool by_lamp = ui.session.state().machine.pass == Pass::light;
   const Stop* const told = ui.moment().told();
-  const Stop* const about = told && (told->window || !told->close.empty()) ? told : nullptr;
+  const Stop* const about = told && (told->window || !told->close.empty() || !told->orders.empty()) ? told : nullptr;
+  const char* const name = canonical ? "canonical" : "outside";
   const Kept<Room>& room =
-      *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0, about);
+      *keep<Room>(ui.rooms, name, +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0, about, canonical);
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
-  const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_room, room, ui.look, whole);
-  const ChartPicture& picture = keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look,
-                                                   ui.moment(), ui.session.cell_looked_at(ui.still), viewing_step(ui),
-                                                   ui.axes_turn ? ui.on_way() : 1.0, ui.colors(), ui.thin)
+  const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, name, see_room, room, ui.look, whole);
+  const ChartPicture& picture = keep<ChartPicture>(ui.charts, name, paint_outside, seen, room, ui.look, ui.moment(),
+                                                   ui.session.cell_looked_at(ui.still), viewing_step(ui),
+                                                   ui.axes_turn ? ui.on_way() : 1.0, canonical, ui.colors(), ui.thin)
                                     ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("outside", size);
   can_be_hit(ui, at, {at.x + size.x, at.y + size.y});
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at, moved_by(at, whole.x, whole.y));
   write_words(ui, seen.made, picture, at);
-  if (pull_vertices(ui, room.made, size, at)) return;
+  if (!canonical && pull_vertices(ui, room.made, size, at)) return;
   walk_round(ui, ui.look, size,
              "Drag: walk round. Shift+drag: move. Wheel: nearer. Double click: back. Shift+V: through the eye.");
-  if (!pick_parts(ui, room.made, seen.made.polygons, size, at)) tell_what_is_pointed_at(ui, seen.made.polygons, at);
+  if (canonical || !pick_parts(ui, room.made, seen.made.polygons, size, at))
+    tell_what_is_pointed_at(ui, seen.made.polygons, at);
 }
 
 }  // namespace zstep::viewer

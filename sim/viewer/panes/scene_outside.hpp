@@ -3,6 +3,7 @@
 
 #include "sim/viewer/model/outside.hpp"
 #include "sim/viewer/panes/raster_words.hpp"
+#include "sim/viewer/panes/scene_in_space.hpp"
 #include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
@@ -36,7 +37,16 @@ bool can_pull_vertices(const Scene& scene);
 void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, ImVec2 at);
 /// The mouse over the last item, which is of this size, turns what is seen, moves it and brings it nearer.
 void walk_round(Ui& ui, Look& look, ImVec2 size, const char* help);
-/// Draws it, and takes the mouse: drag, wheel, and what is pointed at.
-void draw_outside(Ui& ui, ImVec2 size);
+/// Draws it, and takes the mouse: drag, wheel, and what is pointed at. `canonical`: after the division by w.
+void draw_outside(Ui& ui, ImVec2 size, bool canonical = false);
+
+// The scene after the division by w.
+
+/// What is left of the scene's polygons inside the view volume, at (x*, z*, y*): y* upwards, z* away from the reader.
+/// Empty for a scene that is given on the screen.
+Scene in_canonical_volume(const Scene& scene);
+/// The cube from −1 to 1 with its axes, the polygon and the vertices at work, and what the lesson's stop names. Points
+/// outside the view volume have no place in it.
+void draw_canonical(RoomPen& pen, const Moment& now);
 
 }  // namespace zstep::viewer

@@ -3,6 +3,7 @@
 #include "sim/viewer/panes/typeset.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -244,31 +245,71 @@ struct Row {
   }
 };
 
-/// Where a line of text may break after `from`: at a space, and in a formula behind a sign that is not set apart.
-std::size_t next_break(const std::string& text, std::size_t from) {
+/// A piece of a side, and whether a line may begin with it.
+struct Piece {
+  FormulaBox box;
+  bool may_begin = false;
+};
+
+/// `within`: of brackets and products, too.
+bool ends_in_operator(std::string_view text, bool within) {
+  if (text.ends_with(' ')) text.remove_suffix(1);
+  const auto ends = [&](std::string_view sign) { return text.ends_with(sign); };
+  constexpr std::array<std::string_view, 7> operators{"+", "\u2212", "=", "<", ">", "\u2264", "\u2265"};
+  constexpr std::array<std::string_view, 4> inner{"\u00b7", "\u00d7", "/", "("};
+  return std::ranges::any_of(operators, ends) || (within && std::ranges::any_of(inner, ends));
+}
+
+/// Where a line of text may break after `from`: at a space, and where brackets are to be broken behind a sign that is
+/// not set apart, too.
+std::size_t next_break(const std::string& text, std::size_t from, bool anywhere) {
   std::size_t end = std::min(text.find(' ', from + 1), text.size());
+  if (!anywhere) return end;
   for (const std::string_view sign : {"/", "\u00b7", ")("})
     if (const std::size_t at = text.find(sign, from + 1); at < end) end = at + (sign == ")(" ? 1 : sign.size());
   return end;
 }
 
-/// The parts of a side between which a line may break; words one by one.
-std::vector<FormulaBox> pieces_of(const Ui& ui, const FormulaBox& side) {
+constexpr int no_depth = 8;  ///< of brackets: from here on a line breaks wherever it can
+
+/// The parts of a side between which a line may break: at words, and before an operator or a relation that stands in
+/// no more than `depth` brackets.
+std::vector<FormulaBox> pieces_of(const Ui& ui, const FormulaBox& side, int depth = 0) {
   if (side.what.kind != Kind::row) return {side};
-  std::vector<FormulaBox> pieces;
+  std::vector<Piece> pieces;
+  bool open = true, spaced = false;  // behind an operator no line begins, and none where there is no space
+  int inside = 0;
+  const auto add = [&](FormulaBox box, bool is_spaced) {
+    pieces.push_back({std::move(box), !open && (depth == no_depth || (is_spaced && inside <= depth))});
+  };
   for (const FormulaBox& part : side.parts) {
     if (part.what.kind != Kind::text) {
-      pieces.push_back(part);
+      add(part, spaced);
+      open = spaced = false;
       continue;
     }
     const std::string& text = part.what.text;
     for (std::size_t from = 0; from < text.size();) {
-      const std::size_t end = next_break(text, from);
-      pieces.push_back(box_of(ui, Notation{Kind::text, text.substr(from, end - from)}));
+      const std::size_t end = next_break(text, from, depth == no_depth);
+      const std::string word = text.substr(from, end - from);
+      const bool blank = word == " ";
+      add(box_of(ui, Notation{Kind::text, word}), !blank && (spaced || word.starts_with(' ')));
+      for (const char c : word) inside += (c == '(') - (c == ')');
+      if (!blank) open = ends_in_operator(word, depth < no_depth);
+      spaced = blank;
       from = end;
     }
   }
-  return pieces;
+  std::vector<FormulaBox> joined;
+  for (Piece& piece : pieces) {
+    if (joined.empty() || piece.may_begin) joined.push_back(FormulaBox{Notation{Kind::row}});
+    joined.back().parts.push_back(std::move(piece.box));
+  }
+  for (FormulaBox& box : joined) {
+    if (box.parts.size() == 1) box = FormulaBox(box.parts.front());
+    else enclose_parts(ui, box);
+  }
+  return joined;
 }
 
 float widest_of(const std::vector<FormulaBox>& pieces) {
@@ -293,7 +334,28 @@ bool ends_in_number(const FormulaBox& side) {
 
 FormulaBox word(const Ui& ui, const char* text) { return box_of(ui, Notation{Kind::text, text}); }
 
-std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, const std::vector<words::Owned>& owned) {
+/// "A = 2", ", ", "B = 0": the equations of a line, and between them what parts them.
+std::vector<std::string_view> equations_of(std::string_view line) {
+  std::vector<std::string_view> found;
+  std::size_t from = 0;
+  int inside = 0;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    inside += (line[at] == '(' || line[at] == '[') - (line[at] == ')' || line[at] == ']');
+    if (inside != 0 || (line[at] != ',' && line[at] != ';')) continue;
+    const std::size_t next = std::min(line.find_first_not_of(' ', at + 1), line.size()),
+                      end = std::min(line.find_first_of(",;", next), line.size());
+    const bool parts = next > at + 1 && line.substr(from, at - from).find(" = ") != std::string_view::npos &&
+                       (line[at] == ';' || line.substr(next, end - next).find(" = ") != std::string_view::npos);
+    if (!parts) continue;
+    found.push_back(line.substr(from, at - from)), found.push_back(line.substr(at, next - at));
+    from = next;
+  }
+  found.push_back(line.substr(from));
+  return found;
+}
+
+std::vector<Row> rows_of_equation(const Ui& ui, std::string_view line, float width,
+                                  const std::vector<words::Owned>& owned) {
   std::vector<Notation> notation = words::read_notation(line);
   words::mark_owned(notation, owned);
   const auto alike = [&](std::size_t side) {  // to the one before
@@ -311,6 +373,7 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, con
   const auto put_broken = [&](std::size_t side, float left, bool result) {
     std::vector<FormulaBox> pieces = pieces_of(ui, sides[side]);
     if (left + widest_of(pieces) > width) left = std::min(left, ui.em);
+    if (left + widest_of(pieces) > width) pieces = pieces_of(ui, sides[side], no_depth);
     for (FormulaBox& piece : pieces) narrow_box(ui, piece, width - left);
     // A fraction of fractions has its own bar in the line, so that no more than two numbers stand over each other.
     const Notation& whole_side =
@@ -323,7 +386,10 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, con
         std::any_of(pieces.begin(), pieces.end(), [&](const FormulaBox& box) { return is_too_tall(ui, box); });
     if (tall || left + widest_of(pieces) > width) {
       const Notation plain{Kind::row, {}, {}, {Notation{Kind::text, words::on_one_line(notation[side])}}};
-      pieces = pieces_of(ui, box_of(ui, plain));
+      for (int depth = 0; depth <= no_depth; ++depth) {
+        pieces = pieces_of(ui, box_of(ui, plain), depth);
+        if (left + widest_of(pieces) <= width) break;
+      }
     }
     for (FormulaBox& piece : pieces) {
       if (x > left && x + piece.width > width) {
@@ -342,10 +408,10 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, con
     FormulaBox sign = word(ui, "= ");
     const float behind_name = width - hang - equals, behind_sign = width - sign.width;
     bool narrowed = false;
-    if (widest_of(pieces_of(ui, side)) > behind_sign) {
+    if (widest_of(pieces_of(ui, side, no_depth)) > behind_sign) {
       FormulaBox broken = side, wider = side;
       narrow_box(ui, broken, behind_name), narrow_box(ui, wider, behind_sign);
-      narrowed = !is_too_tall(ui, broken) && widest_of(pieces_of(ui, broken)) <= behind_name &&
+      narrowed = !is_too_tall(ui, broken) && widest_of(pieces_of(ui, broken, no_depth)) <= behind_name &&
                  broken.above + broken.below <= wider.above + wider.below;
       if (narrowed) side = std::move(broken);
     }
@@ -365,6 +431,24 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, con
     rows.back().put(word(ui, " = "), x);
     x += equals;
     put_broken(at, x + side.width > width ? hang + equals : x, result);
+  }
+  return rows;
+}
+
+std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, const std::vector<words::Owned>& owned) {
+  const auto end_of = [](const Row& row) {
+    return row.placed.empty() ? 0.0f : row.placed.back().x + row.placed.back().box.width;
+  };
+  const std::vector<std::string_view> equations = equations_of(line);
+  std::vector<Row> rows = rows_of_equation(ui, equations.front(), width, owned);
+  for (std::size_t k = 1; k + 1 < equations.size(); k += 2) {
+    rows.back().put(word(ui, std::string(equations[k]).c_str()), end_of(rows.back()));
+    std::vector<Row> next = rows_of_equation(ui, equations[k + 1], width, owned);
+    const float end = end_of(rows.back());
+    const bool fits = next.size() == 1 && end + end_of(next.front()) <= width;
+    if (fits)
+      for (Placed& placed : next.front().placed) rows.back().put(std::move(placed.box), placed.x + end, placed.result);
+    rows.insert(rows.end(), next.begin() + (fits ? 1 : 0), next.end());
   }
   return rows;
 }

@@ -3,6 +3,7 @@
 #include "sim/viewer/panes/ui.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstring>
@@ -74,6 +75,7 @@ struct Word {
   float width;
   bool space_before, code, breaks_line;
   bool is_below = false;  ///< a subscript
+  bool stays = false;     ///< on the line of the one before
 };
 
 const ImFont* font_of(const Ui& ui, const TextRun& run, const Flow& how) {
@@ -131,6 +133,15 @@ std::optional<std::pair<std::size_t, std::size_t>> subscript_in(std::string_view
   return std::nullopt;
 }
 
+/// What stands beside "=" and its like stays there, and what follows an operator.
+void keep_together(std::vector<Word>& words) {
+  constexpr std::array<std::string_view, 8> relations{"=", "<", ">", "\u2264", "\u2265", "\u00b7", "\u00d7", "~"},
+      signs{"+", "\u2212"};
+  const auto is = [&](std::size_t at, const auto& any) { return std::ranges::find(any, words[at].text) != any.end(); };
+  for (std::size_t at = 1; at < words.size(); ++at)
+    words[at].stays = is(at, relations) || is(at - 1, relations) || is(at - 1, signs);
+}
+
 std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const Flow& how, float limit) {
   std::vector<Word> words;
   bool space = false;
@@ -164,13 +175,15 @@ std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const
     }
     end_word();
   }
+  keep_together(words);
   return words;
 }
 
-/// Of a word and of those that follow without a space.
-float width_with_next(const std::vector<Word>& words, std::size_t at) {
+/// Of a word and of those that follow without a space, or with one that no line breaks at: "A_1 = 2" is one.
+float width_with_next(const std::vector<Word>& words, std::size_t at, float space) {
   float width = words[at].width;
-  while (++at < words.size() && !words[at].space_before && !words[at].breaks_line) width += words[at].width;
+  while (++at < words.size() && !words[at].breaks_line && (!words[at].space_before || words[at].stays))
+    width += words[at].width + (words[at].space_before ? space : 0);
   return width;
 }
 
@@ -202,7 +215,9 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
         word.space_before ? std::round(base->FontSize * 0.28f) + (word.font == ui.fonts.mono ? 2.0f : 0.0f) : 0;
     const bool first = x == 0 || (y > 0 && x == how.indent);
     // A bracket or a comma stays with what it stands at.
-    const float whole = word.space_before || first ? width_with_next(words, at_word) : word.width,
+    const float whole = (word.space_before && !word.stays) || first
+                            ? width_with_next(words, at_word, std::round(base->FontSize * 0.28f))
+                            : word.width,
                 needed = whole <= width - how.indent ? whole : word.width;
     if (!first && x + space + needed > width) {
       x = how.indent;

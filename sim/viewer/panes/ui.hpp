@@ -104,6 +104,7 @@ struct Ui {
   bool asks = true;      ///< a click on a number asks where it comes from; not in the second run
   Fonts fonts;
   const Theme* theme = &light_theme();
+  std::vector<double> marked_depths;  ///< z_v that the stop marks beside whose run this one stands
   DepthScale depth_scale;
   DepthRange depth_range;
   HitCounts hits;

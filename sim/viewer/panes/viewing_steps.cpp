@@ -323,6 +323,33 @@ void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step, double arri
   }
 }
 
+std::vector<std::vector<glm::dvec3>> ways_of_eye(const Camera& camera, const std::vector<std::vector<int>>& orders) {
+  std::vector<std::vector<glm::dvec3>> ways;
+  const auto factors = viewing::view_factors(camera);
+  for (std::size_t k = 0; factors && k < orders.size(); ++k) {
+    ways.push_back({camera.eye});
+    for (std::size_t at = orders[k].size(); at-- > 0;)
+      ways.back().push_back(
+          glm::dvec3((*factors)[static_cast<std::size_t>(orders[k][at] - 1)] * glm::dvec4(ways.back().back(), 1)));
+  }
+  return ways;
+}
+
+void draw_orders(RoomPen& pen, const Camera& camera, const std::vector<std::vector<int>>& orders) {
+  if (pen.room.by_lamp()) return;
+  const auto ways = ways_of_eye(camera, orders);
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    for (std::size_t at = 1; at < ways[k].size(); ++at) {
+      const glm::dvec3 to = ways[k][at];
+      const ImU32 color = k == 0 ? pen.colors.selected : pen.colors.now;
+      if (glm::length(to - ways[k][at - 1]) < 1e-9 * pen.room.size()) continue;
+      pen.arrow(ways[k][at - 1], to, color);
+      const auto text = [&](int axis) { return entry(to[axis], glm::length(camera.eye)); };
+      pen.word(to, fmt::format("T_{}: ({}, {}, {})", orders[k][orders[k].size() - at], text(0), text(1), text(2)),
+               color, true);
+    }
+}
+
 bool draw_viewing_steps(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 room = ImGui::GetContentRegionAvail();

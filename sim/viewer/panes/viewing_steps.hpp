@@ -48,6 +48,11 @@ void choose_viewing_step(Ui& ui, int step);
 /// there, where they have not arrived.
 void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step, double arrived);
 
+/// Where each order of T_1 … T_4 takes the eye, one after the other from the right.
+std::vector<std::vector<glm::dvec3>> ways_of_eye(const Camera& camera, const std::vector<std::vector<int>>& orders);
+/// These ways in the world's axes, with the coordinates after each.
+void draw_orders(RoomPen& pen, const Camera& camera, const std::vector<std::vector<int>>& orders);
+
 /// Where all of them end, so that none is outside the picture.
 std::vector<glm::dvec3> ends_of_viewing_axes(const Room& room, const Camera& camera);
 

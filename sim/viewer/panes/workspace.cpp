@@ -45,7 +45,7 @@ namespace {
 /// Charts look through all of a run, and a section has a plane at few steps, so they are there only while they lead.
 bool only_leads(const Pane& pane) {
   return pane.id == depth_error_pane.id || pane.id == depth_units_pane.id || pane.id == depth_curve_pane.id ||
-         pane.id == slice_view_pane.id || pane.id == section_pane.id;
+         pane.id == slice_view_pane.id || pane.id == section_pane.id || pane.id == canonical_pane.id;
 }
 
 std::vector<Pane> usual_leads(const std::vector<Pane>& panes, const Header& header) {
@@ -71,9 +71,9 @@ std::vector<Pane> stage_panes(const Header& header) {
   std::vector<Pane> panes{frame_pane};
   if (const Pane* depths = depth_pane_of(header)) panes.push_back(*depths);
   for (const Pane& pane : structure_panes(header)) panes.push_back(pane);
-  for (const Pane* pane :
-       {&slice_pane, &slice_view_pane, &section_pane, &depth_error_pane, &depth_units_pane, &depth_curve_pane})
-    if (pane->serves(header)) panes.push_back(*pane);
+  for (const Pane* pane : {&canonical_pane, &slice_pane, &slice_view_pane, &section_pane, &depth_error_pane,
+                           &depth_units_pane, &depth_curve_pane})
+    if (!pane->serves || pane->serves(header)) panes.push_back(*pane);
   return panes;
 }
 

@@ -75,6 +75,9 @@ TEST_CASE("notation: what is no formula stays what it is") {
     if (line == "x_/2_") again = line;
     CHECK(again == line);
   }
+  // A word's apostrophe and what stands behind it belong to it; a letter's is a prime.
+  CHECK(on_one_line(read_notation("the light's z").front().parts[2]) == "light's");
+  CHECK(on_one_line(read_notation("x'").front().parts[0]) == "x'");
   std::string open(100'000, '('), nested = open + "a" + std::string(100'000, ')');
   CHECK(read_notation(open).size() == 1);
   CHECK(read_notation(nested).size() == 1);

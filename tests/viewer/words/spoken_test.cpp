@@ -72,8 +72,8 @@ TEST_CASE("spoken: a formula in words") {
 }
 
 TEST_CASE("spoken: an apostrophe is no prime, a stroke between words is no fraction, a field's name is words") {
-  CHECK(spoken_formula("x' = 3, y' = 4 in the light's picture, z_light = 0.5") ==
-        "x prime equals 3, y prime equals 4 in the light's picture, z sub light equals 0.5");
+  CHECK(spoken_formula("x' = 3, y' = 4, z_light = 0.5") ==
+        "x prime equals 3, y prime equals 4, z sub light equals 0.5");
   CHECK(spoken("the vertices' outcodes") == "the vertices' outcodes");
   CHECK(spoken_formula("the vertices' outcodes, or-ed") == "the vertices' outcodes, or-ed");
   CHECK(spoken("flip its polygon's in/out flag") == "flip its polygon's in or out flag");

@@ -208,7 +208,7 @@ TEST_CASE("slips in the stops") {
   const LessonFile focused(head + "## Here {at: start; focus: edge-table}\nText.\n");
   CHECK(load_lesson(focused.path).stops.at(0).focus == "edge_table");
   CHECK(contains(load_error(head + "## Here {at: start; look: scene}\nText.\n"),
-                 ":7: `look: scene` is left over in the anchor; after ; write `focus:`, `viewing:`, "));
+                 ":7: `look: scene` is left over in the anchor; after ; write `focus:`, `viewing:`, `order:`, "));
   const LessonFile marked(head + "## Here {at: start; pixel: (2, 1); pixels: compare where nearer}\nText.\n");
   Lesson marks = load_lesson(marked.path);
   REQUIRE(marks.stops.at(0).pixel);
@@ -267,6 +267,10 @@ TEST_CASE("slips in the stops") {
   const LessonFile viewing(head + "## Here {at: start; focus: scene; viewing: T_3}\nText.\n");
   CHECK(load_lesson(viewing.path).stops.at(0).focus == "scene");
   CHECK(load_lesson(viewing.path).stops.at(0).viewing_step == 3);
+  const LessonFile order(head + "## Here {at: start; focus: scene; order: T_2 T_1, T_1 T_2}\nText.\n");
+  CHECK(load_lesson(order.path).stops.at(0).orders == std::vector<std::vector<int>>{{2, 1}, {1, 2}});
+  const LessonFile no_order(head + "## Here {at: start; order: T_2 T_5}\nText.\n");
+  CHECK_THROWS_WITH(load_lesson(no_order.path), doctest::Contains(":7: `order: T_2 T_5` is no order"));
   for (const char* wrong : {"T_5", "T_0", "3", "T_12", ""}) {
     const LessonFile refused(head + "## Here {at: start; viewing: " + wrong + "}\nText.\n");
     CHECK_THROWS_WITH(load_lesson(refused.path), doctest::Contains(":7: `viewing:"));
