@@ -200,6 +200,9 @@ class ChartAxis {
     const int stride = std::max(1, ceil_int(static_cast<float>(count) * each / std::abs(to - from)));
     for (int n = decades.first_decade(); n <= decades.last_decade(); n += stride)
       axis.ticks_.push_back({portable::pow(10.0, n), viewer::decade_text(n)});
+    for (int n = decades.first_decade();
+         n < decades.last_decade() && std::abs(to - from) > 2 * each * static_cast<float>(count); ++n)
+      for (int k = 2; k < 10; ++k) axis.between_.push_back(k * portable::pow(10.0, n));
     return axis;
   }
   static ChartAxis across(const Range& range, const LineChart& chart, float from, float to, float each) {
@@ -219,6 +222,8 @@ class ChartAxis {
     return from_ + static_cast<float>(share) * (to_ - from_);
   }
   const std::vector<Tick>& ticks() const { return ticks_; }
+  /// What has a line without a number: 2, 3, … 9 times a power of ten, where there is room.
+  const std::vector<double>& between() const { return between_; }
 
  private:
   ChartAxis(float from, float to, const Range& range, std::optional<LogAxis> decades, std::vector<Tick> ticks)
@@ -239,6 +244,7 @@ class ChartAxis {
   Range range_;
   std::optional<LogAxis> decades_;  ///< whole ones; else from the least to the greatest
   std::vector<Tick> ticks_;
+  std::vector<double> between_{};
   bool ratios_ = false;
 };
 
@@ -340,6 +346,7 @@ void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& ar
   const ChartAxis across = ChartAxis::across(xs, chart, plot.left + beside, plot.right - beside, 3.5f * letters);
 
   paper.text(area.left, area.top, chart.y_title, theme.text);
+  for (const double value : up.between()) paper.rule({plot.left, up.at(value)}, {plot.right, up.at(value)}, theme.head);
   for (const ChartAxis::Tick& tick : up.ticks()) {
     const float y = up.at(tick.value);
     paper.rule({plot.left, y}, {plot.right, y}, tick.value == 0 ? theme.muted : theme.rule);
