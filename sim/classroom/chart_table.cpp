@@ -42,7 +42,7 @@ std::optional<glm::dvec2> range_of(std::string_view word) {
 /// What stands before the last `count` words.
 std::string name_before(std::string_view line, const std::vector<std::string_view>& words, std::size_t count) {
   const char* const end = words.size() > count ? words[words.size() - count].data() : line.data();
-  return std::string(trim(line.substr(0, static_cast<std::size_t>(end - line.data()))));
+  return std::string(trim(line.substr(0, end - line.data())));
 }
 
 /// "polygons N   100   ?  60000"

@@ -41,8 +41,7 @@ Drawing App::of_window() { return drawn({{0, 0}, {to_float(renderer_.width()), t
 
 std::string App::caption_title() const {
   const Lesson* lesson = session_.lesson();
-  if (lesson && session_.stop() >= 0)
-    return lesson->title + " \u00b7 " + lesson->stops[static_cast<std::size_t>(session_.stop())].heading;
+  if (lesson && session_.stop() >= 0) return lesson->title + " \u00b7 " + lesson->stops[session_.stop()].heading;
   const Header& header = session_.header();
   return (header.title.empty() ? header.algorithm : header.title) + " \u00b7 " + session_.scene().name;
 }

@@ -148,7 +148,7 @@ std::vector<std::size_t> order_of_giving_way(const Session& s, const Explanation
   std::vector<std::size_t> order(told.formulas.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = order.size() - 1 - k;
   if (s.lesson() && s.speaks()) {
-    const Stop& stop = s.lesson()->stops[static_cast<std::size_t>(s.stop())];
+    const Stop& stop = s.lesson()->stops[s.stop()];
     std::ranges::stable_sort(order, {},
                              [&](std::size_t k) { return how_named(stop, told.formulas[k], told.given[k]); });
   }

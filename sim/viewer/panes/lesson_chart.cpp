@@ -63,11 +63,10 @@ std::optional<Shown> shown_at(const Session& session) {
   if (!table) return std::nullopt;
   Shown shown{*table, looks_of(*lesson, stop)};
   const auto unknown = std::find(shown.table.columns.begin(), shown.table.columns.end(), std::nullopt);
-  const std::optional<Question>& question = lesson->stops[static_cast<std::size_t>(stop)].question;
+  const std::optional<Question>& question = lesson->stops[stop].question;
   if (unknown == shown.table.columns.end() || !own || !question) return shown;
-  if (const auto given = session.chosen(stop))
-    *unknown = classroom::number_of(question->answers[static_cast<std::size_t>(*given)]);
-  else shown.asked_for = static_cast<std::size_t>(unknown - shown.table.columns.begin());
+  if (const auto given = session.chosen(stop)) *unknown = classroom::number_of(question->answers[*given]);
+  else shown.asked_for = unknown - shown.table.columns.begin();
   return shown;
 }
 
@@ -134,7 +133,7 @@ const Pane chart_pane{"chart", "CHART", draw_lesson_chart, note_of_lesson_chart,
 
 std::vector<std::string> chart_told(const Session& session) {
   const auto shown = shown_at(session);
-  if (!shown || session.lesson()->stops[static_cast<std::size_t>(session.stop())].focus != chart_pane.id) return {};
+  if (!shown || session.lesson()->stops[session.stop()].focus != chart_pane.id) return {};
   const ChartTable& table = shown->table;
   std::vector<std::string> lines{fmt::format("Chart, on logarithmic axes: {}, over {}.", table.up, table.across)};
   for (const Row& row : table.rows) {

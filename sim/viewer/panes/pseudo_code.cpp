@@ -351,7 +351,7 @@ std::vector<std::size_t> distances(const Ui& ui, const Page& page) {
   const Session& s = ui.session;
   std::vector<std::size_t> at;
   for (std::size_t k = 0; s.lesson() && s.stop() >= 0 && k < page.size(); ++k)
-    for (const std::string& name : s.lesson()->stops[static_cast<std::size_t>(s.stop())].names)
+    for (const std::string& name : s.lesson()->stops[s.stop()].names)
       if (name == page[k].name || name == page[k].module + "." + page[k].name) at.push_back(k);
   const auto ran = [&](const StepInfo& step) { return ui.hits.of(step.id); };
   if (at.empty()) at.push_back(static_cast<std::size_t>(std::ranges::max_element(page, {}, ran) - page.begin()));

@@ -254,7 +254,7 @@ void draw_slabs(const Ui& ui, const Plan& plan, WordPlaces& words) {
         stroke_dashed(list, plan.place(a), plan.place(b), c.changed, 1.5f * ui.thin);
         words.keep_line_free(plan.place(a), plan.place(b));
       }
-      std::vector<double>& its = times[static_cast<std::size_t>(axis)];
+      std::vector<double>& its = times[axis];
       const double t = along[axis] != 0 ? (border - from[axis]) / along[axis] : -1;
       if (t > 0 && (its.empty() || std::abs(its[0] - t) > 1e-6)) its.push_back(t);
     }

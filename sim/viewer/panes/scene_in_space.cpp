@@ -240,9 +240,9 @@ void draw_clipping(RoomPen& pen, const Moment& now) {
   const auto& vertices = now.state().vertices;
   std::vector<glm::dvec3> outline;
   const auto in_world = [&](glm::dvec3 view) { return room.place(glm::dvec3(to_world * glm::dvec4(view, 1))); };
-  const auto place = [&](std::int32_t vertex) { return in_world(vertices[static_cast<std::size_t>(vertex)].view); };
+  const auto place = [&](std::int32_t vertex) { return in_world(vertices[vertex].view); };
   const Facet& facet = scene.facets[m.facet];
-  const std::span corners(scene.corners.data() + facet.first_corner, static_cast<std::size_t>(facet.corner_count));
+  const std::span corners(scene.corners.data() + facet.first_corner, facet.corner_count);
   const auto viewed = [&](std::int32_t v) {
     return v < std::ssize(vertices) && vertices[v].stage >= VertexStages::viewed;
   };

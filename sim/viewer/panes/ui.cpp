@@ -267,7 +267,7 @@ void flow_code(Ui& ui, const std::string& code) {
     font = letters, column = font->CalcTextSizeA(font->FontSize, 1e9f, 0, "0000000000").x / 10;
     return code_lines(ui.fonts.drawable(code), std::max(1, static_cast<int>(width / column)));
   };
-  const auto whole = static_cast<std::size_t>(std::count(code.begin(), code.end(), '\n')) + 1;
+  const std::size_t whole = std::count(code.begin(), code.end(), '\n') + 1;
   std::vector<CodeLine> lines = in(font);
   if (lines.size() > whole) {
     lines = in(ui.fonts.small);

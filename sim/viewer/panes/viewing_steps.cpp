@@ -307,7 +307,7 @@ void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step, double arri
     const bool stays = glm::length(was - is) < 1e-9 * pen.room.size();
     glm::dvec3 now = is;
     if (arrived < 1) {
-      const glm::dmat4& turn = (*factors)[static_cast<std::size_t>(first)];
+      const glm::dmat4& turn = (*factors)[first];
       const bool turns = step == 2 || step == 3;
       now = turns ? end_of_axis(glm::inverse(partly_turned(turn, step, arrived) * product(*factors, first)), axis,
                                 pen.room)
@@ -329,8 +329,7 @@ std::vector<std::vector<glm::dvec3>> ways_of_eye(const Camera& camera, const std
   for (std::size_t k = 0; factors && k < orders.size(); ++k) {
     ways.push_back({camera.eye});
     for (std::size_t at = orders[k].size(); at-- > 0;)
-      ways.back().push_back(
-          glm::dvec3((*factors)[static_cast<std::size_t>(orders[k][at] - 1)] * glm::dvec4(ways.back().back(), 1)));
+      ways.back().push_back(glm::dvec3((*factors)[orders[k][at] - 1] * glm::dvec4(ways.back().back(), 1)));
   }
   return ways;
 }
