@@ -33,7 +33,7 @@ TEST_CASE("the scene and the first lesson turn the axes by the same angle") {
   Lesson lesson = find_lesson("viewing");
   const Trace trace = run_lesson(lesson);
   App app(trace, &lesson, {}, 1280, 720);
-  const std::array<std::string, 5> angles{"", "", "\u221253.13\u00b0", "126.87\u00b0", ""};
+  const std::array<std::string, 6> angles{"", "", "\u221253.13\u00b0", "126.87\u00b0", "", ""};
   for (int stop = 0; stop < static_cast<int>(lesson.stops.size()); ++stop) {
     app.session().to_stop(stop);
     const std::string& angle = angles[static_cast<std::size_t>(viewing_step(app.ui()))];
@@ -62,7 +62,7 @@ TEST_CASE("the first lesson's stops show the step that they speak of, a reader's
   std::vector<int> shown;
   for (int stop = 0; stop < static_cast<int>(lesson.stops.size()); ++stop) {
     app.session().to_stop(stop);
-    if (const int step = viewing_step(app.ui()); step > 0) {
+    if (const int step = viewing_step(app.ui()); step > 0 && step < 5) {
       CHECK(lesson.stops[static_cast<std::size_t>(stop)].heading.find(
                 std::string("T") + std::vector<std::string>{"₁", "₂", "₃", "₄"}[static_cast<std::size_t>(step - 1)]) ==
             0);

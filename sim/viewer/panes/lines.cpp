@@ -500,9 +500,14 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
       const float radius = std::max(4.0f, ui.em * 0.3f);
       fill_circle(list, dot, radius, now.verdict == Horizon::hidden ? c.pane : c.now);
       stroke_circle(list, dot, radius, c.now, 2 * ui.thin);
-      const std::string word = now.verdict == Horizon::hidden  ? "hidden"
-                               : now.verdict == Horizon::above ? "above"
-                                                               : "below";
+      const auto* moved = s.event() ? get_if<HorizonMove>(&s.event()->event) : nullptr;
+      const std::size_t column = now.x, known = std::min(work.upper.size(), work.lower.size());
+      const bool both = moved && column < known && work.upper[column] == work.lower[column] && !one_horizon(s.header());
+      const std::string word = both                             ? "upper = lower"
+                               : moved                          ? moved->upper ? "upper" : "lower"
+                               : now.verdict == Horizon::hidden ? "hidden"
+                               : now.verdict == Horizon::above  ? "above"
+                                                                : "below";
       const ImVec2 size = text_size(ui, ui.fonts.small, word);
       float x = dot.x + radius + 4, y = dot.y - size.y - radius;
       if (x + size.x > at.x + to_float(map.box_width)) x = dot.x - radius - 4 - size.x;

@@ -178,9 +178,10 @@ TakenPlaces label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const auto* overlap = s.event() ? get_if<OverlapTest>(&s.event()->event) : nullptr;
   if (!overlap || !overlap->overlap) return taken;
   const ImVec2 at = moved_by(origin, map.px(overlap->x_at), map.py(overlap->y_at));
-  stroke_line(ImGui::GetWindowDrawList(), {at.x - 6, at.y - 6}, {at.x + 6, at.y + 6}, c.text, 3 * ui.thin);
-  stroke_line(ImGui::GetWindowDrawList(), {at.x - 6, at.y + 6}, {at.x + 6, at.y - 6}, c.text, 3 * ui.thin);
-  taken.take({at.x - 6, at.y - 6}, {12, 12});
+  const float arm = std::max(6.0f, ui.em * 0.4f);
+  for (const float side : {-arm, arm})
+    stroke_line(ImGui::GetWindowDrawList(), {at.x - arm, at.y - side}, {at.x + arm, at.y + side}, c.text, 3 * ui.thin);
+  taken.take({at.x - arm, at.y - arm}, {2 * arm, 2 * arm});
   return taken;
 }
 

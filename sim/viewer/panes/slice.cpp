@@ -365,9 +365,10 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true, bool of_
   if (units) entries = {{5, "without rounding"}, {0, "rounded"}, {2, stored}};
   if (of_attribute) entries = {{0, "linear on the picture"}, {4, "perspective-correct"}};
   const float sign = 1.6f * ui.em, gap = ui.em, middle = at.y + font->FontSize * 0.55f;
+  const auto wide = [&](const Entry& entry) { return sign + text_size(ui, font, entry.text).x + gap + 4; };
   float needed = -gap;
-  for (const Entry& entry : entries) needed += sign + text_size(ui, font, entry.text).x + gap + 4;
-  if (needed > width) return;
+  for (const Entry& entry : entries) needed += wide(entry);
+  for (; !entries.empty() && needed > width; entries.pop_back()) needed -= wide(entries.back());  // the rest has room
   float x = at.x + width - needed;
   const float line = 3 * ui.thin;
   for (const Entry& entry : entries) {
@@ -391,7 +392,7 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two, bool with_true, bool of_
       list->AddRectFilled({x + half, middle - 4}, {x + half + 1, middle + 1 + line}, c.muted);
     }
     draw_text(ui, {x + sign, at.y}, font, c.muted, entry.text);
-    x += sign + text_size(ui, font, entry.text).x + gap + 4;
+    x += wide(entry);
   }
 }
 
