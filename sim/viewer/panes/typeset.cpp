@@ -246,7 +246,7 @@ struct Row {
 };
 
 /// A piece of a side, and whether a line may begin with it.
-struct Piece {
+struct Unbroken {
   FormulaBox box;
   bool may_begin = false;
 };
@@ -276,7 +276,7 @@ constexpr int no_depth = 8;  ///< of brackets: from here on a line breaks wherev
 /// no more than `depth` brackets.
 std::vector<FormulaBox> pieces_of(const Ui& ui, const FormulaBox& side, int depth = 0) {
   if (side.what.kind != Kind::row) return {side};
-  std::vector<Piece> pieces;
+  std::vector<Unbroken> pieces;
   bool open = true, spaced = false;  // behind an operator no line begins, and none where there is no space
   int inside = 0;
   const auto add = [&](FormulaBox box, bool is_spaced) {
@@ -301,7 +301,7 @@ std::vector<FormulaBox> pieces_of(const Ui& ui, const FormulaBox& side, int dept
     }
   }
   std::vector<FormulaBox> joined;
-  for (Piece& piece : pieces) {
+  for (Unbroken& piece : pieces) {
     if (joined.empty() || piece.may_begin) joined.push_back(FormulaBox{Notation{Kind::row}});
     joined.back().parts.push_back(std::move(piece.box));
   }
