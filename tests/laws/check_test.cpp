@@ -61,6 +61,8 @@ bool is_right(const Method& method, const Scene& scene, const Conventions& conve
     FAIL_CHECK(step->name << " at step " << cause.first.step << ": " << cause.first.field << cause.first.impossible
                           << (cause.first.rule ? rule_text(*cause.first.rule).name : ""));
   }
+  if (as_computed && conventions.number_format == NumberFormat::float64)
+    CHECK(report.precision.text.find("fixed") == std::string::npos);
   // Formulas are evaluated in float64: what a run computes in other numbers they give but for rounding.
   // Where 1/z_v is added to, the trace has the reciprocal alone: the last digit may differ.
   const bool reciprocals = conventions.depth == Conventions::Depth::corrected && adds_slopes(conventions);

@@ -145,9 +145,10 @@ struct Multiples {
       if (multiple) told.push_back(value);
     }
   }
-  /// One or two may lie on a grid by chance.
+  /// Where some do not lie on the grid, one or two may by chance; where all do, one is enough: a number of float64 is
+  /// so near to a unit once in 50000 times.
   bool tell() const {
-    constexpr std::size_t enough = 3;
+    const std::size_t enough = multiples == telling ? 1 : 3;
     std::vector<double> different = told;
     std::sort(different.begin(), different.end());
     return std::unique(different.begin(), different.end()) - different.begin() >= static_cast<std::ptrdiff_t>(enough);
