@@ -86,7 +86,7 @@ std::vector<CounterRow> counters_of(const Race& race, const Race::Racer& racer, 
   }
   std::stable_sort(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   kinds.resize(std::min(kinds.size(), room > rows.size() ? room - rows.size() : 0));
-  std::sort(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::stable_sort(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   for (const auto& [most, kind] : kinds) add(compare::word_of(kind), now[kind], all[kind], false);
   return rows;
 }

@@ -318,7 +318,7 @@ std::vector<Offer> in_folder(const std::string& typed) {
     }
   }
   for (std::vector<Offer>* part : {&folders, &files})
-    std::sort(part->begin(), part->end(), [](const Offer& a, const Offer& b) { return a.title < b.title; });
+    std::stable_sort(part->begin(), part->end(), [](const Offer& a, const Offer& b) { return a.title < b.title; });
   folders.insert(folders.end(), std::make_move_iterator(files.begin()), std::make_move_iterator(files.end()));
   if (folders.size() > most_listed) folders.resize(most_listed);
   for (Offer& offer : folders) offer.theme = where;

@@ -44,7 +44,7 @@ std::vector<TitleName> names_that_fit(std::vector<TitleName> names, float room, 
   float left = room - measures.width(joined_names(signs));
   std::vector<TitleName*> shortest_first;
   for (TitleName& name : names) shortest_first.push_back(&name);
-  std::sort(shortest_first.begin(), shortest_first.end(), [&](const TitleName* one, const TitleName* other) {
+  std::stable_sort(shortest_first.begin(), shortest_first.end(), [&](const TitleName* one, const TitleName* other) {
     return measures.width(one->text) < measures.width(other->text);
   });
   for (std::size_t k = 0; k < shortest_first.size(); ++k) {

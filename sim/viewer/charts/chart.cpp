@@ -256,7 +256,7 @@ struct EndName {
 };
 void draw_names(Paper& sheet, std::vector<EndName> names, float x, float top, float bottom) {
   const float step = sheet.text_height() * 1.1f;
-  std::sort(names.begin(), names.end(), [](const EndName& a, const EndName& b) { return a.y < b.y; });
+  std::stable_sort(names.begin(), names.end(), [](const EndName& a, const EndName& b) { return a.y < b.y; });
   for (std::size_t k = 1; k < names.size(); ++k) names[k].y = std::max(names[k].y, names[k - 1].y + step);
   float limit = bottom;
   for (std::size_t k = names.size(); k-- > 0; limit = names[k].y - step)

@@ -67,7 +67,7 @@ const std::vector<PixelMark>& Findings::pixels(std::int64_t position, bool light
       pixels_.push_back({place.number, found == Trust::wrong});
   }
   // Frame and depth of a pixel are one mark, the worse of the two.
-  std::sort(pixels_.begin(), pixels_.end(), [](const PixelMark& a, const PixelMark& b) {
+  std::stable_sort(pixels_.begin(), pixels_.end(), [](const PixelMark& a, const PixelMark& b) {
     return a.pixel != b.pixel ? a.pixel < b.pixel : a.filled > b.filled;
   });
   pixels_.erase(std::unique(pixels_.begin(), pixels_.end(),

@@ -264,8 +264,8 @@ std::vector<glm::dvec3> Room::section(double a, double b, double c, double d) co
   const auto angle = [&](const glm::dvec3& p) {
     return portable::atan2(glm::dot(up, p - middle), glm::dot(right, p - middle));
   };
-  std::sort(corners.begin(), corners.end(),
-            [&](const glm::dvec3& p, const glm::dvec3& q) { return angle(p) < angle(q); });
+  std::stable_sort(corners.begin(), corners.end(),
+                   [&](const glm::dvec3& p, const glm::dvec3& q) { return angle(p) < angle(q); });
   for (glm::dvec3& corner : corners) corner = place(corner);
   return corners;
 }

@@ -308,7 +308,7 @@ std::optional<Slice> attribute_slice(const Moment& now) {
                       formulas::on_line(p.over, q.over, 0.0, from, to)});
     }
     if (ends.size() < 2) continue;
-    std::sort(ends.begin(), ends.end(), [](const Corner& p, const Corner& q) { return p.place < q.place; });
+    std::stable_sort(ends.begin(), ends.end(), [](const Corner& p, const Corner& q) { return p.place < q.place; });
     const Corner &first = ends.front(), &last = ends.back();
     if (!(first.place < last.place) || std::abs(first.a - last.a) <= 1e-9 * std::max(1.0, std::abs(first.a))) continue;
     Slice slice;

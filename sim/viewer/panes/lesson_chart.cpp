@@ -103,7 +103,7 @@ LineChart line_chart(const Shown& shown) {
       }
     }
     if (line.points.empty()) continue;
-    std::sort(line.points.begin(), line.points.end(), [](auto a, auto b) { return a.x < b.x; });
+    std::stable_sort(line.points.begin(), line.points.end(), [](auto a, auto b) { return a.x < b.x; });
     if (!shown.asked_for) {
       chart.lines.push_back(std::move(line));
       continue;

@@ -113,7 +113,8 @@ void name_ends(Ui& ui, Labels& labels, const SlicePlot& plot, ImVec2 origin, con
 /// Beside each marker, right of it or left; the upper one's a little higher, the lower one's lower.
 void name_markers(Ui& ui, Labels& labels, ImVec2 origin, std::vector<SliceMarker> markers) {
   const ImFont* font = ui.fonts.mono;
-  std::sort(markers.begin(), markers.end(), [](const SliceMarker& a, const SliceMarker& b) { return a.y < b.y; });
+  std::stable_sort(markers.begin(), markers.end(),
+                   [](const SliceMarker& a, const SliceMarker& b) { return a.y < b.y; });
   const float reach = std::max(7.0f, 0.5f * ui.em);
   for (const SliceMarker& marker : markers)
     labels.keep_free({origin.x + marker.x - reach, origin.y + marker.y - reach}, {2 * reach, 2 * reach});
