@@ -35,7 +35,7 @@ TEST_CASE("of the lesson on clipping the cube has what clipping leaves: nothing 
   const Trace trace = run_lesson(lesson);
   const Scene cube = in_canonical_volume(trace.scene());
   const std::map<std::string, int> left{{"I", 3}, {"K", 4}, {"O", 0}, {"Q", 5}, {"S", 4}, {"N", 0}};
-  for (const auto& [name, count] : left) CHECK_MESSAGE(corners_of(cube, name) == count, name);
+  for (const auto& one : left) CHECK_MESSAGE(corners_of(cube, one.first) == one.second, one.first);
   CHECK(cube.points.at(0) == glm::dvec3(-0.125, 0.875, 0.125));
   App app(trace, &lesson, {}, 1280, 720);
   app.session().to_stop(6);

@@ -145,9 +145,10 @@ TEST_CASE("law: a lesson's pictures have 45 % of the window and keep their place
   }
   for (const Shown& look : looks) {
     const auto& [sum, count] = ground[look.width];
+    const auto mean = sum / count;
     CAPTURE(look.width);
-    CAPTURE(sum / count);
-    CHECK(sum / count <= (all ? std::min(0.25, look.ground) : look.ground));
+    CAPTURE(mean);
+    CHECK(mean <= (all ? std::min(0.25, look.ground) : look.ground));
   }
 }
 

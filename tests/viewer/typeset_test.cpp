@@ -34,7 +34,9 @@ TEST_CASE(
     CAPTURE(id);
     Lesson lesson = find_lesson(id);
     const Trace trace = run_lesson(lesson);
-    for (const auto& [width, presenter] : {std::pair(279, false), {400, true}}) {
+    for (const auto& one : {std::pair(279, false), {400, true}}) {
+      const auto width = one.first;
+      const bool presenter = one.second;
       CAPTURE(width);
       CAPTURE(presenter);
       Settings settings;
