@@ -438,7 +438,7 @@ std::optional<SliceSpan> seen_of(SliceSpan span, const SlicePlot& plot) {
   double from = std::max(span.x_left, plot.x_first), to = std::min(span.x_right, plot.x_last);
   if (slope != 0) {
     const auto [one, other] =
-        std::minmax(span.x_left + (plot.low - span.z_left) / slope, span.x_left + (plot.high - span.z_left) / slope);
+        std::minmax({span.x_left + (plot.low - span.z_left) / slope, span.x_left + (plot.high - span.z_left) / slope});
     from = std::max(from, one), to = std::min(to, other);
   } else if (span.z_left < plot.low || span.z_left > plot.high) {
     return std::nullopt;
