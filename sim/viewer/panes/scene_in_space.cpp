@@ -14,6 +14,7 @@
 #include "algorithms/ray_casting/geometry.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
+#include "sim/viewer/panes/ray_plan.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -576,20 +577,18 @@ void draw_rays(RoomPen& pen, const Moment& now) {
   }
 }
 
-/// By which the point X of the last hit is told to be inside or not: the half-line from it in the facet's plane, and
-/// its crossings with the outline, counted.
+/// The test whether the point X of the last hit is inside: the half-line from it in the facet's plane, and how often
+/// it crosses the outline.
 void draw_half_line(RoomPen& pen, const Moment& now) {
   const RayHit* hit = now.event() ? get_if<RayHit>(&now.event()->event) : nullptr;
   const RayWork& work = now.state().machine.rays;
-  const auto row =
-      std::find_if(work.tree.begin(), work.tree.end(), [&](const RayRow& one) { return one.entry.ray == work.ray; });
-  if (!hit || records<ColorWrite>(now.header()) || row == work.tree.end()) return;
+  const RayBegin* const ray = ray_in(work);
+  if (!hit || records<ColorWrite>(now.header()) || !ray) return;
   if (hit->facet < 0 || hit->facet >= std::ssize(now.scene().facets)) return;
   const ray_casting::Target target = ray_casting::target_of(now.scene(), hit->facet);
   if (target.corners.size() < 3) return;
-  const RayBegin& ray = row->entry;
-  const glm::dvec3 x(hit->x_hit, hit->y_hit, hit->z_hit), from(ray.x_0, ray.y_0, ray.z_0);
-  const ray_casting::AlongRay along({from, {ray.dir_x, ray.dir_y, ray.dir_z}, 0, 0});
+  const glm::dvec3 x(hit->x_hit, hit->y_hit, hit->z_hit), from = from_of(*ray);
+  const ray_casting::AlongRay along({from, along_of(*ray), 0, 0});
   const glm::dvec3 one = target.corners[1] - target.corners[0], other = glm::cross(target.plane.normal(), one);
   glm::dvec3 way = along.project(from + other).y * one - along.project(from + one).y * other;
   if (along.project(from + way).x > 0) way = -way;  // crossings count where x is less
