@@ -58,7 +58,7 @@ void read_columns(ChartTable& table, std::string_view line, const std::string& w
   }
   table.across = name_before(line, words, count);
   if (table.across.empty() || count < unknown + 2 || unknown > 1)
-    throw InputError(where, "the first row of a chart's table is no name with at least two numbers from 1e-6 to 1e12",
+    throw InputError(where, "the first row of a chart's table needs a name and at least two numbers from 1e-6 to 1e12",
                      "write `polygons N  100  2500  60000`; one more number may be `?`");
 }
 
@@ -75,7 +75,7 @@ void read_row(ChartTable& table, std::string_view line, const std::string& where
     good = row.values.back() || word == nothing;
   }
   if (!good || !some)
-    throw InputError(where, fmt::format("`{}` is no row of a chart's table", trim(line)),
+    throw InputError(where, fmt::format("`{}` can't be drawn as a row of a chart", trim(line)),
                      fmt::format("write a name that does not end in a number, then {} numbers from 1e-6 to 1e12, with "
                                  "`4–8` for a range and `…` for none; at most {} rows",
                                  count, table.most_rows));

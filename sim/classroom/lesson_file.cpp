@@ -303,8 +303,7 @@ class Reader {
     if (starts_with(text, "window:") && !value.empty()) return read_window(value, stop);
     lines_.fail(fmt::format("`{}` is left over in the anchor", text),
                 "after ; write `focus:`, `viewing:`, `order:`, `depths:`, `pixel:`, `pixels:`, `label:`, `close:`, "
-                "`window:` or "
-                "`beside:` as docs/writing-a-lesson.md says");
+                "`window:` or `beside:` as docs/writing-a-lesson.md says");
   }
 
   /// "T_2 T_1, T_1 T_2".
@@ -315,10 +314,14 @@ class Reader {
       if (text[at] == ',' || text[at] == ' ') continue;
       const std::string_view one = text.substr(at, 3);
       if (one.size() < 3 || !starts_with(one, "T_") || one[2] < '1' || one[2] > '4')
-        lines_.fail(fmt::format("`order: {}` is no order", text), "write T_1 to T_4, as in `order: T_2 T_1, T_1 T_2`");
+        lines_.fail(fmt::format("`order: {}` is not made of T_1 to T_4", text),
+                    "write products, as in `order: T_2 T_1, T_1 T_2`");
       stop.orders.back().push_back(one[2] - '0');
       at += 2;
     }
+    if (std::ranges::any_of(stop.orders, [](const auto& order) { return order.empty(); }))
+      lines_.fail(fmt::format("`order: {}` has a comma too many", text),
+                  "write orders as in `order: T_2 T_1, T_1 T_2`");
   }
 
   /// "V_5, V_0 = 5, 4-5-6, V_01 = 0>1, U, plane = C, scan line 8"; of several lines after each other the first has the

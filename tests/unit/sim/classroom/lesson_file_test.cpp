@@ -270,7 +270,9 @@ TEST_CASE("slips in the stops") {
   const LessonFile order(head + "## Here {at: start; focus: scene; order: T_2 T_1, T_1 T_2}\nText.\n");
   CHECK(load_lesson(order.path).stops.at(0).orders == std::vector<std::vector<int>>{{2, 1}, {1, 2}});
   const LessonFile no_order(head + "## Here {at: start; order: T_2 T_5}\nText.\n");
-  CHECK_THROWS_WITH(load_lesson(no_order.path), doctest::Contains(":7: `order: T_2 T_5` is no order"));
+  CHECK_THROWS_WITH(load_lesson(no_order.path), doctest::Contains(":7: `order: T_2 T_5` is not"));
+  const LessonFile one_too_many(head + "## Here {at: start; order: T_2 T_1,}\nText.\n");
+  CHECK_THROWS_WITH(load_lesson(one_too_many.path), doctest::Contains(":7: `order: T_2 T_1,` has a comma"));
   for (const char* wrong : {"T_5", "T_0", "3", "T_12", ""}) {
     const LessonFile refused(head + "## Here {at: start; viewing: " + wrong + "}\nText.\n");
     CHECK_THROWS_WITH(load_lesson(refused.path), doctest::Contains(":7: `viewing:"));
