@@ -1,5 +1,6 @@
 #include "tests/viewer/letters.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/viewer/drive.hpp"
 #include "tests/viewer/tones.hpp"
 
 namespace zstep::test {
@@ -206,6 +208,12 @@ std::vector<std::string> faint(App& app, const Letters& drawn) {
           ink & 0xffffffu, behind.row(static_cast<int>((b.top + b.bottom) / 2))[static_cast<int>(b.left)] & 0xffffffu));
   }
   return found;
+}
+
+int times_written(App& app, const std::string& what) {
+  picture(app);
+  const auto words = letters_of(app.ui().fonts).words;
+  return static_cast<int>(std::count(words.begin(), words.end(), what));
 }
 
 }  // namespace zstep::test

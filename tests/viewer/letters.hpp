@@ -30,6 +30,8 @@ struct Letters {
   std::vector<std::string> covered;  ///< words of which a part lies under something drawn later
 };
 Letters letters_of(const viewer::Fonts& fonts);
+/// How often these words alone are written in the frame that is drawn now.
+int times_written(viewer::App& app, const std::string& what);
 /// Of a canvas that is seen in it, the upper left corner on the screen.
 std::optional<ImVec2> corner_of(ImTextureID image);
 

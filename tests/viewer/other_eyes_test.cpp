@@ -12,16 +12,6 @@
 using namespace zstep;
 using namespace zstep::viewer;
 
-namespace {
-
-int times_written(App& app, const std::string& what) {
-  test::picture(app);
-  const auto words = test::letters_of(app.ui().fonts).words;
-  return static_cast<int>(std::count(words.begin(), words.end(), what));
-}
-
-}  // namespace
-
 TEST_CASE("law: the run beside a lesson's with another eye has the same tree, and goes through it in another order") {
   int seen = 0;
   for (Lesson& lesson : all_lessons()) {
@@ -52,15 +42,15 @@ TEST_CASE("the plan names both eyes, and both trees tell their order") {
   for (std::size_t stop = 0; stop < lesson.stops.size(); ++stop) {
     if (lesson.stops[stop].focus != "plan") continue;
     app.session().to_stop(static_cast<int>(stop));
-    CHECK_MESSAGE(times_written(app, "eye 1") == 1, lesson.stops[stop].heading);
-    CHECK_MESSAGE(times_written(app, "eye 2") == 1, lesson.stops[stop].heading);
+    CHECK_MESSAGE(test::times_written(app, "eye 1") == 1, lesson.stops[stop].heading);
+    CHECK_MESSAGE(test::times_written(app, "eye 2") == 1, lesson.stops[stop].heading);
   }
   const auto beside =
       std::find_if(lesson.stops.begin(), lesson.stops.end(), [](const Stop& stop) { return !stop.beside.empty(); });
   REQUIRE(beside != lesson.stops.end());
   app.session().to_stop(static_cast<int>(beside - lesson.stops.begin()));
-  CHECK(times_written(app, "#1") == 2);
-  CHECK(times_written(app, "#8") == 1);
+  CHECK(test::times_written(app, "#1") == 2);
+  CHECK(test::times_written(app, "#8") == 1);
 }
 
 TEST_CASE("a lesson's scene shows the angles of the eye where the lesson gives them, and how a vertex is projected") {
@@ -69,7 +59,7 @@ TEST_CASE("a lesson's scene shows the angles of the eye where the lesson gives t
   App app(trace, &lesson, {}, 1280, 720);
   const auto named = [&](int stop, const std::string& what) {
     app.session().to_stop(stop);
-    return times_written(app, what);
+    return test::times_written(app, what);
   };
   CHECK(named(0, "\u03b8") == 0);
   CHECK(named(1, "\u03b8") >= 1);

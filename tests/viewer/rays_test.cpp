@@ -13,16 +13,6 @@
 using namespace zstep;
 using namespace zstep::viewer;
 
-namespace {
-
-int times_written(App& app, const std::string& what) {
-  test::picture(app);
-  const auto words = test::letters_of(app.ui().fonts).words;
-  return static_cast<int>(std::count(words.begin(), words.end(), what));
-}
-
-}  // namespace
-
 TEST_CASE(
     "law: the half-line in the scene crosses the outline of what is hit once where the point is inside, else not "
     "once") {
@@ -37,9 +27,9 @@ TEST_CASE(
     if (!hit) continue;
     app.session().go_to(position);
     CAPTURE(position);
-    const bool once = times_written(app, "1") == 1 && times_written(app, "2") == 0;
+    const bool once = test::times_written(app, "1") == 1 && test::times_written(app, "2") == 0;
     CHECK(once == hit->inside);
-    CHECK((times_written(app, "X") == 1 || !hit->inside));  // a point beside may lie out of sight
+    CHECK((test::times_written(app, "X") == 1 || !hit->inside));  // a point beside may lie out of sight
     ++(hit->inside ? inside : outside);
   }
   CHECK(inside > 0);
@@ -58,11 +48,11 @@ TEST_CASE("the plan of rays marks t where the stop gives the ray's numbers, and 
     app.session().to_stop(static_cast<int>(k));
     CAPTURE(stop.heading);
     const bool gives = std::find(stop.names.begin(), stop.names.end(), "x_0") != stop.names.end();
-    CHECK((times_written(app, "t = 0") > 0 && times_written(app, "t = 1") > 0) == gives);
+    CHECK((test::times_written(app, "t = 0") > 0 && test::times_written(app, "t = 1") > 0) == gives);
     marked += gives;
     for (std::size_t box = 0; box < app.session().state().machine.boxes.size() && !tested; ++box)
-      CHECK((stop.focus == "ray_tests" || times_written(app, "box " + std::to_string(box)) == 0));
-    boxes += tested && times_written(app, "box 0") > 0;
+      CHECK((stop.focus == "ray_tests" || test::times_written(app, "box " + std::to_string(box)) == 0));
+    boxes += tested && test::times_written(app, "box 0") > 0;
   }
   CHECK(marked > 0);
   CHECK(boxes > 0);
@@ -81,7 +71,7 @@ TEST_CASE("a pane of glass has its letter at its outline while it is laid over w
     CAPTURE(lesson.stops[k].heading);
     const std::int32_t polygon = app.session().state().machine.polygon;
     REQUIRE(polygon >= 0);
-    CHECK(times_written(app, *trace.scene().polygons[static_cast<std::size_t>(polygon)].name) >= 1);
+    CHECK(test::times_written(app, *trace.scene().polygons[static_cast<std::size_t>(polygon)].name) >= 1);
     ++named;
   }
   CHECK(named > 0);
