@@ -86,7 +86,7 @@ LineChart line_chart(const Shown& shown) {
   const bool ranges = std::any_of(table.rows.begin(), table.rows.end(), has_range);
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const Row& row = table.rows[k];
-    // Ranges of one column stand beside each other.
+    // Ranges of the same column are drawn side by side.
     const double beside = ranges ? portable::pow(most / least, 0.012 * (static_cast<double>(k) - (count - 1) / 2)) : 1;
     LineChart::Line line{row.name, {}, false, shown.looks[k], has_range(row)};
     if (shown.waits(row)) continue;

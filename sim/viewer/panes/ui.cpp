@@ -133,7 +133,7 @@ std::optional<std::pair<std::size_t, std::size_t>> subscript_in(std::string_view
   return std::nullopt;
 }
 
-/// What stands beside "=" and its like stays there, and what follows an operator.
+/// No line begins or ends with a relation such as "=", nor ends with a sign.
 void keep_together(std::vector<Word>& words) {
   constexpr std::array<std::string_view, 8> relations{"=", "<", ">", "\u2264", "\u2265", "\u00b7", "\u00d7", "~"},
       signs{"+", "\u2212"};
